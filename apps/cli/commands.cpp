@@ -25,8 +25,8 @@ namespace trivet::cli {
 
 namespace {
 
-/// "1,5 Hz" may be one number with a decimal comma, 1 rad/s and 5 Hz, or 1 Hz and 5 Hz: all values have a unit, or none
-/// has. The 0 of a band is 0 in every unit.
+/// Rejects lists in which only some values have a unit: "1,5 Hz" may be one number with a decimal comma, 1 rad/s and
+/// 5 Hz, or 1 Hz and 5 Hz. The 0 of a band is 0 in every unit.
 void refuse_mixed_units(const std::string& option, const std::string& text, const std::vector<std::string>& items) {
   const bool band = option == "--band";
   std::size_t bare = 0, with_unit = 0;
@@ -78,7 +78,7 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
 
 namespace {
 
-/// What a command asks: the question, with the frequencies of the command line in place of the file's.
+/// The request of a command: the question, with the frequencies of the command line instead of those of the file.
 project::Analyses wanted(const study::AskedQuestion& question, const project::Case& variant, const Options& options) {
   project::Analyses analyses;
   try {
@@ -86,7 +86,7 @@ project::Analyses wanted(const study::AskedQuestion& question, const project::Ca
   } catch (const foundation::InvalidInput& missing) {
     throw BadArgument(missing.what());
   }
-  assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` alone
+  assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` only
   if (!options.at.empty()) {
     analyses.response->at = frequencies("--at", options.at);
     analyses.response->band.reset();
@@ -112,7 +112,7 @@ std::string rendered(const std::string& which, const project::Case& variant, con
 }
 
 std::string checks_text(const std::vector<study::CheckLine>& lines) {
-  results::TextTable table({"thing", "check", "figure", "verdict"});
+  results::TextTable table({"subject", "check", "value", "verdict"});
   for (const study::CheckLine& line : lines)
     table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
   return table.text();
@@ -121,13 +121,13 @@ std::string checks_text(const std::vector<study::CheckLine>& lines) {
 std::string case_check_text(const study::CaseCheck& found) {
   std::string text = found.case_name.empty()
       ? "Base model\n"
-      : "Case " + found.case_name + (found.lines.empty() ? ": checks as the base model\n" : "\n");
+      : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
   if (!found.lines.empty()) text += checks_text(found.lines);
   for (const auto* notes : {&found.free_motions, &found.notes})
     for (const std::string& note : *notes) text += "  note: " + note + "\n";
   if (found.deep)
     text += fmt::format(
-        "  two solvers at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed there {:.2e} "
+        "  two solvers compared at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed {:.2e} "
         "(round-off × condition): {}\n",
         found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
         found.deep->verdict());
@@ -198,7 +198,7 @@ int check_command(const Options& options) {
     write_problems(warnings);
     write_output(
         text +
-        fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but read the warnings"));
+        fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but there are warnings"));
   }
   const bool agrees = std::all_of(cases.begin(), cases.end(),
                                   [](const study::CaseCheck& one) { return !one.deep || one.deep->passed; });
@@ -214,8 +214,7 @@ int answer_command(const std::string& which, const Options& options) {
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
     const study::Answers answers = study::answers(variant, wanted(question, variant, options), progress());
-    const bool only_beside =
-        which == "response" && answers.response;  // what failed then is a limit or a limit line beside it
+    const bool only_beside = which == "response" && answers.response;  // then only a limit or a limit line failed
     if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);
     const bool plain = !options.csv && !options.json;

@@ -14,7 +14,7 @@
 
 namespace trivet::cli {
 
-/// What the command line said.
+/// Options of the command line.
 struct Options {
   std::string project;
   std::string case_name;
@@ -45,7 +45,7 @@ int explain_command(const Options& options);
 int suspension_command(const Options& options);
 int map_command(const Options& options);
 
-/// The command line asks for what the project does not have.
+/// The command line requests something that the project does not have.
 struct BadArgument : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -53,21 +53,21 @@ struct BadArgument : std::runtime_error {
 /// The base model, or the case of this name. @throws BadArgument if there is none
 [[nodiscard]] const project::Case& chosen_case(const project::Project& project, const std::string& name);
 
-/// "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
+/// Angular frequencies [rad/s] from "1,2.7,15.6" in rad/s, or each with a unit. @throws BadArgument, naming the option
 [[nodiscard]] std::vector<double> frequencies(const std::string& option, const std::string& text);
 
-/// The picture that was asked for, begun; none if none was. @throws BadArgument if it cannot stand where it was asked
-/// for
+/// The requested picture file, prepared; nullptr if none was requested. @throws BadArgument if it cannot be written
+/// there
 [[nodiscard]] std::unique_ptr<results::PictureFile> new_picture(const Options& options);
 
-/// The project, or nothing after its problems were printed. Errors in questions that are not wanted stop no command.
+/// The project; empty if it has errors, which are then printed. Errors in questions that are not wanted are ignored.
 [[nodiscard]] std::optional<project::Project> read_or_complain(const Options& options,
                                                                const project::Questions& questions = {});
 
-/// Those that a command on one case answers.
+/// The questions of a command on one case.
 [[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> wanted);
 
-/// Warnings and free motions, which belong to every answer.
+/// Warnings and rigid-body modes, which are part of every answer.
 [[nodiscard]] std::string warnings_text(const study::Answers& answers);
 
 }  // namespace trivet::cli

@@ -27,7 +27,7 @@ bool reader_has_left = false;
 void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0)
-      static_cast<void>(open("/dev/null", O_RDONLY));  // gets the lowest free number: this one
+      static_cast<void>(open("/dev/null", O_RDONLY));  // gets the lowest free descriptor: this one
 }
 
 void write_output(const std::string& text) {
@@ -37,8 +37,7 @@ void write_output(const std::string& text) {
   if (written && std::fflush(stdout) == 0) return;
   reader_has_left = errno == EPIPE;
   if (!reader_has_left)
-    throw std::runtime_error(
-        fmt::format("standard output: {}", errno ? std::strerror(errno) : "not everything was written"));
+    throw std::runtime_error(fmt::format("standard output: {}", errno ? std::strerror(errno) : "incomplete output"));
 }
 
 int exit_code(int code) { return reader_has_left ? reader_left : code; }
@@ -56,7 +55,7 @@ void write_failure(const std::exception& failure) {
   else if (const auto* of_system = dynamic_cast<const std::system_error*>(&failure))
     words = of_system->code().message();
   else if (dynamic_cast<const std::bad_alloc*>(&failure) || dynamic_cast<const std::length_error*>(&failure))
-    words = "this question needs more memory than there is; ask for fewer points, answers or cases at once";
+    words = "not enough memory; request fewer points, answers or cases at once";
   write_error("error: " + foundation::on_one_line(words) + "\n");
 }
 

@@ -46,10 +46,10 @@ int element_command(const Options& options) {
     std::optional<study::Simplification> simple;
     try {
       if (project::has_broken_curves(variant))
-        summary.warnings.warning(
-            "analyses", "errors in response or peaks",
-            "the comparison with three springs is of the peaks of the coordinates, not of what the file asks for",
-            "trivet check lists the errors");
+        summary.warnings.warning("analyses", "errors in response or peaks",
+                                 "the comparison with three springs uses the peaks of the coordinates instead of those "
+                                 "that the file requests",
+                                 "trivet check lists the errors");
       simple = study::simplification(variant, replaced(variant, element, options.all), progress());
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");

@@ -51,7 +51,7 @@ std::string ends_text(const project::Case& variant, const model::Element& elemen
       "\n  local axes of K in the ground frame: " + axes_words(k) + "\n";
 }
 
-/// Twelve rows of the six columns that belong to one end: 80 signs fit a terminal.
+/// Twelve rows with the six columns of one end: a width of 80 characters fits a terminal.
 std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
   constexpr double round_off = 1e-12;
   const char end = first_column == 0 ? 'N' : 'K';
@@ -83,37 +83,38 @@ std::string character_text(const elements::Character& c) {
   }
   return table.text() +
       fmt::format("  elastic centre: {} m from K{}; rotational stiffnesses are about it\n",
-                  vector_words(c.elastic_centre, 1e-9), c.centre_is_unique ? "" : " (the nearest of a line of them)") +
+                  vector_words(c.elastic_centre, 1e-9),
+                  c.centre_is_unique ? "" : " (not unique: the nearest point of a line)") +
       fmt::format(
              "  coupling of translation and rotation, largest |K_ij|/√(K_ii K_jj): {:.3f} at K, {:.3f} at the elastic "
              "centre\n",
              c.coupling_at_k, c.coupling_at_centre) +
       fmt::format(
-             "  energy of unit motions of K combined at worst: {:.3g} to {:.3g} of what they store one by one (1 and "
-             "1: nothing coupled)\n",
+             "  strain energy of combined unit motions of K: {:.3g} to {:.3g} times the sum of their separate energies "
+             "(1 and 1: uncoupled)\n",
              c.softest_combination, c.stiffest_combination);
 }
 
 std::string checks_text(const model::Element& element, const elements::MatrixVerdict& v) {
-  const auto verdict = [](bool passed) { return passed ? std::string("ok") : std::string("look at it"); };
-  TextTable table({"check of the stiffness", "figure (scaled by √(K_ii K_jj))", "verdict"});
+  const auto verdict = [](bool passed) { return passed ? std::string("ok") : std::string("CHECK IT"); };
+  TextTable table({"check of the stiffness", "value (scaled by √(K_ii K_jj))", "verdict"});
   if (element.symmetric)
     table.add({"symmetric", fmt::format("{:.1e}", v.asymmetry), verdict(v.asymmetry <= elements::rounding_of_data)});
   else table.add({"declared unsymmetric", fmt::format("{:.1e}", v.asymmetry), "as declared"});
-  table.add({element.law.preload ? "rigid motion asks only for the turned preload" : "resists no rigid motion",
+  table.add({element.law.preload ? "rigid motion only rotates the preload" : "no force under rigid motion",
              fmt::format("{:.1e}", v.rigid_residual), verdict(v.rigid_residual <= elements::silent_residual)});
-  // Turned as a whole, a preloaded element does work: N is held.
+  // A preloaded element does work when rotated as a whole, so N is held.
   const double lowest =
       element.law.preload ? elements::lowest_of_held_end(elements::stiffness(element.law)) : v.lowest_eigenvalue;
   const bool passive = element.law.preload ? lowest >= -elements::rounding_of_data : elements::is_semidefinite(v);
-  table.add({element.law.preload ? "gives no energy while N is held" : "gives no energy",
+  table.add({element.law.preload ? "generates no energy with N held" : "generates no energy",
              fmt::format("eigenvalues {:.2g} to {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest, v.highest_eigenvalue),
              verdict(passive)});
   return table.text();
 }
 
 std::string energy_text(const study::ElementSummary& summary) {
-  constexpr double idle = 1e-4;  // share of a mode's strain energy below which the element does next to nothing in it
+  constexpr double idle = 1e-4;  // share of the strain energy of a mode below which the element is not listed
   TextTable table(
       {"mode", "f [Hz]", "of the model's strain energy", "in translation", "in rotation", "in coupling", "motion"});
   const auto percent = [](double share) { return fmt::format("{:.1f}%", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
@@ -127,9 +128,9 @@ std::string energy_text(const study::ElementSummary& summary) {
   }
   const std::size_t others = summary.modes.size() - shown_modes;
   if (shown_modes == 0) return "Its strain energy is below 0.01 % in every undamped mode\n";
-  return "Strain energy in the undamped modes, and its parts inside the element, with K as reference point: three "
-         "springs keep the part in\n"
-         "translation and lose the others (coupling may be negative)\n" +
+  return "Strain energy in the undamped modes and its parts inside the element, with K as reference point: three "
+         "springs\n"
+         "represent only the part in translation (coupling may be negative)\n" +
       table.text() + (others > 0 ? fmt::format("  below 0.01 % in {} more\n", others) : "");
 }
 
@@ -159,20 +160,20 @@ std::string damping_words(const elements::Law& law) {
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
   if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
   if (law.frequency_dependence && !law.frequency_dependence->elastic) return "in its table";
-  return "none of its own";
+  return "none";
 }
 
 std::string frequency_text(const model::Element& element) {
   const elements::Law& law = element.law;
   std::string text = "Damping: " + damping_words(law) + "\n";
   if (const auto& given = law.frequency_dependence) {
-    text += "Frequency dependence: the stiffness above is that at rest; " +
+    text += "Frequency dependence: the stiffness above is static; " +
         std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
     text += std::isfinite(given->to)
         ? fmt::format(" from {:.6g} to {:.6g} Hz\n", given->from / two_pi, given->to / two_pi)
         : "\n";
   } else if (elements::is_frequency_dependent(law) || std::holds_alternative<elements::Viscoelastic>(law.damping)) {
-    text += "Frequency dependence: the material relaxes; the stiffness above is that at rest\n";
+    text += "Frequency dependence: the material relaxes; the stiffness above is static\n";
   }
   if (law.inertia && law.inertia->angular_frequencies.size() > 0) {
     text += "Own natural frequencies, both ends held:";
@@ -181,7 +182,7 @@ std::string frequency_text(const model::Element& element) {
     text += " Hz\n";
   }
   if (std::isfinite(element.massless_up_to))
-    text += fmt::format("Its mass is left out: hold its results below its first natural frequency, {:.5g} Hz\n",
+    text += fmt::format("Its mass is neglected: results are valid only below its first natural frequency, {:.5g} Hz\n",
                         element.massless_up_to / two_pi);
   return text;
 }
@@ -196,7 +197,7 @@ std::string preload_text(const elements::Law& law) {
       row.push_back(shown(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
     table.add(row);
   }
-  return "Preload in the state about which it moves (local axes of each end)\n" + table.text();
+  return "Preload in the equilibrium state (local axes of each end)\n" + table.text();
 }
 
 std::string percent(const std::optional<double>& difference) {
@@ -214,7 +215,7 @@ std::string list(const std::vector<std::string>& words, const char* separator) {
 }
 
 std::string mode_comparison_text(const study::Simplification& simple) {
-  TextTable table({"mode", "f [Hz]", "three springs", "difference", "alike (MAC)", "motion"});
+  TextTable table({"mode", "f [Hz]", "three springs", "difference", "MAC", "motion"});
   const auto hertz = [](const std::optional<double>& omega) { return shown(omega ? *omega / two_pi : std::nan("")); };
   for (const study::ModeComparison& mode : simple.modes)
     table.add({std::to_string(mode.number), hertz(mode.full),
@@ -222,9 +223,9 @@ std::string mode_comparison_text(const study::Simplification& simple) {
                percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.likeness),
                mode.name});
   std::string text = table.text();
-  for (const std::string& motion : simple.free_motions) text += "  left without any stiffness: " + motion + "\n";
+  for (const std::string& motion : simple.free_motions) text += "  with three springs " + motion + "\n";
   if (simple.inner_modes > 0)
-    text += fmt::format("  {} further modes lie inside elements, from {} Hz on; they are not compared\n",
+    text += fmt::format("  {} further modes are mostly inside elements, from {} Hz on; they are not compared\n",
                         simple.inner_modes, hertz(simple.first_inner_mode));
   return text;
 }
@@ -248,7 +249,7 @@ std::string peak_comparison_text(const study::Simplification& simple) {
                percent(study::relative_difference(full, simplified)), shown(high.value_or(none)),
                shown(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)),
                peak.unit});
-    if (peak.vanishes) notes += fmt::format("  {}: stays at rest with three springs\n", peak.name);
+    if (peak.vanishes) notes += fmt::format("  {}: no motion with three springs\n", peak.name);
     else if (peak.full && !peak.simplified) notes += fmt::format("  {}: no peak with three springs\n", peak.name);
   }
   return table.text() + notes;
@@ -276,9 +277,8 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
 
 std::string simplification_text(const study::Simplification& simple) {
   std::string text = fmt::format(
-      "{} taken for three springs in this model\n(the translational stiffness of K along the local axes, nothing "
-      "else{})\n",
-      list(simple.replaced, ", "), simple.left_out.empty() ? "" : "; left out too: " + list(simple.left_out, ", "));
+      "{} replaced by three springs in this model\n(only the translational stiffness of K along the local axes{})\n",
+      list(simple.replaced, ", "), simple.left_out.empty() ? "" : "; also neglected: " + list(simple.left_out, ", "));
   return text + mode_comparison_text(simple) + peak_comparison_text(simple);
 }
 

@@ -6,15 +6,14 @@
 #include "trivet/study/element_summary.h"
 #include "trivet/study/simplification.h"
 
-/// One element as text for people.
 namespace trivet::cli {
 
-/// Type, ends, how it was found, the 12×12, principal stiffnesses, elastic centre, checks, energy, uncertainty, limits
-/// of validity, preload.
+/// One element as text: type, ends, how its law was determined, the 12×12, principal stiffnesses, elastic centre,
+/// checks, energy, uncertainty, limits of validity, preload.
 [[nodiscard]] std::string element_text(const project::Case& variant, std::size_t element,
                                        const study::ElementSummary& summary);
 
-/// Natural frequencies and highest peaks with the real elements and with three springs in their place.
+/// Natural frequencies and highest peaks with the full elements and with three springs in their place.
 [[nodiscard]] std::string simplification_text(const study::Simplification& simple);
 
 }  // namespace trivet::cli

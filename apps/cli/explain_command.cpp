@@ -27,7 +27,7 @@ std::string rounded_percent(double share) {
   return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share);
 }
 
-/// Lines of a screen's width, the next ones indented.
+/// A text wrapped to the width of a screen, with all lines after the first indented.
 std::string wrapped(const std::string& text) {
   constexpr std::size_t width = 118;
   std::string lines, line;
@@ -74,7 +74,7 @@ std::string elements_table(const project::Case& variant, const study::ExplainedP
     table.add(row);
   }
   if (std::abs(shares.geometric) >= worth_an_element)
-    table.add({"preload and weight where bodies turn", rounded_percent(shares.geometric), "", "", "", "", "", "", ""});
+    table.add({"geometric stiffness (preload, weight)", rounded_percent(shares.geometric), "", "", "", "", "", "", ""});
   if (std::abs(shares.in_foundations) >= worth_an_element || std::abs(shares.by_foundations) >= worth_an_element)
     table.add({"foundations", rounded_percent(shares.in_foundations), "", "", "", "", "", "",
                rounded_percent(shares.by_foundations)});
@@ -94,7 +94,7 @@ std::string levers_table(const study::Explanation& explanation, const study::Exp
   std::string text = table.text();
   if (peak.sensitivities.size() > most_levers)
     text +=
-        fmt::format("  (the strongest {} of {}; --csv or --json gives all)\n", most_levers, peak.sensitivities.size());
+        fmt::format("  (the strongest {} of {}; --csv or --json lists all)\n", most_levers, peak.sensitivities.size());
   return text;
 }
 
@@ -110,11 +110,10 @@ std::string explain_text(const project::Case& variant, const study::Explanation&
     text += "\n";
   }
   text +=
-      "Energy by direction: deformation at each element's elastic centre, its local axes. Changes to first order, "
-      "exact slopes; places "
-      "move the element as it is.\n";
+      "Energy by direction: deformation at the elastic centre of each element, in its local axes. Changes are first "
+      "order with exact slopes; a moved element is not changed otherwise.\n";
   if (explanation.left_out > 0)
-    text += fmt::format("{} further {} left out; --of NAME asks for one answer, --most N for more\n",
+    text += fmt::format("{} further {} not explained; --of NAME selects one answer, --most N shows more\n",
                         explanation.left_out, explanation.left_out == 1 ? "peak" : "peaks");
   return text;
 }

@@ -22,15 +22,14 @@ namespace {
 
 using trivet::cli::Options;
 
-std::string not_empty(const std::string& text) { return text.empty() ? "an empty text; leave the option out" : ""; }
+std::string not_empty(const std::string& text) { return text.empty() ? "an empty text; omit the option" : ""; }
 
 CLI::App* add_command(CLI::App& app, const std::string& name, const std::string& about, Options& options) {
   CLI::App* command = app.add_subcommand(name, about);
   command->add_option("PROJECT", options.project, "project file (TOML)")->required();
   command
-      ->add_option(
-          "--set", options.settings,
-          "change a number: elements.front.scale=1.5 (repeatable); laid over the file and its cases, so that it wins")
+      ->add_option("--set", options.settings,
+                   "change a number: elements.front.scale=1.5 (repeatable); overrides the file and its cases")
       ->allow_extra_args(false);
   return command;
 }
@@ -43,11 +42,11 @@ CLI::App* add_answer(CLI::App& app, const std::string& name, const std::string& 
   return command;
 }
 
-/// For commands whose answer is judged.
+/// Adds --strict to a command with a verdict.
 CLI::App* add_strict(CLI::App* command, Options& options) {
   command->add_flag(
       "--strict", options.strict,
-      "exit code 3 if a limit or a rule is broken, 4 if there are only warnings; the answer is written all the same");
+      "exit code 3 if a limit or a rule is violated, 4 if there are only warnings; the answer is written in any case");
   return command;
 }
 
@@ -56,7 +55,7 @@ std::string at_least_one(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && end == text.data() + text.size() && number >= 1
       ? ""
-      : "\"" + text + "\": it is a whole number from 1 on";
+      : "\"" + text + "\": must be a whole number ≥ 1";
 }
 
 void add_picture(CLI::App& command, const std::string& drawn, Options& options) {
@@ -68,17 +67,17 @@ void add_picture(CLI::App& command, const std::string& drawn, Options& options) 
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
 }
 
-/// A word in the place of a command that is none.
+/// Reports a word that is not a command.
 void refuse_command(CLI::App& app, const std::string& word) {
   std::vector<std::string> commands;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
     commands.push_back(command->get_name());
   const std::string guess = trivet::foundation::nearest_name(word, commands);
-  trivet::cli::write_error("error: " + trivet::foundation::quoted(word) + " is no command; " +
+  trivet::cli::write_error("error: " + trivet::foundation::quoted(word) + " is not a command; " +
                            (guess.empty() ? "trivet --help lists them" : "did you mean \"" + guess + "\"?") + "\n");
 }
 
-/// Help and version as they are; of a wrong command line, what the user typed as printable text.
+/// Prints help and version unchanged; for a wrong command line, prints what the user typed as printable text.
 int said_by_parser(const CLI::App& app, const CLI::ParseError& error) {
   if (error.get_exit_code() == 0) return app.exit(error);
   std::stringstream text;
@@ -113,13 +112,14 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 1 something could not be computed, 2 the input is wrong, 128 + n ended by signal n, 141 the "
-      "reader of the output left; with --strict also 3 and 4, see run --help.");
-  add_strict(add_command(app, "run", "everything the file asks for: tables here, numbers and report.html in a folder",
-                         options),
-             options)
+      "output pipe was closed; with --strict also 3 and 4, see run --help.");
+  add_strict(
+      add_command(app, "run", "all analyses of the file: tables on the screen, numbers and report.html in a folder",
+                  options),
+      options)
       ->add_option("-o,--output", options.output, "result folder")
       ->capture_default_str();
-  CLI::App* check = add_command(app, "check", "every problem of a project file at once", options);
+  CLI::App* check = add_command(app, "check", "check a project file and list all its problems", options);
   check->add_flag("--deep", options.deep, "compare the solver with a second, independent one");
   check->add_flag("--json", options.json, "JSON");
   add_strict(check, options);
@@ -129,12 +129,13 @@ int main(int argc, char** argv) {
   CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")
                         ->check(not_empty);
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
-  CLI::App* explain = add_answer(app, "explain", "why each resonance peak is there, and what would change it", options);
+  CLI::App* explain =
+      add_answer(app, "explain", "causes of each resonance peak, and the parameters that change it", options);
   explain
       ->add_option("--of", options.of,
-                   "an answer whose peaks are explained (repeatable); those of the file's peaks by default")
+                   "answer with the peaks to explain (repeatable); default: the answers of `peaks` in the file")
       ->allow_extra_args(false);
-  explain->add_option("--most", options.most, "number of peaks explained, the tallest relative to their curve")
+  explain->add_option("--most", options.most, "number of peaks explained, the highest relative to their curve")
       ->capture_default_str()
       ->check(at_least_one);
   CLI::App* suspension =
@@ -145,10 +146,10 @@ int main(int argc, char** argv) {
       ->check(not_empty);
   suspension
       ->add_option("--excitation", options.excitations,
-                   "frequencies to hold against the natural ones: 25Hz,50Hz, or in rad/s")
+                   "frequencies to compare with the natural ones: 25Hz,50Hz, or in rad/s")
       ->check(not_empty);
   CLI::App* map =
-      add_answer(app, "map", "two parameters against limits: where the design holds, and what governs", options);
+      add_answer(app, "map", "map of limits over two parameters: feasible designs and governing rules", options);
   map->add_option("--points", options.points,
                   "designs along both axes instead of those of the file: 200x150, or 100 for both")
       ->check(not_empty);
@@ -156,11 +157,12 @@ int main(int argc, char** argv) {
   add_strict(map, options);
   CLI::App* element =
       add_command(app, "element",
-                  "one element: its 12x12, checks, energy, and what three springs in its place would change", options);
+                  "one element: its 12x12, checks, energy, and a comparison with three springs in its place", options);
   element->add_option("NAME", options.element, "name of the element")->required();
   element->add_option("--case", options.case_name, "a case of the file instead of the base model");
   element->add_flag("--json", options.json, "JSON, SI");
-  element->add_flag("--all", options.all, "compare with every element taken for three springs, not this one alone");
+  element->add_flag("--all", options.all,
+                    "replace every element by three springs for the comparison, not only this one");
   add_picture(*element, "element", options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");

@@ -17,7 +17,7 @@
 namespace trivet::cli {
 namespace {
 
-/// "1000x1000", or one number for both axes.
+/// Numbers of points from "1000x1000", or one number for both axes.
 study::MapOptions sizes(const std::string& text) {
   study::MapOptions options;
   if (text.empty()) return options;
@@ -33,12 +33,12 @@ study::MapOptions sizes(const std::string& text) {
   options.nx = whole(text.substr(0, cross));
   options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
   if (static_cast<double>(options.nx) * options.ny > project::most_designs)
-    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map holds at most {:.0e}", text,
+    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map has at most {:.0e}", text,
                                   static_cast<double>(options.nx) * options.ny, project::most_designs));
   return options;
 }
 
-/// Those that belong to every answer of this model.
+/// Warnings that concern every answer of this model.
 foundation::Problems model_warnings(const project::Case& variant) {
   project::Analyses asked;
   asked.map = variant.analyses.map;
@@ -54,7 +54,7 @@ int map_command(const Options& options) {
     const project::Case& variant = chosen_case(*project, options.case_name);
     if (!variant.analyses.map)
       throw BadArgument(
-          "map: say of what: add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
+          "map: none given; add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
           "no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions wanted = sizes(options.points);
     const std::unique_ptr<results::PictureFile> picture = new_picture(options);

@@ -19,7 +19,7 @@
 namespace trivet::cli {
 namespace {
 
-/// A case's name as part of a file name.
+/// The name of a case as part of a file name.
 std::string file_stem(const std::string& case_name) {
   if (case_name.empty()) return "base";
   std::string stem;
@@ -28,7 +28,7 @@ std::string file_stem(const std::string& case_name) {
   return foundation::shortened(stem, report::longest_file_part);
 }
 
-/// One folder per case, numbered, because different names may share the letters that are safe in a file name.
+/// One folder per case, numbered, because different names may give the same safe file name.
 std::vector<std::string> case_folders(const project::Project& project) {
   std::vector<std::string> names;
   for (const project::Case& variant : project.cases)

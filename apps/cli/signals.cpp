@@ -16,7 +16,7 @@ namespace {
 void wait_and_end(sigset_t signals) {
   int number = 0;
   if (sigwait(&signals, &number) != 0) return;
-  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second one ends the program by its default
+  pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);  // a second signal ends the program by default
   foundation::remove_leftovers();
   constexpr std::string_view words = "\ninterrupted; unfinished results are removed\n";
   static_cast<void>(!write(STDERR_FILENO, words.data(), words.size()));
@@ -32,7 +32,7 @@ bool is_ignored(int number) {
 
 void end_cleanly_on_signals() {
   for (const int number : {SIGPIPE, SIGXFSZ})
-    signal(number, SIG_IGN);  // a reader that left and a full quota are found when writing
+    signal(number, SIG_IGN);  // a closed pipe and a full quota are detected when writing
   sigset_t signals;
   sigemptyset(&signals);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -40,11 +40,11 @@ void end_cleanly_on_signals() {
     signal(number, SIG_DFL);
     sigaddset(&signals, number);
   }
-  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in every thread that is started from now on
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in every thread started from now on
   try {
     std::thread(wait_and_end, signals).detach();
-  } catch (const std::system_error&) {  // no thread is to be had: then a signal ends the program by its default, and
-                                        // the next run cleans up
+  } catch (const std::system_error&) {  // no thread available: a signal then ends the program by default, and the next
+                                        // run cleans up
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   }
 }

@@ -3,11 +3,10 @@
 
 namespace trivet::cli {
 
-/// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP end the program, whatever it is doing, and leave nothing
-/// behind: child processes are ended, temporary folders and unfinished results removed. Only the milliseconds in which
-/// a result folder is exchanged are waited for. The exit code is 128 + the signal's number, as shells report it. A
-/// second signal does not wait for that. To be called first, before any thread exists. An ignored SIGHUP (nohup) stays
-/// ignored.
+/// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP end the program at any time and clean up: child processes are ended,
+/// temporary folders and unfinished results removed. Only the exchange of a result folder (milliseconds) is completed
+/// first. The exit code is 128 + the number of the signal, as shells report it. A second signal ends the program at
+/// once. Call this first, before any thread exists. An ignored SIGHUP (nohup) stays ignored.
 void end_cleanly_on_signals();
 
 }  // namespace trivet::cli

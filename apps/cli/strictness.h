@@ -9,7 +9,7 @@
 
 namespace trivet::cli {
 
-/// What --strict judges: everything that a reader of the answer would have to act on.
+/// The findings that --strict judges: everything that requires action by the user.
 class Strictness {
  public:
   /// Limits, limit lines, a map, and warnings of one case.
@@ -18,12 +18,13 @@ class Strictness {
   void add(const study::DesignMap& map);
   void add(const foundation::Problems& warnings);
 
-  /// `otherwise` unless --strict was given and there is something to judge; then says on standard error what it was.
+  /// Exit code: `otherwise`, unless --strict was given and there are findings; these are then written to standard
+  /// error.
   [[nodiscard]] int exit_code(bool strict, int otherwise) const;
 
  private:
   std::size_t exceeded_ = 0, broken_ = 0, not_judged_ = 0;
-  std::set<std::string> warnings_;  ///< that of several cases counts once
+  std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };
 
 }  // namespace trivet::cli

@@ -26,7 +26,7 @@ using results::TextTable;
 
 using foundation::two_pi;
 
-/// "(0.1, 0, -0.25)": round-off of a number far below the others or below `least` is 0.
+/// "(0.1, 0, -0.25)": a number far below the others or below `least` is round-off and shown as 0.
 std::string triple(const Eigen::Vector3d& v, double least) {
   const auto number = [&](double x) {
     return fmt::format("{:.4g}", std::abs(x) < std::max(least, 1e-9 * v.cwiseAbs().maxCoeff()) ? 0.0 : x);
@@ -39,11 +39,11 @@ constexpr double nanometre = 1e-9;
 std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension) {
   if (!suspension.elastic) return "";
   const elements::Character& c = *suspension.elastic;
-  std::string text =
-      fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
-                  triple(c.elastic_centre, nanometre), c.centre_is_unique ? "" : " (the nearest of a line of them)",
-                  triple(body.mass.centre, nanometre), suspension.centre_distance);
-  text += fmt::format("  coupling that no point and axes remove, largest |K_ij|/√(K_ii K_jj) there: {:.3f}\n",
+  std::string text = fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
+                                 triple(c.elastic_centre, nanometre),
+                                 c.centre_is_unique ? "" : " (not unique: the nearest point of a line)",
+                                 triple(body.mass.centre, nanometre), suspension.centre_distance);
+  text += fmt::format("  coupling that remains at the elastic centre, largest |K_ij|/√(K_ii K_jj): {:.3f}\n",
                       c.coupling_at_centre);
   TextTable table({"principal stiffness", "along", "rotational, about the elastic centre", "about"});
   for (int i = 0; i < 3; ++i)
@@ -87,7 +87,7 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
     row.push_back(percent(mode.decoupling()));
     table.add(row);
   }
-  return "  kinetic energy of its modes by coordinate at the centre of mass, body axes\n" + table.text();
+  return "  kinetic energy of the modes by coordinate at the centre of mass, body axes\n" + table.text();
 }
 
 std::string separation_text(const study::SuspensionAnswer& answer) {
@@ -134,7 +134,7 @@ std::vector<Eigen::Vector3d> torques(const std::string& text) {
       throw BadArgument(fmt::format("--torque \"{}\": give x, y, z or three numbers like 0.9,0,0.1", text));
     at = next + 1;
   }
-  if (axis.isZero(0)) throw BadArgument(fmt::format("--torque \"{}\": a moment has a direction", text));
+  if (axis.isZero(0)) throw BadArgument(fmt::format("--torque \"{}\": a moment needs a direction", text));
   return {axis};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A curve drawn from few solves is the curve of 100,000 uniform points and of all peaks.
+// A curve drawn from few solves agrees with 100,000 uniform points and with all peaks.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,13 +20,13 @@ constexpr int most_solves = 120;
 constexpr int uniform_points = 100000;
 constexpr double picture_tolerance = 1e-3;  // of the value of the curve
 constexpr double peak_tolerance = 1e-8;
-// What no picture shows is not held to that: values below a millionth of the largest of their curve, and, beside a
-// zero, less than a thousandth of the higher of the two drawn points around.
+// Differences that no picture shows are allowed: values below a millionth of the largest of their curve, and, near a
+// zero, less than a thousandth of the higher of the two neighbouring drawn points.
 constexpr double invisible = 1e-6, near_zero = 1e-3;
-// A curve that small beside the others of its unit is half round-off.
+// A curve so small compared with the others of its unit is half round-off.
 constexpr double round_off_share = 1e-10;
 
-/// Everything that is drawn of one system, and the system to ask for the truth.
+/// Everything that is drawn of one system, and the system for the exact values.
 struct Picture {
   assembly::Assembled assembled;
   std::vector<assembly::Channel> channels;
@@ -51,7 +51,7 @@ Picture picture(const model::System& system, const response::Band& band,
           std::move(peaks),     std::move(model),    std::move(drawn)};
 }
 
-/// Straight lines between the points drawn, and what a value between two of them is compared with.
+/// Straight lines between the drawn points, and the higher end of each as the scale for values between them.
 class Lines {
  public:
   Lines(const response::FrequencyResponse& drawn, std::size_t curve)
@@ -114,7 +114,7 @@ void expect_like_uniform_points(const Picture& p, int allowed_solves = most_solv
   }
 }
 
-/// Damping of all elements multiplied so that the least damping ratio is the one wanted.
+/// The system with the damping of all elements scaled so that the least damping ratio is `ratio`.
 model::System with_damping_ratio(model::Description description, double ratio) {
   const auto least = [&] {
     double smallest = 1;
@@ -162,7 +162,7 @@ TEST(AdaptiveCurves, FollowUndampedResonancesAndFreeMotions) {
   expect_like_uniform_points(picture(system, {band_of(system).to / 1000, band_of(system).to}));
 }
 
-/// With a force on the frame of one of the sample projects.
+/// A sample project with a force on its frame.
 model::System sample(const std::string& file) {
   auto project = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/tests/samples/" + file,
                                        {"excitations.push.type=\"harmonic\"", "excitations.push.on=\"frame\"",
@@ -211,7 +211,7 @@ TEST(AdaptiveCurves, FollowGroundThatMovesWithDelays) {
         std::to_string(y) +
         ", -0.3]\ntranslation = [4e5, 5e5, 9e5]\nrotation = [0, 0, 0]\ndamping = {proportional = 0.001}\n";
   text += "[excitations.front]\ntype = \"base\"\nelements = [\"fl\", \"fr\"]\ntranslation = [0, 0, 0.001]\n";
-  // A wheelset 2.5 m behind at 20 m/s: the phases turn 12 times over the band.
+  // A second wheelset, 2.5 m behind at 20 m/s: the phases turn 12 times over the band.
   text +=
       "[excitations.rear]\ntype = \"base\"\nelements = [\"rl\", \"rr\"]\ntranslation = [0, 0, 0.001]\ndelay = \"0.125 "
       "s\"\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ground that is given by its acceleration a: masses move against it as under the forces −m a, also where both move
-// without bound.
+// A ground given by its acceleration a: masses move relative to it as under the forces −m a, even if both move without
+// bound.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace trivet;
 
-/// Three masses one above the other; the uppermost is guided by nothing but its springs.
+/// Two masses one above the other, which only move along x and z; the upper one also has a spring to the ground.
 std::string tower(const std::string& damping, const std::string& excitations, const std::string& analyses) {
   return "trivet = 1\n[bodies.low]\nmass = 4\nfree = [\"x\", \"z\"]\n[bodies.high]\nmass = 2\nfree = [\"x\", "
          "\"z\"]\nposition = [0, 0, 1]\n"
@@ -45,7 +45,7 @@ struct Answered {
         loading(assembly::harmonic_loading(system, assembled)) {}
 };
 
-constexpr double round_off = 1e-11;  // of a solve at the condition of these matrices
+constexpr double round_off = 1e-11;  // of a solve with the condition of these matrices
 
 TEST(BaseAcceleration, MovesMassesAgainstTheGroundAsForcesWouldDownToRest) {
   for (const char* damping : {"{proportional = 0.05}", "{loss_factor = 0.1}"}) {
@@ -76,7 +76,7 @@ TEST(BaseAcceleration, MovesMassesAgainstTheGroundAsForcesWouldDownToRest) {
 TEST(BaseAcceleration, LeavesTheMotionInSpaceUnbounded) {
   const Answered base(test::project(tower("{proportional = 0.05}", shaken, "response = {band = [0.001, 40]}\n")),
                       {"low.z"});
-  const double omega = 1e-4;  // far below the lowest natural frequency all move with the ground
+  const double omega = 1e-4;  // far below the lowest natural frequency: everything moves with the ground
   const auto found = response::frequency_response(base.assembled, base.channels, base.loading, {omega});
   EXPECT_NEAR(std::abs(found.curves[0].value(0)), 2 / (omega * omega), 1e-6 / (omega * omega));
 }
@@ -100,7 +100,7 @@ TEST(BaseAcceleration, HasTheSamePeaksAsForces) {
 }
 
 TEST(BaseAcceleration, HasALimitAtRestInEveryAttitude) {
-  // Zeros that are rounding in turned axes: components of inclined mounts on turned bodies under a ground that turns.
+  // Components that are zero except for round-off in turned axes: inclined mounts on turned bodies, a rotating ground.
   constexpr double square_ratio = 1e-7;  // (1e-3 over 20 rad/s)² times levers, and 4e-6 s · 1e-3 rad/s of damping
   int attitudes = 0;
   for (const char* turn :

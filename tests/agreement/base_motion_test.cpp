@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions of the ground through the off-diagonal blocks, against other ways to the same answer.
+// Motions of the ground through the off-diagonal blocks, compared with other methods.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -45,8 +45,8 @@ Eigen::MatrixXcd coordinates(const model::System& system) {
       .response;
 }
 
-/// How the bodies would follow a rigid ground: their six coordinates, one below the other, per unit of g about the
-/// ground origin.
+/// Motion of the bodies rigidly attached to the ground: their six coordinates, one below the other, per unit of g about
+/// the ground origin.
 Eigen::MatrixXd followed(const model::System& system) {
   Eigen::MatrixXd r(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
@@ -146,7 +146,7 @@ std::complex<double> at_40(const std::string& excitations, const std::string& na
 }
 
 TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
-  // Delay of the front leg against the rear: 3 m / c = one period 2π/40 s; the phase at x = 1.5 m stays to be undone.
+  // Delay of the front leg against the rear: 3 m / c = one period 2π/40 s; `turned` removes the phase at x = 1.5 m.
   const double speed = 3 * 40 / (2 * std::numbers::pi);
   const std::string wave =
       "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " +
@@ -156,7 +156,7 @@ TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
   for (const char* name : {"frame.z", "frame.ry"}) {
     const Complex turned = at_40(wave, name) * std::polar(1.0, 40 * 1.5 / speed);
     EXPECT_NEAR(std::abs(turned - at_40(together, name)), 0, 1e-6 * std::abs(at_40(together, "frame.z")))
-        << name;  // six decimals of the speed
+        << name;  // the speed has six decimals
   }
 }
 
@@ -191,7 +191,7 @@ TEST(BaseMotion, PassesTheSecondSolver) {
   }
 }
 
-/// Peaks against the highest point of a fine scan around each, and no scanned local maximum without a peak.
+/// Compares each peak with the highest point of a fine scan around it; every scanned local maximum must be a peak.
 void expect_peaks_of_a_scan(const model::System& system, double to) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);

@@ -28,14 +28,14 @@ using numerics::DynamicMatrices;
 using Edges = std::vector<std::pair<Index, Index>>;
 using Sizes = std::vector<Index>;
 
-/// Backward stability leaves round-off times the condition, and a little for the sums over many rows.
+/// Backward stability allows round-off times the condition, and a little for the sums over many rows.
 constexpr double condition_share = 64 * test::epsilon;
 
 class Assembly {
  public:
   explicit Assembly(unsigned seed) : generator_(seed) {}
 
-  /// Bodies with so many coordinates, elements between them of damping ratio near `damping`, the first on the ground.
+  /// Bodies with `sizes` coordinates, elements of damping ratio near `damping` between them, the first on the ground.
   DynamicMatrices bodies(const Sizes& sizes, const Edges& edges, double damping) {
     std::vector<Index> first = {0};
     for (const Index s : sizes) first.push_back(first.back() + s);
@@ -187,7 +187,7 @@ TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
         const numerics::Load load = random.load(m.size(), loaded);
         const std::vector<double> omega = frequencies(11);
         expect_solved(m, load, omega, by_blocks(m, load, omega), name);
-        DynamicMatrices unnamed = m;  // blocks are found from the couplings
+        DynamicMatrices unnamed = m;  // without names, blocks are found from the couplings
         unnamed.blocks.clear();
         expect_solved(m, load, omega, by_blocks(unnamed, load, omega), name + ", blocks found");
       }
@@ -230,7 +230,7 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
   Assembly random(15);
   const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain(5), 0.1);
   const Index n = m.size();
-  // Within a body, between coupled ones, and between two that nothing else couples.
+  // Entries within a body, between coupled bodies, and between two bodies without another coupling.
   const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
   const std::vector<double> omega = frequencies(21);
   const auto count = static_cast<Index>(omega.size()), entries = static_cast<Index>(free.size());
@@ -271,7 +271,7 @@ double worst_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
   return worst;
 }
 
-/// Every body with a leading pivot k − ω²m that vanishes at ω = 10 exactly, undamped there.
+/// Every body has an undamped leading pivot k − ω²m that vanishes exactly at ω = 10.
 DynamicMatrices vanishing_pivots(Assembly& random) {
   DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.05);
   for (Index body = 0; body < 4; ++body) {
@@ -279,7 +279,7 @@ DynamicMatrices vanishing_pivots(Assembly& random) {
     m.B.row(i).setZero();
     m.B.col(i).setZero();
     m.K(i, i) = 100 * m.A(i, i);
-    for (Index j = 0; j < i; ++j) m.K(i, j) = m.K(j, i) = 0;  // nothing is subtracted from it before its turn
+    for (Index j = 0; j < i; ++j) m.K(i, j) = m.K(j, i) = 0;  // earlier eliminations leave this pivot unchanged
   }
   return m;
 }
@@ -324,7 +324,7 @@ TEST(BlockSweep, ResonancesWithLightDampingKeepTheirBackwardError) {
 TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
   Assembly random(9);
   DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.02);
-  m.K.topRows(6).setZero();  // the first body has only mass: nothing holds it
+  m.K.topRows(6).setZero();  // the first body is free: it has only mass
   m.K.leftCols(6).setZero();
   m.B.topRows(6).setZero();
   m.B.leftCols(6).setZero();
@@ -412,7 +412,7 @@ TEST(BlockElimination, BodiesAreFoundInTheCouplings) {
 }
 
 TEST(BlockElimination, BodiesWithZerosInTheirCouplingsAreNotCutIntoSmallBlocks) {
-  // As on skew dampers in a plane: one by one there are a few multiplications less, but many more visits.
+  // As with skew dampers in a plane: blocks of one row need a few multiplications less, but many more visits.
   Assembly random(16);
   DynamicMatrices m = random.bodies(Sizes(10, 6), chain(10), 0.1);
   const std::array<const char*, 6> pattern = {"xx.xxx", "xx.xxx", "..xxx.", "xxxxxx", "xxxxxx", "xx.xxx"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// CalculiX, run as a process, against the Timoshenko beam and against itself by three ways: unit motions of a rigid
+// CalculiX, run as a process, against the Timoshenko beam and against itself by three methods: unit motions of a rigid
 // plate, the whole stiffness condensed here, and its own substructure.
 #include <gtest/gtest.h>
 
@@ -75,8 +75,8 @@ struct BrickBar {
   }
 };
 
-/// Timoshenko beam without lateral contraction. One quadratic brick across the section cannot warp as shear wants it,
-/// with the third power of the height: the section stays plane, and its shear factor is 1 instead of 5/6.
+/// Timoshenko beam without lateral contraction. Shear warps a section with the third power of the height; one quadratic
+/// brick across the section cannot: the section stays plane, and its shear factor is 1 instead of 5/6.
 Matrix12 timoshenko() {
   constexpr double a = BrickBar::width, b = BrickBar::height, l = BrickBar::length, e = BrickBar::modulus, g = e / 2;
   const double about_x = a * b * b * b / 12, about_y = b * a * a * a / 12;
@@ -104,7 +104,7 @@ Matrix12 timoshenko() {
 const std::string rigid_ends =
     "*RIGID BODY, NSET=PN, REF NODE=901, ROT NODE=902\n*RIGID BODY, NSET=PK, REF NODE=903, ROT NODE=904\n";
 
-/// A folder of its own for the files of one run.
+/// A separate folder for the files of one run.
 class CalculiX : public testing::Test {
  protected:
   void SetUp() override {
@@ -164,8 +164,8 @@ const std::string storage_step = "*STEP\n*FREQUENCY, SOLVER=MATRIXSTORAGE\n1\n*E
 
 /// CalculiX prints reactions with seven digits.
 constexpr double printed_reaction = 2e-6;
-/// Eight quadratic bricks follow the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot warp
-/// are stiffer than free torsion.
+/// Eight quadratic bricks reproduce the cubic bending line to 0.3 %. In torsion one brick across and ends that cannot
+/// warp are stiffer than free torsion.
 constexpr double bending_of_bricks = 4e-3, torsion_of_bricks = 0.25;
 
 Matrix12 condensed(const foundation::Expected<exchange::NamedMatrix>& matrix, const BrickBar& bar) {
@@ -192,7 +192,7 @@ TEST_F(CalculiX, BricksAreATimoshenkoBeam) {
   run("storage", bar_.deck() + storage_step);
   Matrix12 bricks = condensed(exchange::read_matrix_file(folder_ / "storage.sti"), bar_);
   Matrix12 beam = timoshenko();
-  EXPECT_THAT(bricks(8, 8), RelativelyNear(beam(8, 8), 1e-9));  // uniform strain, without error in any element
+  EXPECT_THAT(bricks(8, 8), RelativelyNear(beam(8, 8), 1e-9));  // uniform strain, exact in every element
   EXPECT_THAT(bricks(11, 11), RelativelyNear(beam(11, 11), torsion_of_bricks));
   for (const int i : {5, 11})
     for (const int j : {5, 11}) bricks(i, j) = beam(i, j) = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compressed coil spring, taken as a uniform helix, against the exact rod between clamped seats: Reissner's
-// equations for large deformations, integrated along the wire and shot at the far end.
+// The compressed coil spring, modelled as a uniform helix, against the exact rod between clamped seats: Reissner's
+// equations for large deformations, integrated along the wire and solved by shooting at the far end.
 #include <gmock/gmock.h>
 
 #include <Eigen/Eigenvalues>
@@ -23,8 +23,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 Matrix3d cross(const Vector3d& v) { return (Matrix3d() << 0, -v(2), v(1), v(2), 0, -v(0), -v(1), v(0), 0).finished(); }
 
-/// Force and moment (ground axes) that the wire carries at its start lead to its end: place and turn against those of
-/// the seat.
+/// Integrates the wire from a force and moment (ground axes) at its start to its end, and compares position and
+/// rotation there with those of the seat.
 class ExactRod {
  public:
   explicit ExactRod(const CoilSpring& spring)
@@ -44,8 +44,8 @@ class ExactRod {
   }
 
   struct Compressed {
-    double force;             ///< pressing [N]
-    Eigen::Matrix2d lateral;  ///< stiffness of seat K sideways, all else held [N/m]
+    double force;             ///< axial, compression positive [N]
+    Eigen::Matrix2d lateral;  ///< lateral stiffness of seat K, all else held [N/m]
   };
 
   /// Reached in steps, each by Newton's method.
@@ -124,7 +124,7 @@ CoilSpring spring(double index, double coils, double pitch_over_wire) {
 
 struct Miss {
   double force, lateral;
-  bool stands;  ///< a seat that may slide has not buckled sideways yet
+  bool stands;  ///< with a seat that may slide, the spring has not buckled laterally
 };
 
 Miss miss(const CoilSpring& s, double share) {
@@ -172,7 +172,7 @@ TEST(CompressedCoilAgainstTheExactRod, FewerCoilsAreWarnedOfWithTheErrorsThatThe
         return p.rule.find("uniform helix") != std::string::npos;
       })) << coils;
     }
-  EXPECT_GT(miss(spring(5, 3, 5), 0.25).force, 0.02);  // not without reason
+  EXPECT_GT(miss(spring(5, 3, 5), 0.25).force, 0.02);  // the warning has a reason
   const CoilSpring enough = spring(5, 4, 3);
   EXPECT_TRUE(check_compression(enough, 0.1 * enough.active_length).list().empty());
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The compressed coil spring by equilibrium, differences and its own limits.
+// The compressed coil spring against equilibrium, finite differences and its limits.
 #include <gmock/gmock.h>
 
 #include "support/coil_springs.h"
@@ -70,7 +70,7 @@ TEST(CompressedCoil, ARigidRotationTurnsItsPreload) {
 }
 
 TEST(CompressedCoil, AxialTangentIsTheSlopeOfTheForce) {
-  // The uniform helix lets its ends slide radially, the tangent holds them on the seats.
+  // The ends of the uniform helix may slide radially; the tangent holds them on the seats.
   constexpr double end_effect = 6e-3;
   const CoilSpring spring = literature_spring();
   for (const double part : {-0.5, 0.0, 0.5, 0.95}) {

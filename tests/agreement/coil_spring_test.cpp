@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The coil spring by a second way: flexibility summed numerically, straight beam elements, its own limits.
+// The coil spring by other methods: flexibility summed numerically, straight beam elements, its limits.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -29,7 +29,7 @@ struct Point {
   Eigen::Vector3d place, tangent;
 };
 
-/// The wire's centre line from the seat at N, straight from the words of the definition.
+/// The wire's centre line from the seat at N, directly from the definition.
 Point on_wire(const CoilSpring& s, double fraction) {
   const double hand = s.hand == elements::Hand::right ? 1 : -1, sweep = 2 * pi * s.active_coils * hand,
                radius = s.mean_diameter / 2;
@@ -39,7 +39,7 @@ Point on_wire(const CoilSpring& s, double fraction) {
           {-radius * sweep * std::sin(angle), radius * sweep * std::cos(angle), s.active_length}};
 }
 
-/// Section axes: along the wire, radially in the plane normal to it, and the third.
+/// Section axes: along the wire, radial in the plane normal to it, and the third.
 Eigen::Matrix3d axes_at(const Point& p) {
   Eigen::Matrix3d axes;
   const Eigen::Vector3d radial = Eigen::Vector3d(p.place.x(), p.place.y(), 0).normalized(), t = p.tangent.normalized();
@@ -89,7 +89,7 @@ TEST(CoilSpring, ClosedFormIsTheQuadratureOfItsFlexibility) {
   }
 }
 
-/// Stiffness of a chain of straight shear-flexible beams whose nodes lie on the wire, node after node condensed.
+/// Stiffness of a chain of straight shear-flexible beams with nodes on the wire, condensed node by node.
 Matrix6 stiffness_of_chords(const CoilSpring& s, int count) {
   Matrix6 moved_end = Matrix6::Zero();
   for (int i = 0; i < count; ++i) {
@@ -104,7 +104,7 @@ Matrix6 stiffness_of_chords(const CoilSpring& s, int count) {
     at_end(1, 5) = at_end(5, 1) = bend(2) * L * L / 2, at_end(2, 4) = at_end(4, 2) = -bend(1) * L * L / 2;
     const Matrix6 turn = spatial::both_blocks(axes);
     const Matrix6 carry = spatial::rigid_motion(to - from);
-    // Flexibility of the chain so far, carried to the new end, plus that of the new piece.
+    // Flexibility of the chain so far, transformed to the new end, plus that of the new piece.
     moved_end = carry * moved_end * carry.transpose() + turn * at_end * turn.transpose();
   }
   const Matrix6 to_seat = spatial::rigid_motion(Eigen::Vector3d(0, 0, seat_distance(s)) - on_wire(s, 1).place);
@@ -191,7 +191,7 @@ TEST(CoilSpring, LossAlwaysTakesEnergy) {
 }
 
 TEST(CoilSpring, CountedFrequenciesAreZerosOfTheFreeEndsDeterminant) {
-  // Between two natural frequencies with K free, det D_KK keeps its sign but for the poles of the clamped spring.
+  // Between two natural frequencies with K free, det D_KK keeps its sign except at the poles of the clamped spring.
   std::mt19937 random(5);
   for (int i = 0; i < 10; ++i) {
     const elements::SeatedCoil coil = seated_coil(random_spring(random));
@@ -273,7 +273,7 @@ TEST(ReducedCoil, ConvergesToTheExactDynamicStiffness) {
 
 TEST(ReducedCoil, ExtendedMatricesHaveTheFrequenciesOfTheFreeSpring) {
   constexpr double truncation = 2e-3,
-                   order = 3.5;  // error of the sixth with 16 modes, and what twice as many gain at least
+                   order = 3.5;  // error of the sixth with 16 modes; twice as many divide it at least by `order`
   const std::vector<double> exact = natural_frequencies(literature_spring(), elements::SeatsHeld::n_only, 6);
   const auto errors = [&](int modes) -> Eigen::VectorXd {
     const elements::ReducedCoil r = reduced(literature_spring(), modes);
@@ -293,7 +293,7 @@ TEST(ReducedCoil, ExtendedMatricesHaveTheFrequenciesOfTheFreeSpring) {
 }
 
 TEST(ReducedCoil, FrequenciesThatNearlyCoincideKeepTheirOwnCouplings) {
-  // Sixty whole turns: the two first lateral modes lie 4e-5 apart.
+  // Sixty whole turns: the first two lateral modes differ by 4e-5.
   constexpr double truncation = 1e-3, pair = 1e-4;
   CoilSpring spring = literature_spring();
   spring.active_length *= 60 / spring.active_coils;

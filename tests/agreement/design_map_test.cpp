@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Maps by poles and residues of interpolated matrices against every design assembled and searched by itself.
+// Maps by poles and residues of interpolated matrices against every design assembled and searched separately.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using namespace trivet;
 
-/// float holds 24 bits; both ways find peaks to better than that.
+/// float has 24 bits; both methods find peaks more accurately than that.
 constexpr double of_a_float = 2e-7;
 
 project::Project paper() {
@@ -26,7 +26,7 @@ study::DesignMap mapped(const project::Project& project, int nx, int ny, bool fa
   return study::design_map(project, project.base(), *project.base().analyses.map, {nx, ny, {threads, fast}});
 }
 
-/// Rules may exchange where their margins are equal.
+/// The governing rules may differ if their margins are equal.
 void expect_equal(const study::DesignMap& lanes, const study::DesignMap& single) {
   ASSERT_EQ(lanes.outcomes.size(), single.outcomes.size());
   EXPECT_EQ(lanes.report.proven + lanes.report.redone, lanes.outcomes.size());
@@ -67,7 +67,7 @@ no_peak = ["m3"]
   expect_equal(mapped(project, 6, 5, true), mapped(project, 6, 5, false));
 }
 
-/// A light body on a heavy one: accelerations of the low resonances, on which the rise of the light one hangs, are a
+/// A light body on a heavy one: the rise of the light one depends on accelerations at the low resonances, which are a
 /// hundred-millionth of the highest.
 TEST(DesignMap, OfAccelerationsFarBelowTheHighestIsTheSameDesignByDesign) {
   const auto bushing = [](const std::string& name, const std::string& between, const std::string& at,
@@ -100,8 +100,8 @@ quantity = "acceleration"
   expect_equal(mapped(project, 3, 3, true), mapped(project, 3, 3, false));
 }
 
-/// A force along the axis of three equal mounts moves a machine along it alone: what round-off says of the other
-/// coordinates is no peak.
+/// A force along the axis of three equal mounts moves a machine along this axis only: round-off in the other
+/// coordinates is not a peak.
 TEST(DesignMap, OfASymmetricMachineHasNoPeaksOfRoundOff) {
   std::string text = R"(trivet = 1
 bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}}

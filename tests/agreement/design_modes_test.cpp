@@ -35,7 +35,7 @@ Designs empty_designs(Eigen::Index count, int n) {
           Eigen::ArrayXXd::Ones(1, n)};
 }
 
-/// Rows and columns in units that differ by up to 1e6, as metres and radians do.
+/// Rows and columns in units that differ by up to 1e6, like metres and radians.
 Designs random_designs(Eigen::Index count, int n, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> exponent(-3, 3);
@@ -51,7 +51,7 @@ Designs random_designs(Eigen::Index count, int n, unsigned seed) {
   return designs;
 }
 
-/// λ of K φ = λ A φ for positive definite K, ascending: singular values lose half as many digits on small λ as an
+/// λ of K φ = λ A φ for positive definite K, ascending. For small λ singular values lose half as many digits as an
 /// eigensolver.
 Eigen::VectorXd squared_singular_values(const Extended& K, const Extended& A) {
   const Extended k = K.llt().matrixL(), a = A.llt().matrixL();
@@ -135,7 +135,7 @@ TEST(DesignModes, AMassThatIsNotDefiniteIsFlaggedAndNeverSolved) {
   Designs designs = random_designs(20, 6, 5);
   const auto spoil = [&](Eigen::Index design, double smallest) {
     Eigen::MatrixXd mass = Eigen::MatrixXd::Ones(6, 6) * 0.5 + 0.5 * Eigen::MatrixXd::Identity(6, 6);
-    mass(5, 4) = mass(4, 5) = 1 - smallest;  // rows 4 and 5 alike but for this
+    mass(5, 4) = mass(4, 5) = 1 - smallest;  // rows 4 and 5 are equal except for this
     numerics::pack(mass, designs.A, design);
   };
   spoil(3, 0);

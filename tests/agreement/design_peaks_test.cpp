@@ -18,9 +18,9 @@
 namespace trivet {
 namespace {
 
-/// Solutions of the search on discs: ε/ζ of the height, ζ ≥ 1e-6, and a margin.
+/// Error of the solutions in the search on discs: ε/ζ of the height, ζ ≥ 1e-6, and a margin.
 constexpr double lightly_damped = 2e-8;
-/// Of the highest: 5 % of what a peak must rise by, where round-off hides the place of a deep minimum
+/// Share of the highest value: 5 % of the rise that makes a peak, if round-off hides the position of a deep minimum
 /// (docs/decisions/peaks-of-designs.md).
 constexpr double base_in_doubt = 5e-8;
 
@@ -72,7 +72,7 @@ void expect_agreement(const numerics::Designs& designs, const numerics::DesignPe
   }
 }
 
-/// Largest |q| of all coordinates, where it is said to stand.
+/// Compares the largest |q| of all coordinates with direct solutions at the reported frequencies.
 void expect_heights_at_their_places(const numerics::Designs& designs, const numerics::DesignPeaks& peaks,
                                     double tolerance) {
   for (Eigen::Index d = 0; d < designs.count(); ++d)
@@ -111,7 +111,7 @@ TEST(DesignPeaks, OfOtherNumbersOfCoordinatesAreThoseOfTheSearchOnDiscs) {
   for (const int n : {2, 3, 9}) expect_agreement(test::random_designs(24, n, 1e-2, 5), {}, 1, 1e-9);
 }
 
-/// More coordinates than kernels take go to the discs themselves: direct solutions judge these.
+/// Systems with more coordinates than the kernels support use the discs; direct solutions check these.
 TEST(DesignPeaks, OfManyCoordinatesAreThoseOfDirectSolutions) {
   const numerics::Designs designs = test::random_designs(12, 13, 1e-2, 5);
   const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
@@ -160,8 +160,8 @@ TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
   }
 }
 
-/// An independent view that needs no poles of ours: no direct solution is higher, on the whole axis and close to the
-/// undamped natural frequencies, where an error of ε/ζ is allowed for.
+/// A check independent of our poles: no direct solution is higher, on the whole axis and close to the undamped natural
+/// frequencies, where an error of ε/ζ is allowed.
 TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
   constexpr double miss = 1e-7;
   const numerics::Designs designs = test::random_designs(20'000, 6, 1e-6, 6);

@@ -26,7 +26,7 @@ using Complex = std::complex<double>;
 
 /// Two solutions of well-conditioned systems of some 30 unknowns.
 constexpr double solved_twice = 1e-9;
-/// Series from circles are cut at 1e-11 of their largest term, peaks read off them.
+/// Series from circles are truncated at 1e-11 of their largest term; peaks come from them.
 constexpr double from_circles = 1e-8;
 
 /// One skew body on two random elements of the given damping.
@@ -129,7 +129,7 @@ response::Peaks peaks_of(const model::System& system, double to = 0) {
 }
 
 TEST(PeaksFromCircles, AreThoseFromPoles) {
-  // A fractional law of order 1 is Zener's, but goes the way of frequency-dependent elements.
+  // A fractional law of order 1 is Zener's, but is computed as a frequency-dependent element.
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const elements::Zener zener{0.7, 0.01 * seed};
     const response::Peaks by_poles = peaks_of(skew(seed, zener));
@@ -206,7 +206,7 @@ TEST(ExactSprings, AreTheLimitOfReducedOnes) {
   const auto coarse = response_of(test::project(on_three_springs("level = \"with_mass\"\ninternal_modes = 10")), omega);
   const auto fine = response_of(test::project(on_three_springs("level = \"with_mass\"\ninternal_modes = 40")), omega);
   EXPECT_LE(difference(exact, fine, 0), solved_twice);
-  // What is cut off is Σ (ω/ω_k)⁴ over the modes left out: four times as many modes leave less than an eighth.
+  // The truncation error is Σ (ω/ω_k)⁴ over the omitted modes: four times as many modes divide it by more than eight.
   for (Eigen::Index i = 1; i < 6; ++i) {
     EXPECT_LE(difference(exact, fine, i), difference(exact, coarse, i) / 8 + solved_twice) << i;
     EXPECT_GT(difference(exact, coarse, i), 1e-8) << i;
@@ -222,7 +222,7 @@ TEST(ExactSprings, RootsAreThoseOfTheExactSystem) {
   for (const modal::Root& root : roots.list) {
     if (!root.exact) continue;
     ++exact;
-    // Every modulus is (1 + 0.02i) times real, and the masses are not: λ² = −ω²(1 + 0.02 i).
+    // Every modulus is a real number times (1 + 0.02i), and the masses are real: λ² = −ω²(1 + 0.02 i).
     const Complex square = root.eigenvalue * root.eigenvalue;
     EXPECT_THAT(square.imag() / square.real(), RelativelyNear(0.02, 1e-6));
   }
@@ -272,7 +272,7 @@ TEST(Preload, ABodyHungOnALinkSwingsAsADoublePendulum) {
   stiffness << m * g * l, 0, 0, m * g * c;
   const Eigen::Matrix2d a = mass.inverse() * stiffness;
   const double mean = 0.5 * a.trace(), root = std::sqrt(mean * mean - a.determinant());
-  // The stay gives by 4e-8 m: nothing of it shows in eight digits.
+  // The stay extends by 4e-8 m, which is not visible in eight digits.
   EXPECT_THAT(modes.list[0].eigenvalue_squared, RelativelyNear(mean - root, 1e-7));
   EXPECT_THAT(modes.list[1].eigenvalue_squared, RelativelyNear(mean + root, 1e-7));
 }

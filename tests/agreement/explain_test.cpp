@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exact sensitivities of peaks against peaks of the changed model solved again, and shares against independent sums.
+// Exact sensitivities of peaks against peaks of changed models, and shares against independent sums.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -50,11 +50,11 @@ struct Comparison {
   double step = 2e-4;  ///< of the differences, relative or times a body's size
   double tolerance =
       2e-6;  ///< of the largest sensitivity of its kind: truncation (step/damping)⁴ and round-off of peaks over step
-  int every = 1;  ///< parameters looked at
+  int every = 1;  ///< compares every n-th parameter
 };
 
-/// Every sensitivity of the most prominent peak of each curve against differences of the peaks of changed models.
-/// Returns how many were compared.
+/// Compares every sensitivity of the most prominent peak of each curve with differences of the peaks of changed models.
+/// Returns the number of comparisons.
 int compare(const model::System& system, const response::Question& asked, const Comparison& how) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const response::Peaks found = peaks_of(system, asked);
@@ -139,7 +139,7 @@ TEST(PeakSensitivities, FollowRelaxingElementsWithInnerCoordinates) {
 TEST(PeakSensitivities, FollowElementsThatDependOnFrequencyInTheirOwnWay) {
   model::Description description = test::RandomSystem(13).description(1, test::RandomDamping::viscous);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
-  // Contours give peaks to 1e-10; the differences need a longer step.
+  // Contours give peaks to 1e-10, so the differences need a longer step.
   EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
                     {.step = 2e-3, .tolerance = 2e-5, .every = 4}),
             10);
@@ -176,7 +176,7 @@ TEST(PeakSensitivities, FollowCoilSpringsWithMassAndWithPreload) {
   EXPECT_GT(compare(preloaded.base().system, question({"machine.x", "machine.rx"}), {.every = 3}), 20);
 }
 
-/// The ground moves as one body, or under a wave that runs along it; or a rotor is out of balance.
+/// Excitation of kind `kind`: the ground moves as one body, or by a wave along it, or a rotor has an unbalance.
 std::vector<model::Excitation> drive(int kind, test::RandomSystem& random) {
   model::Action action;
   for (int j = 0; j < 6; ++j) action.amplitude(j) = std::polar(j < 3 ? 1e-3 : 1e-2, random.number(-3, 3));
@@ -213,7 +213,7 @@ TEST(PeakSensitivities, FollowAMovingGroundThroughElementsThatDependOnFrequency)
 
 TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness) {
   using enum test::RandomDamping;
-  constexpr double round_off = 1e-8;  // of the largest: slopes of a resonance cancel
+  constexpr double round_off = 1e-8;  // share of the largest: slopes of a resonance cancel
   for (const test::RandomDamping damping : {proportional, viscous, loss}) {
     const model::System system = test::checked(test::RandomSystem(16).description(2, damping));
     const auto asked = question({"body 0.x"});
@@ -316,7 +316,7 @@ TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
   }
 }
 
-/// ½ω Im(qᴴh): what the load gives, mean over a period.
+/// Mean power of the load over a period, ½ω Im(qᴴh).
 double input_power(const model::System& system, const response::Question& asked, double omega) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto curves = response::frequency_response(
@@ -353,14 +353,14 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
     EXPECT_NEAR(dissipated, 1, round_off);
     EXPECT_THAT(shares.dissipated_power, RelativelyNear(input_power(system, asked, omega), round_off))
         << "seed " << seed;
-    const bool plain = seed != 6;  // a relaxing branch stores besides
+    const bool plain = seed != 6;  // a relaxing branch also stores energy
     for (std::size_t e = plain ? 0 : 1; e < shares.elements.size(); ++e)
       EXPECT_NEAR(shares.elements[e].by_direction.sum(), shares.elements[e].stored, round_off) << "seed " << seed;
   }
 }
 
 TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
-  // Power that the ground brings in: the mean of the force on it times its velocity, the other way round.
+  // Power supplied by the ground: minus the mean of the force on it times its velocity.
   constexpr double round_off = 1e-9;
   for (int kind = 0; kind < 2; ++kind) {
     test::RandomSystem random(30 + static_cast<unsigned>(kind));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A flexible foundation follows the ground rigidly in the directions in which it does not flex.
+// A flexible foundation moves rigidly with the ground in the directions in which it does not flex.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -29,7 +29,7 @@ namespace {
 using namespace trivet;
 using Complex = std::complex<double>;
 
-constexpr double stiff = 1e13;  // [N/m, N m/rad], against 4e6 of the mounts
+constexpr double stiff = 1e13;  // [N/m, N m/rad]; the mounts have 4e6
 /// Stiffness of the mounts over `stiff`, times 100 for resonances with 2 % damping and for the sum over three mounts.
 constexpr double nearly_rigid = 1e-4;
 
@@ -44,7 +44,7 @@ std::string all_directions(double stiff) {
       "[[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,900,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]}}\n",
       stiff);
 }
-/// Moves in x, y, z but does not turn; the rotational springs of the other are nearly rigid.
+/// The first moves in x, y, z but does not turn; the rotational springs of the second are nearly rigid.
 const std::string without_rotation =
     "[foundations.deck]\ntype = \"impedance\"\ntranslation = [5e6, 6e6, 3e6]\ndamping = {proportional = 0.001}\n";
 const std::string stiff_rotation = fmt::format(
@@ -59,7 +59,7 @@ study::Answers answers(const std::string& text) {
   return result;
 }
 
-/// Numbers of one question, and the largest of those that share their unit.
+/// Numbers of one answer, with their unit.
 struct Numbers {
   std::string name, unit;
   Eigen::VectorXcd values;
@@ -87,7 +87,7 @@ std::vector<Numbers> all_numbers(const study::Answers& a) {
   return all;
 }
 
-/// Holds all numbers of two models together, relative to the largest of the same question and unit.
+/// Compares all numbers of two models, relative to the largest of the same question and unit.
 void expect_same(const std::string& a, const std::string& b, double tolerance) {
   const std::vector<Numbers> first = all_numbers(answers(a)), second = all_numbers(answers(b));
   ASSERT_EQ(first.size(), second.size());
@@ -144,8 +144,8 @@ TEST(FixedDirections, AreFollowedInEveryAnalysis) {
       ", to = \"0.2 s\", step = \"2 ms\"}\n"
       "transmissibility = {base = \"x\", of = [\"machine\"]}\nearthquake = {of = [\"machine\", \"m1.deflection\"], "
       "direction = \"x\", rows = [[0.01, 3.0], [0.5, 3.0], [2, 0.75]], damping = 0.05}\n";
-  // Integrals over the poles lose the digits that lie between the stiffest pole and the motion: 1e10 N/m, and 4e6 over
-  // it.
+  // Integrals over the poles lose digits by the ratio of the stiffest pole to the motion. So the stiffness is 1e10 N/m,
+  // and the tolerance 4e6 over it, times 10.
   constexpr double less_stiff = 1e10, less_rigid = 4e-3;
   expect_same(test::machine_on_deck(along_z, rest), test::machine_on_deck(all_directions(less_stiff), rest),
               less_rigid);
@@ -168,7 +168,7 @@ TEST(FixedDirections, OfAMobilityAreThoseOfTheImpedanceAtItsRows) {
   constexpr double rounded_rows =
       1e-7;  // frequencies in Hz and rad/s, 17 digits; the table is interpolated within one rounding of a row
   const std::string measured = "[foundations.deck]\ntype = \"mobility\"\nfile = \"" + file.string() + "\"\n";
-  std::string massless = along_z;  // a mobility acts between its place and the rigid ground, a mass against space
+  std::string massless = along_z;  // a mobility acts relative to the rigid ground, a mass relative to space
   massless.replace(massless.find("mass = 60\n"), 10, "");
   for (const char* motion :
        {"translation = [1e-3, 2e-3, 0]", "translation = [0, 0, 1e-3]", "rotation = [1e-3, 1e-3, 2e-3]"}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ground that gives, against the same ground modelled by bodies.
+// Flexible foundations, compared with the same foundations modelled by bodies.
 #include <gmock/gmock.h>
 
 #include <complex>
@@ -77,8 +77,8 @@ TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
           mount("a", "[0.5, 0.4, -0.2]", "from = \"p\"\nfrom_at = [0, 0, 0]\n") +
           mount("b", "[-0.5, -0.4, -0.2]", "from = \"q\"\nfrom_at = [0, 0, 0]\n") + mount("c", "[0.5, -0.4, -0.2]", ""),
       ""));
-  // The totals on the ground count what the mounts do to the foundation, the built model what its springs do: only the
-  // machine is compared.
+  // The totals on the ground contain the forces of the mounts on the foundation; in the model of bodies, those of its
+  // springs. So only the machine is compared.
   for (const auto& curve : given.response->curves.curves)
     for (const auto& other : built.response->curves.curves)
       if (curve.name == other.name && curve.name.starts_with("machine")) {
@@ -93,7 +93,7 @@ TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
 }
 
 TEST(Foundation, OfOneModeIsABodyThatSharesIt) {
-  // One mode that lifts both feet alike: a rigid strip of 150 kg guided along z.
+  // One mode that lifts both feet equally: a rigid strip of 150 kg guided along z.
   const std::string strip =
       "[bodies.strip]\nmass = 150\nfree = [\"z\"]\n[elements.ground_spring]\ntype = \"three_springs\"\non = "
       "\"strip\"\nat = [0, 0, 0]\ntranslation = [0, 0, 1.2e6]\ndamping = {matrix = "
@@ -215,7 +215,7 @@ TEST(Foundation, OfAMeasuredMobilityHasThePeaksOfItsImpedance) {
     EXPECT_TRUE(found) << name << " at " << wanted.angular_frequency << " rad/s";
     ++compared;
   }
-  EXPECT_GE(compared, 4);  // two resonances in the motion and in the force
+  EXPECT_GE(compared, 4);  // two resonances in the motion and two in the force
 }
 
 }  // namespace

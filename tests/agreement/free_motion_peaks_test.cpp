@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Peaks of machines that are free to move in some direction, against the same held there by next to nothing.
+// Peaks of machines with a rigid-body mode, against the same machines with a very soft spring in that direction.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ response::Peaks peaks_of(const std::string& text) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   response::PeakOptions options;
-  options.min_prominence = 1e-12;  // of the highest, which stands at rest where almost nothing holds the machine
+  options.min_prominence = 1e-12;  // of the highest, which is at rest if the machine is nearly free
   response::Peaks peaks = response::peaks(
       assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
       assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), options);
@@ -64,7 +64,7 @@ void expect_same_peaks(const response::Peaks& found, const response::Peaks& expe
   }
 }
 
-/// Of decoupled directions the spring that holds the third changes nothing.
+/// Decoupled directions: the spring in the third direction changes nothing.
 TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
   for (const double stiff : {3e3, 3e5, 3e6, 3e9}) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, false));
@@ -75,7 +75,7 @@ TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
   }
 }
 
-/// Of heavily damped directions nothing peaks, and the highest is at rest: F/k.
+/// Heavily damped directions have no peaks, and the highest value is at rest: F/k.
 TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
   const response::Peaks found = peaks_of(sled(0, 3e4, 3e4, false));
   EXPECT_TRUE(found.list.empty());
@@ -83,8 +83,8 @@ TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
   EXPECT_NEAR(found.curves[2].highest, 1 / 3e4, 1e-4 / 3e4);
 }
 
-/// Turned, all coordinates move freely, and rise towards rest. A spring of 1e-5 N/m along that direction, which is
-/// damped, has no resonance of its own.
+/// In turned axes the rigid-body mode moves all coordinates, which rise towards rest. A spring of 1e-5 N/m along that
+/// direction, which is damped, adds no resonance.
 TEST(PeaksBesideAFreeMotion, OfACoupledOneAreThoseOfTheSameMachineHeldThere) {
   for (const double stiff : {3e4, 3e5, 3e6}) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, true));

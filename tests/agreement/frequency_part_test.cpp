@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sweeps of systems with a part that depends on ω in its own way, against pivoted LU of one frequency after another in
-// extended precision.
+// Sweeps of systems with a frequency-dependent part, against pivoted LU in extended precision, one frequency at a time.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -18,18 +17,17 @@ using namespace trivet;
 using namespace trivet::numerics;
 using Eigen::Index;
 
-/// Backward stability leaves round-off times the condition, and a little for the sums over many rows.
+/// Backward stability allows round-off times the condition, and a little for the sums over many rows.
 constexpr double condition_share = 64 * test::epsilon;
 
-/// A chain of bodies with constant elements, and springs whose stiffness follows a fractional derivative between some
-/// of its bodies, one of them driven at its other end.
+/// A chain of bodies with constant elements, and springs of fractional-derivative stiffness between some of its bodies;
+/// the other end of one spring is driven.
 class Springs {
  public:
   Springs(Index n, bool symmetric) : n_(n), generator_(static_cast<unsigned>(n)), load_(n) {
     system_ = {
         Eigen::MatrixXd::Identity(n, n), Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, symmetric};
-    for (Index i = 0; i < n; ++i)
-      system_.A(i, i) = 1 + static_cast<double>(i % 4);  // masses and inertias are not alike
+    for (Index i = 0; i < n; ++i) system_.A(i, i) = 1 + static_cast<double>(i % 4);  // different masses and inertias
     std::vector<Index> rows;
     for (Index first = 0; first < n; first += 6) {
       system_.blocks.push_back(first);
@@ -61,7 +59,7 @@ class Springs {
     }
   }
 
-  /// What it says about its rows: exactly those, all of them, or some that are missing.
+  /// The frequency-dependent part; it declares the rows of the first `told` springs only.
   [[nodiscard]] FrequencyPart part(std::size_t told = 3) const {
     return {[this](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) { add(omega, z, h); },
             {groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(told)}};
@@ -148,7 +146,7 @@ TEST(FrequencyPart, OneThatAddsBesideItsRowsIsRefused) {
 }
 
 TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
-  // It balances the mass of one coordinate that has no stiffness nor damping of its own; couplings hold it.
+  // The part cancels the mass of a coordinate without stiffness and damping; only couplings hold it.
   DynamicMatrices m = Springs(20, true).constant();
   m.K(19, 19) = m.B(19, 19) = 0;
   const FrequencyPart part{
@@ -163,7 +161,7 @@ TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
     Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(i)]);
     z(19, 19) = 0;
     EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(),
-              1e-9);  // residual ≪ 1, of entries to some 1000
+              1e-9);  // residual ≪ 1, with entries up to some 1000
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each response of the matrices on which solvers fail is compared with a solution in extended precision.
+// Responses of matrices on which solvers fail, compared with solutions in extended precision.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
 }
 
 TEST(HardCases, AnIndefiniteMassIsNeverTakenForADefiniteOne) {
-  // The trap: a generalized symmetric solver that answers 1, 1, 1 for K = 1, A = diag(1, 1, −1).
+  // A generalized symmetric solver may give 1, 1, 1 for K = 1, A = diag(1, 1, −1).
   const Eigen::MatrixXd K = Eigen::MatrixXd::Identity(3, 3), A = Eigen::Vector3d(1, 1, -1).asDiagonal();
   const auto modes = numerics::generalized_modes(K, A, true);
   EXPECT_EQ(modes.route, numerics::ModeRoute::definite_stiffness);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A whole dynamic stiffness matrix over frequency: the same answers as its independent directions in their own axes.
+// A full dynamic stiffness matrix over frequency: the same answers as its independent directions in their own axes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -39,7 +39,7 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  /// Writes entry (i, j) of every row's matrix for the wanted entries.
+  /// Writes the entries (i, j) with `wanted` of the matrix of every row.
   template <typename Wanted, typename MatrixOf>
   std::string table(const std::string& name, int size, const Wanted& wanted,
                     const std::function<std::string(int, int)>& word, const MatrixOf& matrix_of) const {

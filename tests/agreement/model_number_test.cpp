@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What `explain` changes is what the project file changes under the same name.
+// A parameter of `explain` changes the same quantity as the number of the project file with that name.
 #include <gmock/gmock.h>
 
 #include <filesystem>
@@ -24,7 +24,7 @@ Eigen::MatrixXcd dynamic_stiffness(const model::System& system) {
   return assembly::assemble(system).dynamic_stiffness(omega, omega);
 }
 
-/// The value of a file's number after the change that explain makes: relative to what is written, or added to it.
+/// Value of a number of the file after the change by explain: relative to the written value, or added to it.
 double changed_value(double before, const response::Parameter& parameter) {
   const bool added = parameter.change == "+1 mm" || parameter.change.find("√") != std::string::npos;
   return added ? before + parameter.size : before * (1 + parameter.size);
@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> examples() {
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(TRIVET_SOURCE_DIR) / "examples"))
     if (entry.path().extension() == ".toml" && entry.path().string().find("rubber_mounts") == std::string::npos)
-      found.push_back(entry.path());  // meshed
+      found.push_back(entry.path());  // rubber_mounts needs a mesh
   return found;
 }
 
@@ -145,7 +145,7 @@ from = "lower"
 at = [0, 0, 0]
 )";
 
-/// Both masses and springs by hand: A = diag(3, 2), K from 2 k + k and k.
+/// Masses and springs by hand: A = diag(3, 2), K from 2 k + k and k.
 TEST(ModelNumbers, ReachElementsThroughTheirTypesAndBodies) {
   const auto project = project::project_from_text(pair_of_masses, "pair.toml");
   ASSERT_TRUE(project);

@@ -56,8 +56,8 @@ TEST(PeaksOfOneMass, DisplacementForEveryDamping) {
 }
 
 TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
-  // 11 rad/s along z with ζ = 0.35 peaks at 11 √(1 − 2ζ²) = 9.56 rad/s, below the 10 rad/s along x, which no force
-  // along z drives. At a point a little off the vertical both are seen.
+  // 11 rad/s along z with ζ = 0.35 peaks at 11 √(1 − 2ζ²) = 9.56 rad/s, below the 10 rad/s along x, which a force along
+  // z does not excite. A point slightly off the vertical shows both.
   const auto found = [](const std::string& force, const std::string& of) {
     return peaks_of(
         test::project("trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, "
@@ -153,7 +153,7 @@ TEST(PeaksOfOneMass, FreeMassHasNone) {
   EXPECT_TRUE(peaks_of(project.base().system, {"coordinates"}, assembly::Quantity::displacement).list.empty());
 }
 
-/// A grid that follows every pole closely, and reaches well beyond the last.
+/// A grid that is dense around every pole and extends well beyond the last.
 std::vector<double> dense_grid(const Eigen::VectorXcd& poles) {
   std::vector<double> grid;
   const double top = 4 * poles.cwiseAbs().maxCoeff();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Properties of every model, on systems drawn at random (fixed seeds) with skew axes everywhere.
+// Properties of every model, on random systems (fixed seeds) with skew axes everywhere.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -92,7 +92,7 @@ TEST(Physics, AFreeSystemHasSixRigidModes) {
   }
 }
 
-/// The same machine in a ground frame that is turned and shifted.
+/// The same machine in a turned and shifted ground frame.
 model::Description moved(model::Description d, const spatial::Pose& by) {
   for (auto& body : d.bodies)
     body.pose = {by.position + by.rotation * body.pose.position, by.rotation * body.pose.rotation};

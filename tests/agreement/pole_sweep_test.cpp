@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sweep from poles and residues against LU with pivoting in quadruple precision, at resonances and beside them.
+// A sweep from poles and residues against LU with pivoting in quadruple precision, at resonances and near them.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -99,7 +99,7 @@ Eigen::VectorXcd at(const Answer& answer, std::size_t i) {
   return answer.re.row(row).matrix().transpose() + std::complex<double>(0, 1) * answer.im.row(row).matrix().transpose();
 }
 
-/// ω of each undamped mode and of each damped one, exactly and beside it by 1e-12 … 3 ζ.
+/// ω of each undamped and each damped mode, and ω shifted by ±1e-12 … 3 ζ.
 std::vector<double> near_resonances(const DynamicMatrices& m) {
   std::vector<double> omega = test::awkward_frequencies(m);
   const auto roots = numerics::roots_of_companion(m).lambda;
@@ -172,7 +172,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
             Eigen::VectorXcd::LinSpaced(n, std::complex<double>(1, n % 2), std::complex<double>(-0.7, 0.4));
         const std::optional<PoleSweep> poles = PoleSweep::of(m, load);
         const bool fused =
-            set != "SCALAR" && set != "EMU128";  // without fused products light resonances cannot be checked
+            set != "SCALAR" && set != "EMU128";  // without fused products light damping cannot be checked
         if (!poles && !fused) continue;
         ASSERT_TRUE(poles) << set << ", n = " << n << ", damping " << damping;
         ++proven;
@@ -189,14 +189,14 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
   }
 }
 
-/// More than caches hold is written another way, whatever lines of memory the rows begin on.
+/// Results larger than the caches are written by another method, for any alignment of the rows to memory lines.
 TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
   constexpr Eigen::Index count = 400'003, piece = 999;
   const DynamicMatrices m = random_system(6, 3, 0.1);
   const std::optional<PoleSweep> poles = PoleSweep::of(m, Eigen::VectorXcd::Ones(6));
   ASSERT_TRUE(poles);
   const Eigen::ArrayXd omega = Eigen::ArrayXd::LinSpaced(count, 0.01, 50);
-  for (const Eigen::Index rows : {count, count + 5, count + 7}) {  // not all of them multiples of a line apart
+  for (const Eigen::Index rows : {count, count + 5, count + 7}) {  // distances that are not multiples of a memory line
     Eigen::ArrayXXd memory_re(rows, 6), memory_im(rows, 6);
     ASSERT_TRUE(poles->response(omega, memory_re.topRows(count), memory_im.topRows(count)));
     for (Eigen::Index first = 0; first < count; first += piece) {
@@ -218,7 +218,7 @@ TEST(PoleSweep, NeedsArraysOfTheRightSize) {
 
 TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne) {
   constexpr double round_off_at_resonances =
-      3e-8;  // of the direct way: 100 epsilon over the smallest damping ratio of these cases, 1e-6
+      3e-8;  // of the direct method: 100 epsilon over the smallest damping ratio of these cases, 1e-6
   std::vector<double> omega;
   for (int i = 0; i < 30000; ++i) omega.push_back(1e-4 * i);
   for (const auto& hard : test::hard_cases()) {

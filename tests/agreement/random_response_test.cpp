@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Variances of random vibration by other ways: sums over a fine grid of the frequency response, the Lyapunov equation,
-// limits.
+// Variances of random vibration by other methods: sums over a fine grid of the frequency response, the Lyapunov
+// equation, limits.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -19,11 +19,11 @@ namespace {
 using namespace trivet;
 using response::RandomMethod;
 
-/// Simpson's rule on steps of a small fraction of every half width leaves this.
+/// Error of Simpson's rule on steps of a small fraction of every half width.
 constexpr double truncation = 1e-7;
-/// Two exact ways; round-off of residues times the number of poles.
+/// Difference of two exact methods: round-off of residues times the number of poles.
 constexpr double round_off = 1e-9;
-/// What the quadrature is asked for.
+/// Allowed error of the quadrature.
 constexpr double settled = 2e-8;
 
 struct Case {
@@ -55,19 +55,18 @@ assembly::Loading base(const Case& c, int derivative, std::optional<model::Wave>
   return assembly::loading(c.assembled, action);
 }
 
-/// A line, then a power law that is no whole number, with a step between.
+/// A straight line, then a power law with a non-integer exponent, with a step between.
 excitation::Spectrum two_pieces(double from, double middle, double to) {
   return {{{from, middle, 2, 5, true}, {middle, to, 3, 0.07, false}}};
 }
 
-/// Mean squares of all channels and, with `derivative`, of what is that often differentiated, by Simpson's rule between
-/// breakpoints.
+/// Mean squares of the `derivative`-th derivatives of all channels, by Simpson's rule between breakpoints.
 Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& channels,
                        const response::RandomLoading& loading, int steps, int derivative = 0) {
   Eigen::VectorXd total = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()));
   const std::vector<double> ends = excitation::breakpoints(loading.inputs[0].spectrum);
   for (std::size_t piece = 1; piece < ends.size(); ++piece) {
-    // Just inside, so that a step of the density is seen from the right side.
+    // Just inside, so that a step of the density is evaluated on the correct side.
     const double a = ends[piece - 1] * (1 + 1e-14), b = ends[piece] * (1 - 1e-14), h = (b - a) / steps;
     std::vector<double> omega;
     for (int i = 0; i <= steps; ++i) omega.push_back(a + h * i);
@@ -191,14 +190,14 @@ TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
   const Eigen::MatrixXd covariance = white_noise_covariance(c, load, density);
   const Eigen::VectorXd push = c.assembled.matrices.A.inverse() * load.force.at(0).real();
   expect_mean_squares(random, covariance.diagonal().head(n), round_off);
-  // The band ends at `highest`: velocities lack the tail, where every mass is free.
+  // The band ends at `highest`: the velocities lack the tail, where the masses move as if free.
   expect_mean_squares(random, covariance.diagonal().tail(n) - density / highest * push.cwiseAbs2(), 1e-7, true);
 }
 
 TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
-  // A millionth of the damping: what one mode tells another is a ratio of damping, 1e-8. Σ π S (φᵀh)² φ²/(2 ω² φᵀBφ).
+  // A millionth of the damping: the coupling between modes is a damping ratio, 1e-8. Σ π S (φᵀh)² φ²/(2 ω² φᵀBφ).
   constexpr double of_conditioning = 1e-7,
-                   estimated = 1e-6;  // what the form promises of itself varies with the compiler
+                   estimated = 1e-6;  // the estimated error varies with the compiler
   model::Description description = test::RandomSystem(35).description(2, test::RandomDamping::viscous);
   for (model::Element& element : description.elements)
     std::get<elements::DampingMatrix>(element.law.damping).matrix *= 1e-6;
@@ -220,7 +219,7 @@ TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
 }
 
 TEST(RandomResponse, ANarrowInputElsewhereIsNotOverlooked) {
-  // Two machines that know nothing of each other; the second feels a band of 0.01 rad/s within the first one's 400.
+  // Two independent machines; the input of the second has a band of 0.01 rad/s within the 400 rad/s of the first.
   model::Description description = test::RandomSystem(36).description(1, test::RandomDamping::viscous);
   test::RandomSystem other(37);
   description.bodies.push_back(other.body("other"));
@@ -363,7 +362,7 @@ TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {
       {{0, 1, {0.5}, 0.01}}};
   const auto random = response::random_response(c.assembled, channels, loading);
   const response::RandomCurves curves = response::random_curves(c.assembled, channels, loading);
-  constexpr double trapezoids = 1e-2;  // of a grid for pictures
+  constexpr double trapezoids = 1e-2;  // error on a grid for pictures
   for (std::size_t k = 0; k < channels.size(); ++k) {
     double sum = 0;
     for (std::size_t i = 1; i < curves.angular_frequency.size(); ++i)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every element that finds its own 12×12, out of a project file: no energy in a rigid motion, and the same vibration
-// wherever the whole model stands and however it is turned.
+// Every element that computes its 12×12, from a project file: no energy in a rigid motion, and the same vibration for
+// any position and rotation of the whole model.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@ namespace {
 using namespace trivet;
 using test::RelativelyNear;
 
-/// Turning the model changes sums of numbers of 1e5 by round-off; the lowest ω² feel it most.
+/// Turning the model changes sums of numbers of 1e5 by round-off, with the largest effect on the lowest ω².
 constexpr double turned_round_off = 1e-8;
 
 struct Named {
@@ -65,7 +65,7 @@ const std::vector<Named>& laws() {
   return all;
 }
 
-/// A body at a random place, its element at a random place and attitude on it; `world` moves everything.
+/// A body at a random position, its element at a random position and rotation on it; `world` moves everything.
 std::string model(const Named& law, unsigned seed, const Eigen::Isometry3d& world) {
   test::RandomSystem random(seed);
   const Eigen::Vector3d at = random.vector(0.2), place = world * random.vector(1.0);
@@ -135,14 +135,14 @@ TEST(CoilSpring, LeftAndRightHandsAreMirrorImages) {
         .system.elements()[0]
         .law.nominal_stiffness;
   };
-  // Mirrored at the plane of e1 and e3: y, rx and rz change their sign.
+  // Mirrored in the plane of e1 and e3: y, rx and rz change their sign.
   elements::Vector12 mirror;
   mirror << 1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1;
   const elements::Matrix12 mirrored = mirror.asDiagonal() * stiffness(right) * mirror.asDiagonal();
   EXPECT_LE((mirrored - stiffness(left)).cwiseAbs().maxCoeff(), 1e-9 * mirrored.cwiseAbs().maxCoeff());
 }
 
-/// Axial and torsional stiffness between the ends, from motions that no rigid motion holds a part of.
+/// Axial and torsional stiffness between the ends, from motions without a rigid part.
 std::pair<double, double> between_ends(const elements::Matrix12& k) {
   elements::Vector12 stretch = elements::Vector12::Zero(), twist = elements::Vector12::Zero();
   stretch(2) = twist(5) = -0.5;
@@ -169,7 +169,7 @@ TEST(RubberElement, StiffensInVibrationAndKeepsItsStaticPreload) {
     EXPECT_THAT(torsion_moving, RelativelyNear(1.4 * torsion, 1e-9));
     ASSERT_EQ(at_rest.preload.has_value(), moving.preload.has_value());
     if (at_rest.preload) {
-      EXPECT_EQ(*at_rest.preload, *moving.preload);  // that a rigid motion turns it was checked on reading
+      EXPECT_EQ(*at_rest.preload, *moving.preload);  // the reader has checked that it turns with a rigid motion
     }
   }
 }
@@ -203,12 +203,12 @@ TEST(Preload, IsBalancedAboutTheCentreOfMassToo) {
       text += fmt::format(
           "[elements.\"at {0}\"]\non = \"b\"\nat = [{0}, 0, 0]\naxis = \"z\"\n{1}preload = {{force = {2:.17g}}}\n",
           side[0] == '-' ? "-0.2" : "0.2", laws()[0].keys, 30 * 9.80665);
-    // A name has no dot.
+    // Names must not contain dots.
     for (std::size_t at; (at = text.find("at -0.2\"")) != std::string::npos;) text.replace(at, 7, "left");
     for (std::size_t at; (at = text.find("at 0.2\"")) != std::string::npos;) text.replace(at, 6, "right");
     const auto project = test::project(text);
     for (const auto& problem : project.base().warnings.list())
-      if (problem.finding.find("about its centre of mass are left over") != std::string::npos) return true;
+      if (problem.finding.find("about its centre of mass remains") != std::string::npos) return true;
     return false;
   };
   EXPECT_FALSE(warned(0));
@@ -216,7 +216,7 @@ TEST(Preload, IsBalancedAboutTheCentreOfMassToo) {
 }
 
 TEST(RubberElement, IsPartOfTheModelAlthoughItWarns) {
-  // Hardness 25 lies outside the range of its formula: a warning, and still a mount.
+  // Hardness 25 is outside the range of its formula: a warning, but still a valid mount.
   const Named soft{"",
                    "type = \"rubber_disc\"\ndiameter = \"60 mm\"\nthickness = \"25 mm\"\nmaterial = {hardness = 25}\n"};
   const auto project = test::project(model(soft, 1, Eigen::Isometry3d::Identity()));
@@ -236,7 +236,7 @@ TEST(SolidMount, IsTakenFromTheCacheTheSecondTime) {
   const auto remembered = test::project(model(laws()[9], 1, Eigen::Isometry3d::Identity()));
   EXPECT_EQ(computed.base().system.elements()[0].law.nominal_stiffness,
             remembered.base().system.elements()[0].law.nominal_stiffness);
-  // A damaged entry counts as absent.
+  // A damaged cache entry counts as absent.
   std::ofstream(fs::directory_iterator(folder)->path(), std::ios::binary | std::ios::app) << "12345678";
   const auto again = test::project(model(laws()[9], 1, Eigen::Isometry3d::Identity()));
   EXPECT_EQ(computed.base().system.elements()[0].law.nominal_stiffness,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions against a ground that is given by its acceleration, against the same machine on a ground at rest under the
-// forces of inertia.
+// Motions relative to a ground given by its acceleration, compared with the same machine on a ground at rest under the
+// inertial forces.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ using Complex = std::complex<double>;
 
 constexpr double round_off = 1e-9;  // up to 18 coordinates with condition up to 1e5
 
-/// Random machines of a test: a few, or as many as TRIVET_LONG_TESTS=1 asks for.
+/// Number of random machines of a test: few, or many with TRIVET_LONG_TESTS=1.
 unsigned machines(unsigned few, unsigned many) {
   const char* asked = std::getenv("TRIVET_LONG_TESTS");
   return asked && std::string_view(asked) == "1" ? many : few;
@@ -101,7 +101,7 @@ TEST(RelativeCoordinates, KeepTheDigitsOfADriftingRecord) {
   test::RandomSystem draw(4);
   const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous), Eigen::Vector3cd(0.3, -0.2, 1));
   const test::Assembly base(both.shaken), force(both.pushed);
-  // Ten minutes at 2 m/s², 360 km away, then a shock.
+  // Ten minutes at 2 m/s² (360 km), then a shock.
   excitation::Signal record{{{0, 2, 0, 0, 0}}};
   for (excitation::Piece piece : excitation::half_sine(50, 0.02, 600).pieces) {
     piece.value += 2;
@@ -131,7 +131,7 @@ TEST(RelativeCoordinates, CountGivenInitialStatesFromTheGroundThatMoves) {
   model::Action by_displacement = base.system.description().excitations[0].action;
   by_displacement.derivative = 0;
   response::TransientOptions options;
-  options.from = 2;  // in the midst of the motion
+  options.from = 2;  // during the motion
   options.to = 4;
   options.step = 0.01;
   options.initial = response::initial_state(base.assembled, Eigen::VectorXd::LinSpaced(6, 0.1, 0.6),
@@ -153,7 +153,7 @@ TEST(RelativeCoordinates, CountGivenInitialStatesFromTheGroundThatMoves) {
         << found[c].name;
 }
 
-/// Answers of the shaken machine against those of the pushed one at these ω.
+/// Compares the answers of the shaken machine with those of the pushed one at these ω.
 void expect_same_response(const model::Description& machine, const std::vector<double>& omega) {
   const test::ShakenAndPushed both(machine, Eigen::Vector3cd(0.3, Complex(0, -0.2), 1));
   const test::Assembly base(both.shaken), force(both.pushed);
@@ -196,7 +196,7 @@ TEST(RelativeCoordinates, HoldForTheDampingOfTheSystemAsAWhole) {
   }
 }
 
-/// Massless ground points that flex in some directions and follow the ground in the others, under both feet.
+/// Puts massless ground points under both feet that flex in `directions` and move with the ground in the others.
 void put_on_impedances(model::Description& machine, const std::vector<int>& directions, test::RandomSystem& draw) {
   for (std::size_t e = 0; e < 2; ++e) {
     const auto count = static_cast<Eigen::Index>(directions.size());
@@ -236,8 +236,8 @@ TEST(RelativeCoordinates, HaveTheLimitOfElementsWithMass) {
   }
   const test::ShakenAndPushed both(machine, Eigen::Vector3cd(1, 0, 0));
   const test::Assembly base(both.shaken);
-  // Between ω = 0 and 0.01 rad/s everything changes by 2ζ 0.01/ω₀; there the difference of motions in space still has
-  // its digits.
+  // Between ω = 0 and 0.01 rad/s everything changes by 2ζ 0.01/ω₀; at 0.01 rad/s the difference of motions in space is
+  // still accurate.
   const auto found =
       response::frequency_response(base.assembled, base.channels(both.relative), base.loading(), {0, 0.01}).curves;
   const auto space =
@@ -256,7 +256,7 @@ TEST(RelativeCoordinates, FollowSupportsThatMoveTogether) {
   test::RandomSystem draw(16);
   const test::ShakenAndPushed both(draw.description(2, test::RandomDamping::viscous), Eigen::Vector3cd(0.3, -0.2, 1));
   model::Description supports = both.shaken;
-  supports.excitations[0].action.elements = {0, 1};  // all that stand on the ground
+  supports.excitations[0].action.elements = {0, 1};  // all elements on the ground
   const test::Assembly base(both.shaken), moved(supports);
   const std::vector<std::string> deflections(both.relative.begin() + 2, both.relative.end());
   const auto found =
@@ -270,8 +270,8 @@ TEST(RelativeCoordinates, FollowSupportsThatMoveTogether) {
 }
 
 TEST(RelativeCoordinates, DragGuidedBodiesAsAtRest) {
-  // A skew spring pushes the lower body, which can only rise, out of the way of the ground: without bound towards rest,
-  // and so is the upper one carried.
+  // A skew spring moves the lower body, which can only move along z, relative to the ground, without bound towards
+  // rest. The upper body moves with it.
   model::Description d;
   for (const char* name : {"low", "high"}) {
     model::Body body;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The state at rest of models with preload and of models that can move freely: the same answers whichever way it is
-// described.
+// The state at rest of models with preload and of models with rigid-body modes: equivalent descriptions give the same
+// answers.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -14,7 +14,8 @@ namespace {
 
 using namespace trivet;
 
-/// A body on a preloaded link, and a heavy one beside it on a stress-free bushing, its pole `lift` above the bushing.
+/// A body on a preloaded link, and a heavy body next to it on a stress-free bushing, with its pole `lift` above the
+/// bushing.
 std::string beside_a_preload(double lift) {
   return fmt::format(
       "trivet = 1\ngravity = [0, 0, -9.80665]\n"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rigid solids by two ways: triangles against closed forms, with the order of their error; STEP against its own
-// triangles.
+// Rigid solids by two methods: triangles against closed forms, with the order of their error; STEP files against
+// triangles of them.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ spatial::MassProperties of_triangles(const test::Triangles& triangles) {
   return properties({"part", StlSolid{folder.path() / "part.stl", mm}, 1000});
 }
 
-/// Points of a torus about z, ring radius 30, section radius 10; equal angles give equal numbers.
+/// Triangles of a torus about z, ring radius 30, section radius 10; equal angles give equal numbers.
 test::Triangles torus(int around, int section) {
   return test::grid_surface(around, section, [=](int i, int j) {
     const double u = 2 * pi * (i % around) / around, v = 2 * pi * (j % section) / section;
@@ -43,7 +43,7 @@ test::Triangles torus(int around, int section) {
   });
 }
 
-/// Points of a sphere of radius 20; the triangles at the poles are degenerate.
+/// Triangles of a sphere of radius 20; those at the poles are degenerate.
 test::Triangles sphere(int around) {
   return test::grid_surface(around, around / 2, [=](int i, int j) {
     const double u = 2 * pi * (i % around) / around, v = pi * j / (around / 2);
@@ -66,7 +66,7 @@ TEST(StlSolid, OfATorusTendsToTheTorusAtSecondOrder) {
 TEST(StlSolid, OfAFineSphereIsTheSphere) {
   const spatial::MassProperties exact = properties({"ball", Sphere{40 * mm}, 1000}),
                                 triangles = of_triangles(sphere(200));
-  constexpr double faceted = 1e-3;  // volume 1 − (2π/200)²·0.5, moments twice as far
+  constexpr double faceted = 1e-3;  // volume 1 − (2π/200)²·0.5, moments twice the error
   EXPECT_THAT(triangles.mass, test::RelativelyNear(exact.mass, faceted));
   EXPECT_LE(triangles.centre.norm(), 1e-15);
   EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(),
@@ -89,7 +89,7 @@ TEST(StepSolid, AgreesWithTheTrianglesThatGmshMakesOfIt) {
   ASSERT_TRUE(foundation::run({.program = *gmsh, .arguments = {"mesh.geo", "-"}, .folder = folder.path()}).succeeded());
   const spatial::MassProperties exact = properties({"step", StepSolid{folder.path() / "bracket.step"}, 7850});
   const spatial::MassProperties triangles = properties({"stl", StlSolid{folder.path() / "bracket.stl", mm}, 7850});
-  constexpr double faceted = 2e-5;  // a bore of 200 chords: (2π/200)²/6 of the 8 % of volume that it takes
+  constexpr double faceted = 2e-5;  // a bore of 200 chords: (2π/200)²/6 of its 8 % of the volume
   EXPECT_THAT(triangles.mass, test::RelativelyNear(exact.mass, faceted));
   EXPECT_LE((triangles.centre - exact.centre).norm(), faceted * 0.08);
   EXPECT_LE((triangles.inertia_about_centre - exact.inertia_about_centre).norm(),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed formulas of bonded rubber against the finite elements of this library, over the range for which the formulas
-// are offered.
+// Closed formulas of bonded rubber against the finite elements of this library, over the range of validity of the
+// formulas.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 using namespace trivet;
 
-/// What docs/elements/rubber.md promises of the default formulas, and half a per cent for the mesh.
+/// Accuracy of the default formulas as docs/elements/rubber.md states it; the mesh adds half a per cent.
 struct Promise {
   double axial, shear, tilt, torsion;
 };
@@ -22,7 +22,7 @@ constexpr int mesh_level = 2;
 
 double apart(double formula, double elements) { return std::abs(formula / elements - 1); }
 
-/// Tilting of plate K against N about the middle of the layer, freed of its shear.
+/// Tilting stiffness of plate K against N about the middle of the layer, without the part of shear.
 double bending(const elements::Matrix12& k, int axis, double thickness) {
   const int shear = axis == 0 ? 7 : 6;
   return k(9 + axis, 9 + axis) - k(shear, shear) * thickness * thickness / 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shock response spectra against small steps of the Runge–Kutta method, on signals of all kinds of pieces.
+// Shock response spectra against the Runge–Kutta method with small steps, on signals with all kinds of pieces.
 #include "trivet/excitation/shock_spectrum.h"
 
 #include <gmock/gmock.h>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace trivet::excitation;
 
-/// Largest and smallest values over steps of the classical Runge–Kutta method; pieces end at whole steps, so that no
-/// step crosses a jump.
+/// Largest and smallest values over steps of the classical Runge–Kutta method; pieces end at whole steps, so no step
+/// crosses a jump.
 ShockResponse stepped(const Signal& base, double omega, double zeta, double ring_out) {
   ShockResponse r{omega};
   double z = 0, v = 0;
@@ -51,7 +51,7 @@ TEST(ShockSpectrum, AgreesWithSmallStepsInEveryColumn) {
   const Signal broken{{Piece{0, 1, 3, -40, 0}, Piece{0.2, -2, 30, 10, 25}, Piece{0.9, 0.5, 0, 0, 3}, Piece{1.0, 0.7}}};
   const Signal measured = from_samples({{0, 0.1, 0.15, 0.4, 0.45, 0.8}, {0, 2, -1, 0.3, -3, 0}});
   constexpr double step_error =
-      1e-5;  // a peak between samples 1/1500 rad apart: some 1e-7 of the fastest part; the steps themselves are better
+      1e-5;  // a peak between samples 1/1500 rad apart: some 1e-7 of the fastest part; the steps are more accurate
   for (const Signal& signal : {broken, measured, trapezoid(2, 0.1, 0.3, 0.05), sine_burst(1, 20, 3.3)})
     for (const double omega : {0.3, 2.0, 20.0, 90.0})
       for (const double zeta : {0.0, 0.05, 0.7, 0.99}) {

@@ -13,7 +13,7 @@ namespace {
 using trivet::study::ModeComparison;
 using trivet::study::Simplification;
 
-/// Modes come from one symmetric eigensolver twice: its round-off over the gap of stiffnesses.
+/// Both modes come from the same symmetric eigensolver: its round-off over the gap of stiffnesses.
 constexpr double round_off = 1e-11;
 
 const std::string body = R"(trivet = 1
@@ -35,7 +35,7 @@ free_length = "394 mm"
 material = "spring_steel"
 )";
 
-/// Three springs at K of an arm of 0.2 m, given as a whole 6×6 in skew axes.
+/// Three springs at K with an arm of 0.2 m, given as a full 6×6 in skew axes.
 const std::string three_springs_as_matrix = R"([elements.spring]
 type = "matrix"
 on = "mass"
@@ -58,7 +58,7 @@ at = [0, 0.1, 0]
 force = [1, 2, 3]
 )";
 
-/// The mode whose motion is most nearly along or about an axis of the body.
+/// The mode with `words` in its name.
 const ModeComparison& named(const Simplification& simple, const std::string& words) {
   for (const ModeComparison& mode : simple.modes)
     if (mode.name.find(words) != std::string::npos) return mode;
@@ -76,7 +76,7 @@ TEST(Simplification, ChangesNothingForAMatrixThatIsThreeSprings) {
   }
   ASSERT_EQ(simple.peaks.size(), 6u);
   for (const auto& peak : simple.peaks)
-    EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, 1e-9) << peak.name;  // Newton's stop
+    EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, 1e-9) << peak.name;  // Newton's tolerance
   EXPECT_TRUE(simple.free_motions.empty());
 }
 
@@ -84,8 +84,7 @@ TEST(Simplification, KeepsTheBounceOfACoilSpringAndLosesItsTilting) {
   const auto project = trivet::test::project(body + coil);
   const Simplification simple = trivet::study::simplification(project.base(), {0});
   const auto& stiffness = project.base().system.elements()[0].law.nominal_stiffness;
-  // On a single spring's seat the vertical stiffness alone sets the bounce, but for the coupling that the helix has of
-  // itself.
+  // On a single spring the vertical stiffness alone determines the bounce, except for the coupling of the helix itself.
   const ModeComparison& bounce = named(simple, "translation along z");
   EXPECT_NEAR(*bounce.simplified, std::sqrt(stiffness(8, 8) / 50), round_off * *bounce.simplified);
   EXPECT_NEAR(*trivet::study::relative_difference(bounce.full, bounce.simplified), 0, 1e-3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same solid by other elements, and by CalculiX run as a program of its own.
+// The same solid with other elements, and by CalculiX run as a separate program.
 #include <gmock/gmock.h>
 
 #include <Eigen/Geometry>
@@ -59,8 +59,7 @@ TEST(SolidMount, PreloadedTetrahedraOfBothPressuresAgreeWithHexahedra) {
 }
 
 TEST(SolidMount, TangentIsTheSlopeOfThePreload) {
-  // A little more displacement changes the force by the tangent; central differences of second order, steps of 1e-3 of
-  // the load.
+  // The tangent against central differences of the force, of second order, with steps of 1e-3 of the load.
   constexpr double truncation = 1e-5;
   const std::vector<fem::Material> rubber{fem::yeoh(0.5e6, -0.05e6, 0.02e6, 1e9)};
   const fem::Mesh mesh = fem::mesh(block, 1);

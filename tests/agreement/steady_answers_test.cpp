@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Power, transmissibility, orders and deflection shapes of random systems, each in two ways.
+// Power, transmissibility, orders and deflection shapes of random systems, each by two methods.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ using Complex = std::complex<double>;
 constexpr double digits = 1e-9;  // round-off times the condition of small random systems
 const std::vector<double> frequencies = {3, 17, 40, 90, 250};
 
-/// The ground moves as a whole and one foot beside it, with phases and a delay.
+/// The ground moves as a whole, and one foot in addition, with phases and a delay.
 void shake_the_ground(RandomSystem& random, model::Description& d) {
   model::Action base;
   base.at = random.vector(0.5);
@@ -39,7 +39,7 @@ void shake_the_ground(RandomSystem& random, model::Description& d) {
   d.excitations.push_back({"shaken foot", foot, model::Harmonic{}});
 }
 
-/// Ground that gives under the second element: six coordinates with mass, damping and stiffness.
+/// A flexible foundation under the second element: six coordinates with mass, damping and stiffness.
 void stand_on_foundation(RandomSystem& random, model::Description& d) {
   model::Foundation deck;
   deck.name = "deck";
@@ -50,7 +50,7 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
   d.elements[1].n.foundation = on;
   d.foundations = {deck};
   for (model::Excitation& excitation :
-       d.excitations)  // a rigid motion of the whole ground would have to say how the deck follows
+       d.excitations)  // a rigid motion of the whole ground would need to define the motion of the deck
     if (!excitation.action.body && excitation.action.elements.empty()) excitation.action.elements = {0};
 }
 
@@ -141,8 +141,8 @@ TEST(PowerIntoTheGround, IsNoneWhileItRests) {
 }
 
 TEST(Transmissibility, OfForceIsThatOfDisplacement) {
-  // Reciprocity: the ground feels of a unit force at a point what the point follows of a unit motion of the ground, in
-  // any two directions.
+  // Reciprocity: the force on the ground by a unit force at a point equals the motion of the point by a unit motion of
+  // the ground, in any two directions.
   for (const Damping damping :
        {Damping::none, Damping::proportional, Damping::viscous, Damping::loss, Damping::zener, Damping::fractional}) {
     RandomSystem random(11);
@@ -253,7 +253,7 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
     }
     for (std::size_t e = 0; e < system.elements().size(); ++e)
       expect(system.elements()[e].name + ".foot", shape.feet[e], Eigen::Matrix3d::Identity());
-    // The head of the first element moves with the body that it carries.
+    // The head of the first element is rigidly attached to its body.
     const Eigen::Vector3d arm = shape.heads[0].position - shape.bodies[0].position;
     const Eigen::Matrix<Complex, 6, 1> carried = spatial::rigid_motion(arm).cast<Complex>() * shape.bodies[0].motion;
     EXPECT_LT((shape.heads[0].motion - carried).norm(), digits * carried.norm());

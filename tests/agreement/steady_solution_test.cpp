@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Elements of which the stiffness depends on frequency, evaluated by several threads at once.
+// Elements with frequency-dependent stiffness, evaluated by several threads at once.
 #include "trivet/response/steady/steady_solution.h"
 
 #include <gtest/gtest.h>

@@ -27,11 +27,11 @@ TEST(StepMount, OfABondedCylinderAgreesWithHexahedra) {
       condense(step->mesh, rubber, {step->centre_n, step->centre_k, Eigen::Matrix3d::Identity()});
   const SolidStiffness hexahedra = condense(Disc{50 * mm, {{25 * mm, 0, false}}}, rubber);
   constexpr double discretisation =
-      0.005;  // the bracket of the two tetrahedra on such a mesh is some 0.5 %, their mean nearer
+      0.005;  // the two kinds of tetrahedra differ by some 0.5 % on such a mesh; their mean is more accurate
   for (int i = 6; i < 12; ++i)
     EXPECT_THAT(tetrahedra.stiffness(i, i), test::RelativelyNear(hexahedra.stiffness(i, i), discretisation))
         << "coordinate " << i;
-  constexpr double uneven_mesh = 0.002;  // the mesher knows no symmetry
+  constexpr double uneven_mesh = 0.002;  // the mesh is not symmetric
   EXPECT_THAT(tetrahedra.stiffness(6, 6), test::RelativelyNear(tetrahedra.stiffness(7, 7), uneven_mesh));
 }
 

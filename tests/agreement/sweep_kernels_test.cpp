@@ -98,8 +98,7 @@ TEST_P(SweepKernels, EverySizeAndLoadIsSolved) {
   for (const Eigen::Index n : {1, 2, 3, 4, 5, 6, 7, 8, 11, 12, 13, 19}) {
     for (const bool lossy : {false, true}) {
       const DynamicMatrices m = random_system(n, static_cast<unsigned>(n), lossy);
-      const std::vector<double> omega =
-          frequencies(n <= 6 ? 300 : 50, 0.5, 0.1);  // more than one chunk where it is cheap
+      const std::vector<double> omega = frequencies(n <= 6 ? 300 : 50, 0.5, 0.1);  // more than one chunk if it is cheap
       Load turning(n);
       turning.add({2, 0, random_vector(n, 3)});
       turning.add({-1, 0.02, random_vector(n, 4)});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The largest amplitudes of many designs against those of their whole sweeps.
+// The largest amplitudes of many designs against those of their full sweeps.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
   }
 }
 
-/// Of undamped to overdamped designs, by poles where these are good: against direct solutions with every residual
+/// Undamped to overdamped designs, by poles if these are accurate, against direct solutions with every residual
 /// computed.
 TEST(SweepMaxima, ByPolesAreThoseOfDirectSolutionsOnEveryInstructionSet) {
   struct Restore {

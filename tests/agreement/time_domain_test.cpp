@@ -16,7 +16,7 @@ using namespace trivet;
 
 TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
   // From a state on the predicted orbit, forty periods of Runge–Kutta with forces amplitude·cos(ωt + phase) must end on
-  // it.
+  // the orbit.
   constexpr int periods = 40, steps_per_period = 4000;
   constexpr double truncation = 1e-6;  // fourth order; halving the step divides the error by 16
   const model::System system = test::checked(test::RandomSystem(3).description(1, test::RandomDamping::viscous));
@@ -27,7 +27,7 @@ TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
   const Eigen::VectorXcd q = numerics::sweep(m, load, {omega}).response.col(0);
   const Eigen::MatrixXd inverse_mass = m.A.inverse();
 
-  // The force itself, written out from the description: component by component, with its own phase.
+  // The force from the description: component by component, each with its own phase.
   const model::Action& force = system.description().excitations[0].action;
   const auto generalized = [&](double t) -> Eigen::VectorXd {
     Eigen::Vector3d f, moment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Motions in time by the exact exponential against other ways to the same answer.
+// Motions in time by the exact exponential, compared with other methods.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -23,7 +23,7 @@ using test::along;
 using test::NearVector;
 
 constexpr double pi = std::numbers::pi;
-/// Hundreds of steps, each exact to round-off, in systems whose answers are differences of larger numbers.
+/// Hundreds of steps, each exact to round-off, with answers that are differences of larger numbers.
 constexpr double round_off = 1e-9;
 
 response::TransientOptions until(double to, double step) {
@@ -63,7 +63,7 @@ Eigen::MatrixXd by_runge_kutta(const numerics::DynamicMatrices& m, const Load& l
     for (std::size_t k = 0; k + 1 < times.size(); ++k) {
       const double h = (times[k + 1] - times[k]) / parts;
       for (int part = 0; part < parts; ++part) {
-        // The load is read inside the step, never beyond its corners.
+        // The load is evaluated inside the step, never beyond its corners.
         const double t = times[k] + part * h, inside = 1e-9 * h;
         const Eigen::VectorXd a = rate(t + inside, s), b = rate(t + h / 2, s + h / 2 * a),
                               c = rate(t + h / 2, s + h / 2 * b), d = rate(t + h - inside, s + h * c);
@@ -132,7 +132,7 @@ TEST(Transient, OfABaseByOffDiagonalBlocksIsThatOfRelativeCoordinatesUnderInerti
   spatial::Vector6 direction;
   direction << 1, -2, 0.5, 0.3, -0.2, 0.1;
   const auto base = test::base_motion(assembled, mixed(), direction, 2);
-  // How each body moves with the base, its axes and pole: q_relative = q − r g, A q̈_r + B q̇_r + K q_r = −A r g̈.
+  // r: motion of each body with the base, in its axes at its pole. q_r = q − r g, A q̈_r + B q̇_r + K q_r = −A r g̈.
   Eigen::VectorXd r(12);
   for (int b = 0; b < 2; ++b) {
     const spatial::Pose& pose = system.bodies()[static_cast<std::size_t>(b)].pose;
@@ -150,8 +150,7 @@ TEST(Transient, OfABaseByOffDiagonalBlocksIsThatOfRelativeCoordinatesUnderInerti
         << by_blocks.curves[k].name;
 }
 
-/// A body of 3 kg on a coil spring with its own mass and three internal modes; off its centre, so that all coordinates
-/// move.
+/// A body of 3 kg on a coil spring with mass and three internal modes, off the centre, so that all coordinates move.
 std::string on_heavy_spring() {
   return "trivet = 1\n[bodies.b]\nmass = 3\ncenter_of_mass = [0, 0, 0.1]\ninertia = {about = \"center_of_mass\", xx = "
          "0.1, yy = 0.12, zz = 0.1}\n"
@@ -186,8 +185,8 @@ TEST(Transient, OfABaseGivenByAccelerationOrVelocityIsThatOfTheSameDisplacement)
 }
 
 TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThroughMass) {
-  // The ground jumps, and turns a corner; within 1 µs, which the fastest mode (some kHz) does not see, it does the same
-  // without either.
+  // The ground jumps or has a corner. The other signals do the same smoothly within 1 µs, too fast for the fastest mode
+  // (some kHz) to respond.
   constexpr double short_time = 1e-6, seen_by_fastest_mode = 1e-4;
   const auto project = test::project(on_heavy_spring());
   const model::System& system = project.base().system;
@@ -195,7 +194,7 @@ TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThr
   spatial::Vector6 direction;
   direction << 0.01, 0.02, -0.03, 0.1, 0.02, 0.05;
   const excitation::Signal jump = excitation::step(1, 0.01), corner = excitation::ramp(1, 100, 0.01);
-  // The middle of the short motion is at the jump, and the velocity of the ramp rises without corners of its own.
+  // The middle of the short motion is at the jump, and the velocity of the ramp rises without corners.
   const excitation::Signal short_jump = excitation::rounded_step(1, short_time, 0.01 - short_time / 2),
                            short_corner = excitation::rounded_step(0.01, short_time, 0.01 - short_time / 2);
   const auto run = [&](const excitation::Signal& signal, int derivative) {
@@ -245,7 +244,7 @@ TEST(Transient, OfANegativeDelayBeginsBeforeTimeZero) {
 }
 
 TEST(Transient, OfAMaxwellBranchMeetsRungeKuttaOnItsOwnEquations) {
-  // m q̈ = u − k q − g k (q − z), z̈ none: the dashpot gkτ ż = gk (q − z).
+  // m q̈ = u − k q − g k (q − z); z has no mass, and its dashpot gives gkτ ż = gk (q − z).
   constexpr double truncation = 1e-9;
   const double k = 800, ratio = 1.5, time = 0.03, mass = 2;
   const auto project = test::project(
@@ -263,7 +262,7 @@ TEST(Transient, OfAMaxwellBranchMeetsRungeKuttaOnItsOwnEquations) {
   };
   Eigen::VectorXd q = Eigen::VectorXd::Zero(r.time.size()), force = q;
   constexpr int parts = 2000;
-  constexpr double h = 0.02 / parts;  // the corners of the signal, in milliseconds, fall on its ends
+  constexpr double h = 0.02 / parts;  // the corners of the signal, in milliseconds, are at ends of parts
   for (Eigen::Index i = 1; i < r.time.size(); ++i) {
     for (int part = 0; part < parts; ++part) {
       const double t = 0.02 * static_cast<double>(i - 1) + part * h, inside = 1e-9 * h;
@@ -279,7 +278,7 @@ TEST(Transient, OfAMaxwellBranchMeetsRungeKuttaOnItsOwnEquations) {
 }
 
 TEST(Transient, DoesNotDependOnTheStepOfItsAnswers) {
-  // Samples at odd times, points beside them, and points so coarse that many corners lie between two.
+  // Samples at irregular times, points between them, and points so coarse that many corners are between two.
   const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
   excitation::Samples samples;

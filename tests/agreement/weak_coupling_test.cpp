@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Against solutions in long
-// double.
+// Coordinates that the load hardly moves, by poles: their terms cancel, or are round-off. Compared with solutions in
+// long double.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -48,7 +48,7 @@ Eigen::ArrayXd amplitudes(const Designs& designs, double omega) {
   return Z.partialPivLu().solve(load).cwiseAbs().cast<double>().array();
 }
 
-/// All |q| fall above the resonances, at most 20 rad/s: their highest stand at the beginning of such bands.
+/// All |q| fall above the resonances, which are at most 20 rad/s: the highest values are at the start of these bands.
 TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigits) {
   for (const int masses : {2, 3, 6})
     for (const double from : {30.0, 60.0, 200.0, 2000.0}) {
@@ -147,7 +147,7 @@ TEST(WeakCoupling, AVelocityWhoseAccelerationIsRoundOffDoesNotGrowWithoutEnd) {
   }
 }
 
-/// A body that is free along its first coordinate.
+/// A body with a rigid-body mode along its first coordinate.
 Designs sliding(double stiffest) {
   const Eigen::Vector3d stiffness(0, 3000, stiffest), damping(0, 1, 0.02 * std::sqrt(stiffest));
   return design_of(6 * Eigen::Matrix3d::Identity(), damping.asDiagonal(), stiffness.asDiagonal(),
@@ -178,8 +178,8 @@ TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
             DesignStatus::undecided);
 }
 
-/// Free along a skew axis, where round-off gives K a stiffness of either sign: as the same body seen along its own
-/// axes, where that is 0 to the last digit.
+/// Free along a skew axis, where K has a stiffness of either sign by round-off: compared with the same body in its own
+/// axes, where that stiffness is exactly 0.
 TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
   const Eigen::Vector3d damping(0, 3e2, 1.2e3), stiffness(0, 3e3, 3e4), load(0, 1, 1);
   for (int k = 0; k < 100; ++k) {
@@ -198,7 +198,7 @@ TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
     const DesignPeaks found = design_peaks(design_of(mass, turned(damping), turned(stiffness), load));
     EXPECT_TRUE((found.peaks == expected.peaks).all()) << k << ": " << found.peaks << " instead of " << expected.peaks;
     EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), 1e-5)
-        << k;  // K's round-off where the search begins, docs/theory.md
+        << k;  // round-off of K at the start of the search, docs/theory.md
   }
 }
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files of a floor are compiled in batches. There, a name in the anonymous namespace of one file hides that of a header from all
-files after it: they use another constant or call another function, and the compiler does not complain. So no such name may be one
-that a header of the floor declares, and no constant or type may have the name of another file's. Aliases may, if they are equal.
-Functions of two files may share a name: overloads are chosen by their arguments, and equal ones do not compile."""
+"""Files of a floor are compiled in batches. There, a name in the anonymous namespace of one file hides the same name of
+a header from all files after it: they use another constant or call another function, and the compiler does not warn.
+So no such name may be one that a header of the floor declares, and no constant or type may have the name of one in
+another file. Aliases may, if they are equal. Functions of two files may share a name: overloads are chosen by their
+arguments, and equal ones do not compile."""
 import collections
 import pathlib
 import re
@@ -24,7 +25,7 @@ def names_of_constants(text):
 
 
 def declared(lines):
-    """What is declared at the margin, where things of a namespace stand: {name: what it is}."""
+    """Declarations without indentation, as in a namespace: {name: kind}."""
     names = {}
     for line in lines:
         if found := alias.match(line):
@@ -54,7 +55,7 @@ def problems_of_floor(files):
             of_headers.update({name: (what, path) for name, what in declared(lines).items()})
     for path, lines in files.items():
         if not path.endswith(".cpp") or any("foreach_target" in line for line in lines):
-            continue  # compiled alone
+            continue  # compiled separately
         for name, what in declared(anonymous(lines)).items():
             if name in of_headers and (what in ("thing", "function") or of_headers[name][0] != what):
                 yield f"{path}: {name} of the anonymous namespace hides that of {of_headers[name][1]}"
@@ -66,7 +67,7 @@ def problems_of_floor(files):
 
 
 def check_itself():
-    """One sample of each kind of declaration that is to be seen, and some that are none."""
+    """One sample of each kind of declaration to be found, and some lines that are not declarations."""
     seen = declared("""constexpr double a = 1, b[2] = {1, 2}, c = f(1, 2);
 const char* const d = "x, y = 2";
 constexpr const char* e[] = {"a", "b"};

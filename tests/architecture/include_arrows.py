@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds every #include to the arrows between floors, and between the rooms of a floor, that CMake declares; a header that its
-floor calls private is included by no other floor. Decompositions of Eigen are compiled in numerics/linalg alone."""
+"""Checks every #include against the permitted includes between floors, and between the rooms of a floor, that CMake
+declares. No other floor may include a private header. Decompositions of Eigen are compiled only in numerics/linalg."""
 import pathlib
 import re
 import sys
@@ -18,21 +18,21 @@ for line in floors_file.read_text().splitlines():
     else:
         floors[name] = listed.split()
 
-# A second or two of every file that includes one (docs/decisions/rooms-and-a-quick-build.md).
+# Each costs a second or two in every file that includes it (docs/decisions/rooms-and-a-quick-build.md).
 decompositions = {"Cholesky", "Dense", "Eigen", "Eigenvalues", "LU", "QR", "SVD"}
 may_decompose = {
     "fem/element_kernel.cpp": {"LU"},  # inverses of 3×3 and 4×4 in the innermost loop
-    "fem/partial_elimination.cpp": {"Cholesky"},  # blocks of the elimination that all else waits for, optimised with sanitizers too
+    "fem/partial_elimination.cpp": {"Cholesky"},  # critical path of the elimination, also optimised with sanitizers
 }
 
 
 def below(floor):
-    """The floor itself and all it may see: arrows reach through."""
+    """The floor itself and all floors that it may include, directly or through others."""
     return {floor}.union(*(below(lower) for lower in floors[floor]))
 
 
 def room_of(path):
-    """ "numerics/sweep" of numerics/sweep/planes.h; "numerics" of a file beside the rooms."""
+    """ "numerics/sweep" for numerics/sweep/planes.h; "numerics" for a file outside the rooms."""
     return str(pathlib.PurePosixPath(path).parent)
 
 
@@ -49,7 +49,7 @@ for path in sorted((source / "trivet").rglob("*")):
     if room != floor and room not in rooms:
         wrong.append(f"{path}: the folder {room} is no declared room")
         continue
-    allowed = rooms.get(room)  # none beside the rooms: all of them
+    allowed = rooms.get(room)  # None outside the rooms: all rooms
     for number, line in enumerate(path.read_text().splitlines(), 1):
         eigen = re.match(r"\s*#\s*include\s*[<\"](?:eigen3/)?Eigen/(\w+)", line)
         if eigen and eigen.group(1) in decompositions and room != "numerics/linalg" and eigen.group(1) not in may_decompose.get(name, ()):

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Wrong, odd and random projects by the thousand: the program ends in time with 0, 1 or 2, one clear message when it is not 0, no nan, no words of a library, and nothing left behind.
+"""Thousands of wrong, odd and random projects: the program ends in time with 0, 1 or 2, gives a clear message if the
+code is not 0, prints no nan and no messages of a library, and leaves no files behind.
 
-    TRIVET=… TRIVET_SOURCE=… python3 tests/campaign/campaign.py [--each 2000] [--machines 100] [--only "KIND" NUMBER] [--keep FOLDER]
+    TRIVET=… TRIVET_SOURCE=… python3 tests/campaign/campaign.py [--each 2000] [--machines 100]
+                                                                [--only "KIND" NUMBER] [--keep FOLDER]
 
-The same numbers give the same projects on every machine. `--only` makes one of them again; with `--keep` what failed is kept there."""
+The same numbers give the same projects on every machine. `--only` repeats one of them; `--keep` stores failed projects
+in that folder."""
 import argparse
 import collections
 import concurrent.futures
@@ -25,10 +28,10 @@ TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
 SLOWER = int(os.environ.get("TRIVET_CAMPAIGN_SLOWER", "1"))   # with sanitizers
-SECONDS = {"check": 60, "run": 120, "peaks": 120}   # none takes a tenth of it on an idle machine
+SECONDS = {"check": 60, "run": 120, "peaks": 120}   # each takes less than a tenth on an idle machine
 RUN_EVERY = 10
 ODD_FILES, MACHINES = "odd file", "machine"
-MESHED = {"step_mount", "rubber_mounts"}   # a changed number there costs seconds of finite elements: every eighth turn
+MESHED = {"step_mount", "rubber_mounts"}   # a changed number costs seconds of finite elements: only every eighth time
 
 
 def seeded(kind, number):
@@ -42,7 +45,7 @@ def change_project(chance, kind, folder, project):
 
 
 def change_file(chance, folder, project):
-    """One of the files beside the project, which then is odd, empty, gone, a folder or a pipe."""
+    """Makes one of the project's data files odd, empty, missing, a folder or a pipe."""
     files = [p for p in sorted(folder.iterdir()) if p.suffix in (".csv", ".step")]
     one = chance.choice(files)
     kind = chance.randrange(8)
@@ -58,7 +61,7 @@ def change_file(chance, folder, project):
 
 
 def scene(kind, number, folder):
-    """Puts the project of this kind and number into the folder; the commands that are to be tried on it."""
+    """Writes the project of this kind and number into the folder. @returns it and the commands to try"""
     chance = seeded(kind, number)
     if kind == MACHINES:
         project = folder / "machine.toml"
@@ -99,7 +102,7 @@ def tried(kind, number, cache, keep, memory):
 
 
 def warm_cache(cache):
-    """The mounts of the examples, computed once: afterwards only changed ones cost a solve."""
+    """Computes the mounts of the examples once, so that later only changed ones need a solution."""
     for example in EXAMPLES:
         subprocess.run([TRIVET, "check", str(example)], env={**os.environ, "TRIVET_CACHE": str(cache)}, capture_output=True, check=True)
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random machines that an engineer could have meant: one to three bodies on four to eight mounts, 5 kg to 50 t, natural frequencies of a few hertz."""
+"""Plausible random machines: one to three bodies on four to eight mounts, 5 kg to 50 t, natural frequencies of a few
+hertz."""
 
 
 def three(values):
@@ -14,7 +15,7 @@ def damping(random):
 
 
 def machine(random):
-    """The text of a project file with modes, roots, response and peaks asked for."""
+    """The text of a project file that requests modes, roots, response and peaks."""
     bodies = random.choice([1, 1, 1, 2, 3])
     mass = 10 ** random.uniform(0.7, 4.7)
     text = "trivet = 1\ngravity = [0, 0, -9.80665]\n"

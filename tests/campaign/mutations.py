@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can be wrong with a project: one function for each kind, from a sound text to a wrong one. The same random generator gives the same text."""
+"""Errors of projects: one function for each kind changes a valid text into a wrong one. The same random generator gives
+the same text."""
 import re
 
 # A number that is a value: after "=", "[", "," or the opening quote of a text with a unit.
@@ -14,12 +15,12 @@ def without_comments(text):
 
 
 def in_header(text, match):
-    """A number there is part of a name."""
+    """Is the match in a table header? There a number is part of a name."""
     return re.match(r'\[["A-Za-z]', text[text.rfind("\n", 0, match.start()) + 1:]) is not None
 
 
 def replaced(random, text, pattern, change):
-    """One occurrence of the pattern in another form."""
+    """The text with one occurrence of the pattern changed."""
     found = [m for m in pattern.finditer(text) if m.group().strip() and not (pattern is NUMBER and in_header(text, m))]
     if not found:
         return text + "\n" + change("0") + "\n"
@@ -46,7 +47,7 @@ def to_text(random, text):
 
 
 def other_kind(random, text):
-    """A number, array, table, boolean or date in the place of something else."""
+    """A number, array, table, boolean or date instead of another value."""
     values = ["{}", "[]", "[[]]", "{x = 1}", "true", "2026-01-01", "[1, 2]", "[[1, 2], [3]]", '["a"]', "[1, [2, 3]]", "{a = {b = {c = 1}}}", "07:30:00", '"""a\nb"""', "[{}]"]
     def change(line):
         return line.split("=", 1)[0] + "= " + random.choice(values)
@@ -107,7 +108,7 @@ def sizes(random, text):
     kind = random.randrange(9)
     if kind == 0:
         return text + "".join(f'\n[bodies."extra {i}"]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(count))
-    if kind == 1:  # each case is a whole study: 30 that end in time, or 2000 that are refused
+    if kind == 1:  # each case is a whole study: 30 end in time, 2000 are rejected
         count = 30 if count == 300 else count
         return text + "".join(f'\n[cases."extra {i}"]\nbodies = {{}}\n' for i in range(count))
     if kind == 2:
@@ -126,7 +127,7 @@ def sizes(random, text):
 
 
 def swapped(random, text):
-    """Two values change places: their units, kinds and orders are then others."""
+    """Exchanges two values, so that their units, kinds and order change."""
     found = [m for m in re.finditer(r"(?<== )[^\n#]+", text)]
     if len(found) < 2:
         return text
@@ -163,7 +164,7 @@ KINDS = {
 
 
 def odd_table(random, data):
-    """The same for a file that a project names: bytes to bytes."""
+    """The same for a file that a project refers to: bytes to bytes."""
     lines = data.split(b"\n")
     kind = random.randrange(9)
     if kind == 0:

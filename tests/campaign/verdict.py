@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the program once and says what is wrong with how it ended."""
+"""Runs the program once and lists the faults of its end."""
 import os
 import pathlib
 import re
@@ -8,7 +8,7 @@ import subprocess
 import tempfile
 import threading
 
-MOST_LINES = 101           # a hundred messages and their number
+MOST_LINES = 101           # a hundred messages, and one for the number of the others
 MOST_MEMORY = 1.5e9        # [bytes]
 LIBRARY_WORDS = re.compile(r"std::|bad_alloc|length_error|json\.exception|basic_filebuf|basic_string|max_size|filesystem error|vector::|terminate called|what\(\)|Eigen::|[Aa]ssertion|"
                            r"stod|stoi|map::at|Sanitizer|runtime error|iostream error|[Ss]egmentation")
@@ -41,7 +41,7 @@ def holds_no_number(path):
 
 
 def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
-    """Every way in which this run breaks the contract of docs/project-file.md; an empty list is a sound end."""
+    """All violations of the contract of docs/project-file.md by this run; empty: none."""
     private = pathlib.Path(tempfile.mkdtemp(prefix="campaign-tmp-"))
     result = pathlib.Path(folder) / "result"
     known = set(pathlib.Path(folder).rglob("*"))

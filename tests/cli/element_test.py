@@ -62,7 +62,7 @@ damping = {loss_factor = 0.05}
 
 
 def rig_data(spoilt_case):
-    """Load cases of an uncoupled stiffness with noise of 0.1 %, one reading spoilt."""
+    """Load cases of an uncoupled stiffness with noise of 0.1 % and one wrong reading."""
     noise = random.Random(1)
     stiffness, reach = [2e5, 2e5, 8e5, 1.2e3, 1.2e3, 300], [1e-3] * 3 + [1e-2] * 3
     lines = ["name,x,y,z,rx,ry,rz,fx,fy,fz,mx,my,mz"]
@@ -95,8 +95,8 @@ class Element(unittest.TestCase):
 
     def test_text_names_what_an_engineer_asks_for(self):
         text = self.run_element(self.project(BODY, COIL), "coil spring")
-        for words in ("end N on the ground", 'end K on body "mass"', "N θ_z [rad]", "M_x [N m]", "spring index", "elastic centre", "resists no rigid motion",
-                      "Own natural frequencies", "taken for three springs", "left out too: the mass"):
+        for words in ("end N on the ground", 'end K on body "mass"', "N θ_z [rad]", "M_x [N m]", "spring index", "elastic centre", "no force under rigid motion",
+                      "Own natural frequencies", "replaced by three springs", "also neglected: the mass"):
             self.assertIn(words, text)
         self.assertIn("no harmonic excitation", text)
 
@@ -114,7 +114,7 @@ class Element(unittest.TestCase):
         modes = self.json(self.project(BODY, COIL), "coil spring")["simplification"]["modes"]
         self.assertEqual(len(modes), 6)
         vertical = min(modes, key=lambda mode: abs(mode["relative_difference"]))
-        self.assertLess(abs(vertical["relative_difference"]), 1e-2)  # the wire's mass is left out too
+        self.assertLess(abs(vertical["relative_difference"]), 1e-2)  # the mass of the wire is also omitted
         self.assertEqual(sum(mode["simplified_angular_frequency"] == 0 for mode in modes), 3)
 
     def test_all_replaces_every_element(self):
@@ -131,7 +131,7 @@ class Element(unittest.TestCase):
         compared = {p["name"]: p for p in self.json(project, "mount")["simplification"]["peaks"]}
         self.assertEqual(compared["mass.rx"]["peak"]["amplitude"], highest["amplitude"])
         self.assertAlmostEqual(compared["mass.z"]["simplified_peak"]["amplitude"] / compared["mass.z"]["peak"]["amplitude"], 1, places=9)
-        self.assertNotIn("mass.rz", compared)  # nothing turns it, with either
+        self.assertNotIn("mass.rz", compared)  # no load turns it in either model
 
     def test_a_measured_element_shows_its_uncertainty_and_names_its_outlier(self):
         (self.folder / "rig.csv").write_text(rig_data(spoilt_case=8))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Element types and tables of things: the same bytes as with everything written out, and every command reaches them by path."""
+"""Element types and tables: the same bytes as with every element written out, and every command accepts their paths."""
 import csv
 import json
 import os
@@ -19,7 +19,7 @@ def trivet(*arguments, cwd=None):
 
 
 def results(project, folder):
-    """All files of a run but for those that hold the hash of the input; the results without it."""
+    """All files of a run except those with the hash of the input, and the results without the hash."""
     run = trivet("run", project, "-o", folder)
     assert run.returncode == 0, run.stderr
     files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
@@ -48,7 +48,7 @@ class ElementTypes(unittest.TestCase):
         self.compare(starter, WRITTEN_OUT / "starter_written_out.toml")
 
     def project(self, elements, mounts=""):
-        """A machine on four mounts that `elements` describes."""
+        """A machine on four mounts, which `elements` describes."""
         if mounts:
             (self.folder / "mounts.csv").write_text(mounts)
         path = self.folder / f"machine{len(list(self.folder.iterdir()))}.toml"

@@ -30,10 +30,10 @@ class Explain(unittest.TestCase):
         slopes = {s["parameter"]: s for s in peak["sensitivities"]}
         changed = {}
         for sign in (1, -1):
-            # by the file's own keys, and under the name that explain gives it
+            # by the keys of the file, and by the path of explain
             by_name = json.loads(run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass_about_center={1 + sign * 1e-4}")[0])["peaks"]
             found = json.loads(run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass={205.176 * (1 + sign * 1e-4)}",
-                                   # the inertia is given about the pole: keep that about the centre of mass
+                                   # the file gives the inertia about the pole: keep that about the centre of mass
                                    *sum((["--set", s] for s in inertia_about_pole(1 + sign * 1e-4)), []))[0])["peaks"]
             for one, other in zip(by_name, found, strict=True):
                 self.assertAlmostEqual(one["amplitude"] / other["amplitude"], 1, places=9)
@@ -44,11 +44,11 @@ class Explain(unittest.TestCase):
 
     def test_the_sentence_names_mode_element_direction_and_what_ten_percent_do(self):
         text = " ".join(run("explain", BOGIE, "--of", "frame.z")[0].split())
-        for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "solved again"):
+        for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "recomputed"):
             self.assertIn(words, text)
 
     def test_the_trial_changes_a_peak_whose_energy_is_elsewhere(self):
-        # At the peak along x the load moves the machine along y far more, beside the lowest mode.
+        # At the peak along x the load moves the machine along y far more, near the lowest mode.
         mounts = "".join(f"""[elements.m{i}]
 type = "bushing"
 on = "fan"
@@ -110,7 +110,7 @@ peaks = {{of = ["fan.x"]}}
 
 
 def inertia_about_pole(factor):
-    """The paper's inertia about the pole for another mass and the same inertia about the centre of mass."""
+    """The paper's inertia about the pole for another mass, with the inertia about the centre of mass unchanged."""
     x, y, z = -0.624, -0.502, -0.226
     more = 205.176 * (factor - 1)
     values = {"xx": 66.289 + more * (y * y + z * z), "yy": 91.643 + more * (x * x + z * z), "zz": 135.853 + more * (x * x + y * y),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random, time, run-up and transmissibility questions at the command line, on the examples and on small models of their own."""
+"""Random, time, run-up and transmissibility questions at the command line, for the examples and for small models."""
 import json
 import os
 import pathlib
@@ -49,7 +49,7 @@ class FurtherAnswers(unittest.TestCase):
                 continue
             density = one["density_per_hz"]
             area = sum((density[i] + density[i + 1]) / 2 * (hertz[i + 1] - hertz[i]) for i in range(len(hertz) - 1))
-            self.assertAlmostEqual(area / one["rms"] ** 2, 1, delta=0.02, msg=one["name"])  # straight lines over a drawn grid
+            self.assertAlmostEqual(area / one["rms"] ** 2, 1, delta=0.02, msg=one["name"])  # straight lines
             self.assertAlmostEqual(sum(one["variance_share"]), 1, delta=1e-6)
 
     def test_step_doubles_the_static_deflection_of_an_undamped_mass(self):
@@ -138,7 +138,7 @@ force = [0, 0, 1]
         self.assertAlmostEqual(done["vibration_total_values"]["frame"] / total, 1, delta=1e-12)
         self.assertEqual(done["vibration_total_axes"]["frame"], list(seat))
         translations = sum(weighted[axis] ** 2 for axis in "xyz") ** 0.5
-        self.assertGreater(total, 1.0001 * translations)  # the rotations are felt
+        self.assertGreater(total, 1.0001 * translations)  # the rotations count
 
     def test_a_total_value_says_of_what_it_is(self):
         asked = ("random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.of=[\"frame.x\", \"frame.y\", \"frame.z\"]")
@@ -146,7 +146,7 @@ force = [0, 0, 1]
         self.assertEqual(done["vibration_total_axes"]["frame"], ["x", "y", "z"])
         self.assertIn("m/s², of x, y, z\n", trivet(*asked, "--set", "analyses.random.weighting=\"seat\"").stdout)
         feet = answer(self, "random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.weighting=\"feet\"")
-        self.assertEqual(feet["vibration_total_axes"]["frame"], ["x", "y", "z"])  # rotations have no factor there
+        self.assertEqual(feet["vibration_total_axes"]["frame"], ["x", "y", "z"])  # no factor for rotations
 
     def test_an_infinite_root_mean_square_is_said_everywhere(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -230,7 +230,7 @@ psd = [[{band[0]}, 1], [{band[1]}, 1]]
 """
             path = model(folder, text)
             both = answer(self, "random", path, "--set", "elements.spring.damping.proportional=0")["results"][0]
-            self.assertIsNotNone(both["rms"], both["reason"])  # the resonance at 3.18 Hz lies between the bands
+            self.assertIsNotNone(both["rms"], both["reason"])  # the resonance at 3.18 Hz is between the bands
 
     def test_run_writes_tables_figures_and_sections(self):
         with tempfile.TemporaryDirectory() as folder:

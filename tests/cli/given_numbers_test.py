@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user gives takes effect or is named: numbers of the command line, questions, excitations, points, columns."""
+"""Input of a user has an effect or causes a message: numbers of the command line, questions, excitations, points,
+columns."""
 import json
 import unittest
 
@@ -117,7 +118,7 @@ class Unused(InTemporaryFolder):
         said = self.warnings(spectrum + "[analyses]\nresponse = {}\n")
         self.assertIn("excitations.road: no analysis of this file uses it", said)
         self.assertNotIn("excitations.push", said)
-        self.assertNotIn("no analysis", self.warnings(spectrum))  # a file that asks nothing
+        self.assertNotIn("no analysis", self.warnings(spectrum))  # a file without questions
         self.assertNotIn("no analysis", self.warnings(spectrum + "[analyses]\nmodes = {}\n"))
         self.assertNotIn("no analysis", self.warnings(spectrum + "[analyses]\nresponse = {}\n", "peaks"))
         used = spectrum + "[analyses]\nresponse = {of = \"machine.seat.z\"}\nrandom = {}\n"
@@ -162,10 +163,10 @@ class Unused(InTemporaryFolder):
 
     def test_excitations_that_act_together_are_listed(self):
         second = '[excitations.unit]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n'
-        self.assertIn("Excited at once by push, unit", trivet("response", self.file(MACHINE + second)).stdout)
+        self.assertIn("Excited simultaneously by push, unit", trivet("response", self.file(MACHINE + second)).stdout)
         self.assertNotIn("Excited", trivet("response", self.file(MACHINE)).stdout)
         one = '[analyses]\nresponse = {}\npeaks = {excitations = ["unit"]}\n'
-        self.assertIn("Excited at once", trivet("response", self.file(MACHINE + second + one)).stdout)
+        self.assertIn("Excited simultaneously", trivet("response", self.file(MACHINE + second + one)).stdout)
         self.assertNotIn("Excited", trivet("peaks", self.file(MACHINE + second + one)).stdout)
 
     def test_the_force_of_one_of_several_mounts_is_a_share(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A complex matrix of another program against the same stiffness and loss written as elements with loss factors."""
+"""A complex matrix of another program against elements of the same stiffness with loss factors."""
 import json
 import os
 import pathlib
@@ -28,7 +28,7 @@ ELEMENT = 'type = "bushing"\non = "machine"\nat = [0, 0, 0]\n'
 
 
 def complex_file(path, blocks):
-    """Both ends at one place: K of the moved end and its mirror images, diagonal; only entries that are not zero."""
+    """Writes a diagonal K of the moved end and its mirror images for two ends at one place; nonzero entries only."""
     rows = []
     for end, other in ((0, 6), (6, 0)):
         for i in range(6):

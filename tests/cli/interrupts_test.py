@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Signals at random moments of `run`, `map` and a solid mount: no half file, no process and no folder is left; what SIGKILL leaves goes with the next run.
-`python3 interrupts_test.py 200` sends so many; the moments follow from a fixed seed and the time that an undisturbed run takes."""
+"""Signals at random moments of `run`, `map` and a solid mount leave no incomplete file, no process and no folder; the
+next run removes the remains of SIGKILL. `python3 interrupts_test.py 200` sends 200 signals; the moments follow from a
+fixed seed and the duration of an undisturbed run."""
 import hashlib
 import json
 import os
@@ -24,7 +25,7 @@ CASES = "".join(f"[cases.c{i}]\nelements.suspension.scale = {i + 2}\n" for i in 
 
 
 class Place:
-    """Folders of one command: where it works, its temporary files, its cache; and a mark that its processes inherit."""
+    """Folders of one command (work, temporary files, cache) and a mark that its processes inherit."""
 
     def __init__(self, name, arguments, files):
         self.name, self.arguments = name, arguments
@@ -55,14 +56,14 @@ class Place:
         return found
 
     def wait_for_processes(self):
-        """The kernel may need a moment to end what a killed process has started."""
+        """Waits until the kernel has ended the processes that a killed process has started."""
         deadline = time.monotonic() + 30
         while self.processes() and time.monotonic() < deadline:
             time.sleep(0.005)
         return self.processes()
 
     def complaints(self, after_a_kill):
-        """What is not as it should be; a killed run may leave temporary folders under their own names."""
+        """Faults of the folders and processes; a killed run may leave folders named `.trivet-…`."""
         found = [f"process left: {line}" for line in self.wait_for_processes()]
         for part in ("work", "temporary", "cache"):
             for entry in (self.folder / part).iterdir():
@@ -107,7 +108,7 @@ def places():
 
 
 def campaign(count, show=lambda line: None):
-    """Sends the signals. @returns complaints, how many runs were hit by which signal"""
+    """Sends the signals. @returns complaints, number of runs hit by each signal"""
     chance = random.Random(SEED)
     complaints, hit, times = [], {}, {}
     all_places = places()
@@ -132,7 +133,7 @@ def campaign(count, show=lambda line: None):
             expected = (-9, 0) if killed else (128 + number, 0)
             found = [] if process.returncode in expected else [f"exit code {process.returncode}: {errors}"]
             if not killed and process.returncode and "interrupted" not in errors:
-                # A signal before the first line of main ends the program by default: then nothing has been made yet.
+                # A signal before the first line of main ends the program by default: no files exist yet.
                 found.append(f"no word: {errors!r}")
             if process.returncode == -number and not killed:
                 found = []
@@ -174,7 +175,7 @@ class Interrupts(unittest.TestCase):
         self.assertEqual(process.wait(timeout=300), 0)
 
     def test_a_program_of_another_name_ends_with_us(self):
-        """gmsh as a script that starts others, deaf to signals."""
+        """gmsh is a script that starts other processes and ignores signals."""
         for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
             with self.subTest(signal=number):
                 place = places()[2]

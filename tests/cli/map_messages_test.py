@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `trivet map` answers to a file that asks for no map, and the figures in its words."""
+"""Messages of `trivet map` for a file without a map, and the digits of numbers in its texts."""
 import json
 import os
 import pathlib
@@ -67,7 +67,7 @@ class MapMessages(unittest.TestCase):
         self.assertEqual(self.map(BODY, "--set", "elements.s.scale=", code=2).count("error:"), 1)
 
     def test_no_excitation_is_not_all(self):
-        self.assertIn("at least one excitation is wanted", self.map(BODY + "excitations = []\n", code=2))
+        self.assertIn("at least one excitation is expected", self.map(BODY + "excitations = []\n", code=2))
 
     def test_figures_have_the_digits_that_tell_them_apart(self):
         self.assertRegex(self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n'), "m.z reaches 0.0001 m at 0 rad/s, allowed 9.99999e-05")

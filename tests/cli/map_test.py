@@ -66,7 +66,7 @@ class Map(unittest.TestCase):
 
     def test_the_text_tells_region_best_design_and_cases(self):
         text = run("map", self.project)[0]
-        for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): keeps every rule", "base model (1, 50 ms): BREAKS", "poles and residues"):
+        for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): meets every rule", "base model (1, 50 ms): VIOLATES", "poles and residues"):
             self.assertIn(words, text)
 
     def test_json_and_csv_hold_the_same_designs(self):
@@ -104,14 +104,14 @@ class Map(unittest.TestCase):
         note.write_text("<html><svg></svg></html>")
         old.write_text('<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>')
         self.refused_picture(drawing, "this is the project file itself")
-        self.refused_picture(note, "something else than an SVG picture; choose another name")
+        self.refused_picture(note, "exists and is not an SVG picture; choose another name")
         self.assertEqual((pathlib.Path(self.project).read_text(), note.read_text()), (ONE_MASS, "<html><svg></svg></html>"))
         run("map", self.project, "--points", "5", "--picture", str(old))
         self.assertIn("stiffness scale of spring", old.read_text())
 
     def test_a_picture_that_cannot_be_written_is_refused_before_the_answer(self):
         self.refused_picture(self.folder / "none" / "map.svg", "there is no folder")
-        self.refused_picture("/proc/map.svg", "choose a folder where you may write")
+        self.refused_picture("/proc/map.svg", "choose a folder with write permission")
         self.refused_picture("", '--picture: "": pictures are SVG; name a file that ends in .svg')
 
     def test_a_full_disk_spares_the_old_picture_and_the_answer(self):
@@ -130,7 +130,7 @@ class Map(unittest.TestCase):
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
         xml.etree.ElementTree.fromstring(svg)
-        for words in ("proportional damping δ of spring [ms]", "elements.spring.damping.proportional", "every rule is kept", "margin = limit / value", "good", "mass.z ≤ 0.03 m"):
+        for words in ("proportional damping δ of spring [ms]", "elements.spring.damping.proportional", "every rule is met", "margin = limit / value", "good", "mass.z ≤ 0.03 m"):
             self.assertIn(words, svg)
 
     def test_a_picture_is_named_svg_before_anything_is_computed(self):
@@ -158,14 +158,14 @@ class Map(unittest.TestCase):
     def test_a_picture_tells_the_doubts_about_its_map(self):
         inertia = ONE_MASS.replace("mass = 4", 'mass = 4\nallow_unphysical = true\ninertia = {about = "center_of_mass", xx = 50, yy = 2, zz = 2}')
         pathlib.Path(self.project).write_text(inertia)
-        words = "Doubtful: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
+        words = "Warning: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
         self.assertIn(words, self.picture())
         run("run", self.project, "-o", str(self.folder / "out"))
         self.assertIn(words, (self.folder / "out" / "00-base" / "map.svg").read_text())
         self.assertGreater((self.folder / "out" / "report.html").read_text().count("every design is doubtful"), 2)  # picture, section, warnings
 
     def test_a_picture_names_no_case_on_the_boundary(self):
-        """At the boundary's end the label would lie on it if it stood right of its point."""
+        """At the end of the boundary a label to the right of its point would be on the boundary."""
         pathlib.Path(self.project).write_text(ONE_MASS.replace("elements.spring.scale = 2", "elements.spring.scale = 0.6").replace('"90 ms"', '"200 ms"'))
         svg = self.picture()
         x, y = map(float, re.search(r'<text x="([0-9.]+)" y="([0-9.]+)"[^>]*>good<', svg).groups())
@@ -179,13 +179,13 @@ class Map(unittest.TestCase):
         picture = self.folder / "map.svg"
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
-        self.assertIn("Outside the frame: far (9, 50 ms: keeps every rule).", svg)
-        self.assertIn("more than the two numbers: heavy (breaks a rule).", svg)
+        self.assertIn("Outside the frame: far (9, 50 ms: meets every rule).", svg)
+        self.assertIn("more than the two numbers: heavy (violates a rule).", svg)
 
     def test_the_picture_shows_the_nearest_design_where_none_is_feasible(self):
         picture = self.folder / "map.svg"
         text = run("map", self.project, "--set", "analyses.map.limits={\"mass.z\"=\"1 mm\"}", "--picture", str(picture))[0]
-        self.assertIn("No design keeps every rule; the nearest: ", text)
+        self.assertIn("No design is feasible; the nearest: ", text)
         self.assertIn("nearest design: margin 0.2", picture.read_text())
 
     def test_the_headline_tells_of_the_rules_that_there_are(self):
@@ -197,12 +197,12 @@ class Map(unittest.TestCase):
         self.assertTrue("amplitudes over" in amplitudes and "resonance peaks" not in amplitudes)
 
     def test_picture_and_report_say_what_was_asked(self):
-        asked = "amplitudes over all frequencies; resonance peaks wherever they lie, from 1 % above the minimum beside them (rises below 1e-06 of a curve are none)"
+        asked = "amplitudes over all frequencies; resonance peaks at all frequencies, from 1 % above the adjacent minimum (rises below 1e-06 of the curve maximum are ignored)"
         out = self.folder / "out"
         self.assertIn(asked, run("run", self.project, "-o", str(out))[0])
-        self.assertIn("Asked: " + asked, (out / "00-base" / "map.svg").read_text())
+        self.assertIn("Criteria: " + asked, (out / "00-base" / "map.svg").read_text())
         report = (out / "report.html").read_text()
-        self.assertGreater(report.count("Asked: " + asked), 1)  # section and picture
+        self.assertGreater(report.count("Criteria: " + asked), 1)  # section and picture
 
     def test_text_and_report_name_axes_and_order_rules_alike(self):
         out = self.folder / "out"
@@ -215,18 +215,18 @@ class Map(unittest.TestCase):
         text = run("run", self.project, "-o", str(self.folder / "wide"))[0]
         report = (self.folder / "wide" / "report.html").read_text()
         for page in (text, report):
-            table = page[page.index("governs, kept"):]
+            table = page[page.index("governs, feasible"):]
             self.assertLess(table.index("no peak of mass.z"), table.index("mass.z ≤ 1 m"))
 
     def test_nothing_moves_without_a_load(self):
         still = ("--set", "excitations.force.force=[0,0,0]", "--set", "analyses.map.no_peak=[]")
-        self.assertIn("no rule limits them: nothing moves", run("map", self.project, *still)[0])
+        self.assertIn("no rule limits them: no motion", run("map", self.project, *still)[0])
         svg = self.picture(*still)
-        self.assertIn("no rule limits it: nothing moves", svg)
+        self.assertIn("no rule limits it: no motion", svg)
 
     def test_numbers_of_lines_stand_on_a_ground_above_all_lines(self):
         svg = self.picture()
-        lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[:svg.index("margin = limit / value")])][:-1]  # the last is the sample of the key
+        lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[:svg.index("margin = limit / value")])][:-1]  # the last is in the legend
         grounds = [m.start() for m in re.finditer('rx="3" fill="white"', svg)]
         self.assertGreater(len(grounds), 0)
         self.assertGreater(min(grounds), max(lines))
@@ -235,7 +235,7 @@ class Map(unittest.TestCase):
         svg = self.picture("--set", "analyses.map.limits={\"mass.z\"=\"4 mm\"}")
         self.assertIn("nearest design: margin 0.8", svg)
         self.assertRegex(svg, 'font-size="10">0[.]5<')
-        self.assertNotIn("clipPath", svg)  # nothing is feasible
+        self.assertNotIn("clipPath", svg)  # no design is feasible
 
     def test_a_coarse_grid_is_called_coarse(self):
         self.assertIn("a coarse grid: regions below 25 % of an axis", run("map", self.project, "--points", "5")[0])

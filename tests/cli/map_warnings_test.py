@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `trivet map` says before a map is trusted, as text, in JSON and in the result folder of a run."""
+"""Warnings of `trivet map`: as text, in JSON and in the result folder of a run."""
 import json
 import os
 import pathlib
@@ -49,7 +49,7 @@ class MapWarnings(unittest.TestCase):
         return done
 
     def warned(self, text, words):
-        """In text, JSON and a run alike."""
+        """The warning must be in text, JSON and a run."""
         done = self.map(text)
         self.assertIn(words, done.stderr)
         found = json.loads(self.map(text, "--json").stdout)["warnings"]
@@ -70,14 +70,14 @@ class MapWarnings(unittest.TestCase):
 
     def test_a_case_that_contradicts_the_designs_around_it(self):
         strip = BODY.replace('limits = {"m.x" = "1 mm"}', 'limits = {"m.x" = "1 mm"}\nband = ["99.9 rad/s", "100.1 rad/s"]')
-        done = self.warned(strip, "breaks a rule that all designs of the grid around it keep")
-        self.assertIn("take more points, or narrower ranges around it", done.stderr)
-        self.assertIn("not to be trusted: a case contradicts all designs around it", done.stdout)
+        done = self.warned(strip, "violates a rule that all designs of the grid around it meet")
+        self.assertIn("use more points, or narrower ranges around it", done.stderr)
+        self.assertIn("unreliable: a case contradicts all designs around it", done.stdout)
         self.assertNotIn("contradict", self.map(strip, "--points", "5x3").stdout)
 
     def test_answers_that_do_not_move(self):
         still = BODY.replace('limits = {"m.x" = "1 mm"}', 'limits = {"m.y" = "1 mm"}\nno_peak = ["m.ry", "m.x"]')
-        done = self.warned(still, "does not move (zero but for round-off)")
+        done = self.warned(still, "is zero except for round-off")
         self.assertTrue("map: m.y:" in done.stderr and "map: m.ry:" in done.stderr)
         self.assertNotIn("map: m.x:", done.stderr)
 
@@ -86,7 +86,7 @@ class MapWarnings(unittest.TestCase):
 
     def test_what_the_model_itself_gives_to_doubt(self):
         guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace('"m.x" = "1 mm"', '"ground.force.x" = "1 kN"')
-        self.warned(guided, "what guides carry is not in them")
+        self.warned(guided, "without the forces that guides carry")
 
     def test_an_axis_that_changes_nothing(self):
         self.warned(BODY.replace('x = {parameter = "elements.s.scale", from = 0.5, to = 1.5', 'x = {parameter = "excitations.p.phase", from = 0, to = 3'), "the axis changes no answer")
@@ -95,14 +95,14 @@ class MapWarnings(unittest.TestCase):
         moved = BODY.replace('type = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [100, 0, 0]', 'type = "base"\ntranslation = ["1 mm/s", 0, 0]\nquantity = "velocity"')
         done = self.warned(moved, "has no bounded displacement at ω = 0")
         self.assertIn("start the band of the map above 0", done.stderr)
-        self.assertIn("m.x has no bound at 0 rad/s, allowed 0.001 m", done.stdout)
+        self.assertIn("m.x is unbounded at 0 rad/s, allowed 0.001 m", done.stdout)
         self.assertNotIn("bounded", self.map(moved.replace("[analyses.map]", '[analyses.map]\nband = ["1 Hz", "60 Hz"]')).stderr)
 
     def test_cases_with_rules_of_their_own(self):
         strict = BODY + '[cases.strict]\nanalyses.map.limits = {"m.x" = "1 um"}\n[cases.same]\nelements.s.scale = 1\n'
         text = self.map(strict).stdout
-        self.assertIn('judged by the rules of this map; its own map asks otherwise: map --case "strict"', text)
-        self.assertEqual(text.count("asks otherwise"), 1)
+        self.assertIn('judged by the rules of this map; its own map has other rules: map --case "strict"', text)
+        self.assertEqual(text.count("has other rules"), 1)
         marks = {m["case"]: m["has_own_rules"] for m in json.loads(self.map(strict, "--json").stdout)["marks"]}
         self.assertEqual(marks, {"": False, "strict": True, "same": False})
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every question is a command of its own, and says there what `run` says of it."""
+"""Every question is a separate command with the same answer as `run`."""
 import json
 import os
 import pathlib
@@ -57,7 +57,7 @@ def trivet(*arguments, code=0):
 
 
 def questions():
-    """All tables of [analyses] but the map, and the limit lines beside them; MACHINE or an example must ask each."""
+    """All tables of [analyses] except the map, and the limit lines; MACHINE or an example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
     return [*(name for name in analyses if name != "map"), "limit_lines"]
 
@@ -89,7 +89,7 @@ class Questions(unittest.TestCase):
                 alone = json.loads(trivet(question, project, "--json").stdout)
                 whole = base[question]
                 if isinstance(whole, dict):
-                    whole.pop("warnings"), alone.pop("warnings")  # those of the other questions are among them
+                    whole.pop("warnings"), alone.pop("warnings")  # a run also has those of the other questions
                 self.assertEqual(alone, whole, f"{question} of {project}")
                 first = TABLES.get(question, [question])[0]
                 self.assertEqual(trivet(question, project, "--csv").stdout, (tables / f"{first}.csv").read_text(), f"{question} of {project}")

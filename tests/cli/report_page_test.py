@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the page of a report shows once its script has run; in a browser, where there is one."""
+"""Content of a report page after its script has run, in a browser if one is installed."""
 import os
 import pathlib
 import re
@@ -66,7 +66,7 @@ class ReportPage(unittest.TestCase):
         overview = re.search('<[^>]*id="cases".*?</table>', self.page("12 mm"), re.DOTALL).group()
         self.assertIn("rules of the map", overview)
         verdicts = [re.findall("[✓✗] ([^<]*)<", row)[-1] for row in overview.split("<tr")[2:]]
-        self.assertEqual(verdicts, ["BROKEN", "kept", "BROKEN (own map)"])
+        self.assertEqual(verdicts, ["VIOLATED", "met", "VIOLATED (own map)"])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Result folders belong to the user: what a second run replaces, what it keeps, and what it rejects."""
+"""Result folders belong to the user: what a second run replaces, keeps and rejects."""
 import hashlib
 import json
 import os
@@ -39,7 +39,7 @@ OURS = ["00-base", "01-soft", "02-stiff", "manifest.json", "report.html", "resul
 
 
 def is_whole(folder):
-    """Every file that the manifest names is there, unchanged."""
+    """Does every file of the manifest exist, unchanged?"""
     manifest = json.loads((folder / "manifest.json").read_text())
     listed = [entry["path"] for entry in manifest["files"]]
     assert {"results.json", "report.html"} <= set(listed), listed
@@ -145,7 +145,7 @@ class SecondRun(InFolder):
         (self.target / "02-stiff").mkdir()
         (self.target / "02-stiff" / "modes.csv").symlink_to(self.project)
         done = self.succeeds()
-        self.assertIn("is not from trivet", done.stderr)
+        self.assertIn("was not written by trivet", done.stderr)
         self.assertEqual(os.readlink(self.target / "02-stiff" / "modes.kept-1.csv"), str(self.project))
         self.assertEqual(self.project.read_text(), ONE_MASS + CASES)
 
@@ -183,7 +183,7 @@ class Refusal(InFolder):
         self.succeeds()
         shutil.rmtree(self.target / "01-soft")
         (self.target / "01-soft").symlink_to(elsewhere)
-        self.refused("01-soft is a symbolic link where the result needs a folder")
+        self.refused("01-soft is a symbolic link, but the result needs a folder")
         (self.target / "01-soft").unlink()
         for name in ("results.json", "report.html", "manifest.json"):
             (self.target / name).unlink()
@@ -215,7 +215,7 @@ class Refusal(InFolder):
                      '{"format": "trivet-manifest", "files": [{"path": "a", "size": -1, "sha256": "x"}]}', "\0" * 100):
             self.target.mkdir(exist_ok=True)
             (self.target / "manifest.json").write_text(text)
-            self.refused("something else than an earlier result")
+            self.refused("exists and is not an earlier result")
             self.assertEqual((self.target / "manifest.json").read_text(), text)
 
     def test_other_things_in_the_place(self):
@@ -260,7 +260,7 @@ class AtOnce(InFolder):
         runs = [subprocess.Popen([TRIVET, "run", str(self.project), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(4)]
         looks = 0
         while any(run.poll() is None for run in runs):
-            folder = os.open(self.target, os.O_RDONLY | os.O_DIRECTORY)  # fails if nothing has the name for a moment
+            folder = os.open(self.target, os.O_RDONLY | os.O_DIRECTORY)  # fails if the name is missing for a moment
             if os.path.samestat(os.fstat(folder), os.stat(self.target)):
                 self.assertEqual((self.target / "note.txt").read_text(), "mine")
             os.close(folder)
@@ -271,7 +271,7 @@ class AtOnce(InFolder):
 
 class AfterAKill(InFolder):
     def stopped_in_the_making(self):
-        """A run that was killed while its working folder existed."""
+        """Kills a run while its working folder exists."""
         run = subprocess.Popen([TRIVET, "run", str(self.slow()), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         while not any(name.startswith(".trivet-") for name in os.listdir(self.work)):
             self.assertIsNone(run.poll())

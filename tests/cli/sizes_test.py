@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Projects that are too large, and machines that take the program to its limits (docs/limits.md)."""
+"""Projects that are too large, and machines at the limits of the program (docs/limits.md)."""
 import unittest
 
 from limits_test import BODY, FORCE, Refused, mount
@@ -39,7 +39,7 @@ class Sizes(Refused):
         text = "trivet = 1\n" + "".join(f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(60))
         text += "".join(mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)) + FORCE.replace('"b"', '"b0"')
         self.refused("hours of search", "name fewer answers in `of`", text=text + "[analyses]\npeaks = {}\n")
-        done = trivet("peaks", self.file(text))  # asked by the command line alone
+        done = trivet("peaks", self.file(text))  # requested only by the command line
         self.assertEqual(done.returncode, 1)
         self.assertIn("hours of search", done.stderr)
 

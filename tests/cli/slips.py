@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Slips that engineers make, each as a change of a project that was read from TOML, and projects written as TOML again."""
+"""Typical slips of engineers, each as a change of a project read from TOML, and writing projects as TOML."""
 import collections
 import json
 import math
@@ -9,7 +9,7 @@ G = 9.80665
 
 
 def toml(value):
-    """One value of a project as TOML, all tables in braces."""
+    """A value of a project as TOML, with all tables in braces."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, str):
@@ -35,7 +35,7 @@ def text(project):
 
 
 def times(value, factor):
-    """A number or a text with a unit, a list or a table of them, times a factor."""
+    """A number, a text with a unit, or a list or table of these, times a factor."""
     if isinstance(value, list):
         return [times(v, factor) for v in value]
     if isinstance(value, dict):
@@ -68,7 +68,7 @@ def first_name(p):
 
 
 def written_out(p):
-    """The project with its types and rows written into every element: a slip is one in one of them."""
+    """The project with types and rows written into every element, so that a slip changes a single element."""
     types = p.pop("element_types", {})
     for row in p.pop("tables", {}).get("elements", {}).get("rows", []):
         p.setdefault("elements", {})[row.pop("name")] = row
@@ -86,7 +86,7 @@ def elements(p, *types):
     return [e for e in p["elements"].values() if not types or e["type"] in types]
 
 
-# Each slip changes a project in place and returns False where the project has nothing to slip with.
+# Each slip changes a project in place and returns False if the project has no place for it.
 def mass(factor):
     def slip(p):
         first_body(p)["mass"] = times(first_body(p)["mass"], factor)
@@ -152,7 +152,7 @@ def loss_percent(p):
     for e in elements(p):
         if e["type"] != "damper":
             e["damping"] = {"loss_factor": 0.9}
-    p["analyses"].pop("transient", None)  # which loss factors refuse
+    p["analyses"].pop("transient", None)  # rejects loss factors
     without_cases(p)
 
 
@@ -170,7 +170,7 @@ def rayleigh(p):
 
 
 def overloaded(p):
-    """Every mount of the first body a catalogue mount as stiff as before, with a twelfth of the load that it bears."""
+    """Every mount of the first body becomes a catalogue mount of equal stiffness, rated for a twelfth of its load."""
     typed = [e for e in elements(p, "bushing") if e["on"] == first_name(p)]
     if not typed:
         return False
@@ -186,7 +186,7 @@ def overloaded(p):
 
 
 def ask_in_time(p, **transient):
-    """Loss factors have no motion in time: the same loss at 10 Hz instead."""
+    """Adds a transient and replaces loss factors, which it rejects, by the same loss at 10 Hz."""
     for e in [*p["elements"].values(), *p.get("element_types", {}).values()]:
         factor = e.get("damping", {}).get("loss_factor") if isinstance(e.get("damping", {}), dict) else None
         if isinstance(factor, (int, float)):
@@ -249,7 +249,7 @@ def points_in_millimetres(p):
 
 
 def viscous_in_newtons_per_mm(p):
-    """Every mount of the first body damped by 8 %, then taken for N s/mm."""
+    """Every mount of the first body gets a damping ratio of 8 %, in N s/m typed as N s/mm."""
     typed = [e for e in elements(p, "bushing") if e["on"] == first_name(p)]
     for e in typed:
         k = sum(times(v, 1) if not isinstance(v, str) else float(v.split()[0]) for v in e["translation"]) / 3
@@ -274,7 +274,7 @@ def speed_in_rpm(p):
 
 
 def soft_foundation(p):
-    """A floor twice as stiff as a mount under every one of them, in N/mm taken for N/m."""
+    """A floor twice as stiff as a mount under each of them, in N/mm typed as N/m."""
     typed = [e for e in p["elements"].values() if "from" not in e]
     if not typed or any(e["type"] != "bushing" or "foundation" in e or any(isinstance(v, str) for v in e["translation"]) for e in typed):
         return False
@@ -289,7 +289,7 @@ def bare_numbers(values):
 
 
 def one_direction_in_newtons_per_mm(p):
-    """The vertical stiffness of every element of the first body; where mounts alone hold it."""
+    """The vertical stiffness of every element of the first body, if only mounts hold it."""
     held = [e for e in p["elements"].values() if first_name(p) in (e["on"], e.get("from"))]
     if not held or any(e["type"] != "bushing" or not bare_numbers(e["translation"]) for e in held):
         return False

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Slips that engineers make, put into every example, are named by their kind; sound machines pass without a warning."""
+"""Typical slips in every example are reported by their kind; plausible machines pass without a warning."""
 import concurrent.futures
 import copy
 import json
@@ -69,8 +69,8 @@ class SoundFiles(InTemporaryFolder):
 
 
 class Slips(InTemporaryFolder):
-    # Of all slips. What no physics shows is missed: products of inertia about the centre of mass with the other sign, rotations
-    # per degree where the mounts stand wide apart, a stiff machine that is stiffer still.
+    # Of all slips. Missed are those that no physics shows: products of inertia about the centre of mass with the wrong
+    # sign, rotations per degree with mounts far apart, a stiff machine that becomes even stiffer.
     LEAST_SHARE = 0.93
 
     def test_are_named_by_their_kind_in_every_example(self):
@@ -103,13 +103,14 @@ class Slips(InTemporaryFolder):
 
 
 def sound_machine(r):
-    """A machine of 20 g … 200 t that stands, hangs or is on a wall, with dimensions, stiffnesses and damping of their usual relations."""
+    """A machine of 20 g … 200 t that stands, hangs or is on a wall, with usual ratios of dimensions, stiffnesses and
+    damping."""
     m = 10 ** r.uniform(math.log10(0.02), math.log10(2e5))
     density = 10 ** r.uniform(math.log10(150), math.log10(5000))
     shape = sorted((r.uniform(0.5, 1.6) for _ in range(3)), reverse=True)
     edge = (m / density / math.prod(shape)) ** (1 / 3)
     a, b, c = (edge * s for s in shape)
-    hx, hy, hz = (edge * r.uniform(0.75, 1.2) for edge in (a, b, c))  # mass is not spread evenly
+    hx, hy, hz = (edge * r.uniform(0.75, 1.2) for edge in (a, b, c))  # the mass is not distributed evenly
     jx, jy, jz = (m / 12 * (y * y + z * z) for y, z in ((hy, hz), (hx, hz), (hx, hy)))
     pose = r.choice(["standing", "hung", "wall"])
     up = {"standing": c / 2, "hung": -c / 2, "wall": 0}[pose]
@@ -156,7 +157,7 @@ def sound_machine(r):
 
 
 def add_parts(project, extra, m, edge, hertz, k):
-    """What a file asks and adds beside the machine, in usual relations."""
+    """Adds analyses and further parts of a file, with usual ratios."""
     mounts, analyses, excitations = project["elements"], project["analyses"], project["excitations"]
     if extra.random() < 0.3:
         project["limits"] = {"machine.z": 10 ** extra.uniform(-6, -1.5) * edge}
@@ -186,7 +187,7 @@ def add_parts(project, extra, m, edge, hertz, k):
 
 
 class SoundMachines(InTemporaryFolder):
-    # Of 200; bounds of plausibility are broad, but a machine may be odd without a mistake.
+    # Of 200; bounds of plausibility are wide, but a machine may be unusual without an error.
     MOST_WARNED = 2
 
     def test_pass_without_suspicion(self):
@@ -272,7 +273,7 @@ class Acceptances(InTemporaryFolder):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "heavy"}
         done = self.check(self.machine)
         self.assertEqual(done.returncode, 2)
-        self.assertIn("nothing of this kind is suspicious here", done.stderr)
+        self.assertIn("no case has a suspicion of this kind here", done.stderr)
 
     def test_of_a_case_are_needed_by_that_case_only(self):
         self.machine["cases"] = {"heavy": {"bodies": {"compressor": {"mass": 400000, "accept": {"mass": "filled"}}}}}

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Random answers that vanish by symmetry are 0 and cost the others no digits; resonances of a floor known by its mobility."""
+"""Random answers that vanish by symmetry are 0, and the others keep their accuracy; resonances of a floor given by its
+mobility."""
 import json
 import math
 import os
@@ -10,7 +11,7 @@ import tempfile
 import unittest
 
 TRIVET = os.environ["TRIVET"]
-MOVED_BY_MOUNTS = 0.02  # mounts as stiff as 9 % of the floor's first mode move its resonances by less
+MOVED_BY_MOUNTS = 0.02  # mounts of 9 % of the stiffness of the floor's first mode shift its resonances by less
 FLOOR = ((14, 3000, 0.03), (38, 1500, 0.04))  # modes: natural frequency [Hz], modal mass [kg], damping ratio
 ROWS = [10 ** (math.log10(1) + i * math.log10(120) / 159) for i in range(160)]  # [Hz], 1 … 120
 
@@ -79,7 +80,7 @@ class SymmetricTable(unittest.TestCase):
         results = {r["name"]: r for r in self.answer("random")["results"]}
         aside = {r["name"]: r for r in self.answer("random", 1e-9)["results"]}
         odd = ("y", "rx", "rz")
-        settled = 1e-6  # the accuracy asked of the quadrature
+        settled = 1e-6  # accuracy required of the quadrature
         for name, one in results.items():
             if name.rsplit(".", 1)[1] in odd:
                 self.assertTrue(one["vanishes"], name)
@@ -102,7 +103,7 @@ class SymmetricTable(unittest.TestCase):
         (self.folder / "table.toml").write_text(project(0) + more)
         done = subprocess.run([TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("largest anywhere", done.stdout)
+        self.assertIn("largest at any ω", done.stdout)
 
 
 class SymmetricBox(unittest.TestCase):
@@ -139,7 +140,7 @@ random = {{of = ["box"], quantity = "acceleration"}}
             if one["name"].rsplit(".", 1)[1] in ("y", "rx", "rz"):
                 self.assertEqual((one["rms"], one["reason"], one["vanishes"]), (0, "", True), one["name"])
             else:
-                self.assertLess(one["estimated_error"], 1e-9, one["name"])  # of integrals over the poles
+                self.assertLess(one["estimated_error"], 1e-9, one["name"])  # integrals over the poles
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Faults of the system around the program: no place for temporary files, odd things in the cache, a broken gmsh, pipes as files. Each ends with one
-clear message (or none), with 1 or 2 (or 0), and leaves nothing behind."""
+"""Faults of the system: no place for temporary files, invalid cache entries, a broken gmsh, pipes as files. Each ends
+with one clear message (or none), with 1 or 2 (or 0), and leaves no files behind."""
 import os
 import pathlib
 import resource
@@ -50,7 +50,7 @@ material = {hardness = 45}
 
 
 def marked_processes(mark):
-    """Processes that have inherited our mark, by their command lines."""
+    """Command lines of the processes that have inherited our mark."""
     found = []
     for entry in pathlib.Path("/proc").iterdir():
         try:
@@ -107,7 +107,7 @@ class TemporaryFiles(Faults):
         file = self.file("")
         for place, words in ((self.folder / "missing", "No such file or directory"), (file, "Not a directory"), ("/proc", "set TMPDIR"), (self.folder / ("n" * 300), "File name too long")):
             with self.subTest(place=place):
-                done = self.fails("set TMPDIR to a folder where you may write", "element", self.folder / "pump.toml", "left mount", environment={"TMPDIR": str(place)})
+                done = self.fails("set TMPDIR to a folder with write permission", "element", self.folder / "pump.toml", "left mount", environment={"TMPDIR": str(place)})
                 self.assertIn(words, done.stderr)
         self.fails("set TMPDIR", "run", self.folder / "pump.toml", "-o", self.work / "out", environment={"TMPDIR": str(self.folder / "missing")})
         self.assertEqual(os.listdir(self.work), [])
@@ -205,14 +205,14 @@ class Gmsh(Faults):
     def test_that_writes_nothing_or_nonsense(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")
         for odd in ("mkfifo faces.txt", "mkdir faces.msh", "ln -s /dev/zero faces.msh"):
-            self.rejected("which is no file", f"#!/bin/sh\n{odd}\n")
+            self.rejected("which is not a file", f"#!/bin/sh\n{odd}\n")
         for name in ("faces.txt", "faces.msh"):
             self.rejected("", f"#!/bin/sh\nhead -c 100000 /dev/urandom > {name}\n")
         self.rejected("", "#!/bin/sh\nprintf '1e18 nan -1\\n999999999999999999 1 2 3' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$Nodes\\n99999999999\\n' > faces.msh\n")
         self.rejected("", "#!/bin/sh\nprintf '1\\n1\\n1\\n1\\n1 1 0 0 0\\n' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n9\\n' > faces.msh\n")
 
     def test_that_hangs(self):
-        self.rejected("gmsh had not finished after 0.5 s and was ended", "#!/bin/sh\nsleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
+        self.rejected("gmsh had not finished after 0.5 s and was stopped", "#!/bin/sh\nsleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
         self.rejected("gmsh had not finished", "#!/bin/sh\ntrap '' TERM INT HUP\nsleep 1000 & sleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
 
     def test_that_prints_for_ever(self):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program as a user meets it: exit codes, outputs, files, faults of the system around it."""
+"""The program as a user sees it: exit codes, outputs, files, faults of the system."""
 import csv
 import io
 import json
@@ -141,7 +141,7 @@ class Contract(InTemporaryFolder):
 
     def test_a_word_that_is_no_command_is_named(self):
         run = trivet("modess", PAPER)
-        self.assertEqual((run.returncode, run.stderr), (2, 'error: "modess" is no command; did you mean "modes"?\n'))
+        self.assertEqual((run.returncode, run.stderr), (2, 'error: "modess" is not a command; did you mean "modes"?\n'))
         none = trivet()
         self.assertEqual(none.returncode, 2)
         self.assertIn("subcommand is required", none.stderr)
@@ -180,7 +180,7 @@ class Faults(InTemporaryFolder):
         with open(self.folder / "huge.toml", "wb") as huge:
             huge.truncate(1 << 30)
         for name, words in (("missing.toml", "o such file"), (".", "directory"), ("empty.toml", "empty"), ("blank.toml", "empty"),
-                            ("zeros.toml", "zero bytes"), ("huge.toml", "larger than 16 MiB")):
+                            ("zeros.toml", "NUL bytes"), ("huge.toml", "larger than 16 MiB")):
             started = time.monotonic()
             done = trivet("check", self.folder / name)
             self.assertEqual(done.returncode, 2, name)
@@ -203,7 +203,7 @@ class Faults(InTemporaryFolder):
         (self.folder / "mine/thesis.txt").write_text("years of work")
         done = trivet("run", PAPER, "-o", self.folder / "mine")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("something else than an earlier result", done.stderr)
+        self.assertIn("exists and is not an earlier result", done.stderr)
         self.assertEqual(os.listdir(self.folder / "mine"), ["thesis.txt"])
 
     def test_a_folder_that_only_looks_like_a_result_is_not_overwritten(self):
@@ -211,7 +211,7 @@ class Faults(InTemporaryFolder):
         (self.folder / "other/results.json").write_text('{"format":"trivet-results"}')
         done = trivet("run", PAPER, "-o", self.folder / "other")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("no manifest.json that names its files", done.stderr)
+        self.assertIn("no manifest.json that lists its files", done.stderr)
         self.assertEqual(trivet("run", PAPER, "-o", ".", cwd=self.folder).returncode, 1)
         self.assertEqual(trivet("run", PAPER, "-o", "").returncode, 2)
         self.assertIn("choose another folder with -o", trivet("run", PAPER, "-o", "/proc/x").stderr)
@@ -239,7 +239,7 @@ class Faults(InTemporaryFolder):
         try:
             for arguments, code in ((["peaks", str(PAPER)], 141), (["peaks", "no such file"], 2)):
                 done = subprocess.run([TRIVET, *arguments], stdout=write, stderr=write)
-                self.assertEqual(done.returncode, code)  # and not by a signal
+                self.assertEqual(done.returncode, code)  # not by a signal
         finally:
             os.close(write)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Installs the library into an empty folder, and builds and runs a program outside the tree that finds it there."""
+"""Installs the library into an empty folder, and builds and runs a program outside the tree that uses it."""
 import pathlib
 import shutil
 import subprocess

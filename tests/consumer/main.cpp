@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An outside program: describe, ask, read.
+// An external program: describes a system, requests answers, reads them.
 #include <cmath>
 #include <cstdio>
 

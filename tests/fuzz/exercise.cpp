@@ -33,9 +33,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t most_coordinates = 12, most_elements = 12, most_cases = 3;
-constexpr int most_reports = 300;  // of progress: no question takes longer than that many steps
+constexpr int most_reports = 300;  // of progress: a question stops after that many steps
 
-/// A folder for the files that projects name, removed at the end. Nothing is cached.
+/// A folder for the files that projects refer to, removed at the end. The cache is off.
 const fs::path& folder() {
   static const int without_cache = ::setenv("TRIVET_CACHE", "", 1);
   static_cast<void>(without_cache);
@@ -49,7 +49,7 @@ fs::path written(std::string_view bytes, const std::string& name) {
   return path;
 }
 
-/// Finite elements and the mesher take seconds: tests/campaign runs them.
+/// Needs finite elements or the mesher, which take seconds: tests/campaign runs them.
 bool is_slow(std::string_view text) {
   return text.find("finite_elements") != std::string_view::npos || text.find("solid_mount") != std::string_view::npos ||
       text.find(".st") != std::string_view::npos;
@@ -101,7 +101,7 @@ void read_text(const std::string& text, const fs::path& source) {
   static_cast<void>(results::results_json(*project, {}));
 }
 
-/// A sound machine, and where a file of the role goes into it.
+/// A valid machine, and the place in it for a file of each role.
 constexpr const char* machine = R"(trivet = 1
 gravity = [0, 0, -9.80665]
 [bodies.frame]
@@ -125,7 +125,7 @@ constexpr const char* element = "[elements.mount]\non = \"frame\"\nat = [0.1, 0,
 
 struct Role {
   std::string_view name;
-  const char* before;  ///< what follows the machine, where a file "data.csv" is named
+  const char* before;  ///< text after the machine that refers to a file "data.csv"
 };
 
 constexpr Role file_roles[] = {

@@ -4,16 +4,16 @@
 #include <string_view>
 #include <vector>
 
-/// Any bytes through one of the doors by which data come in, and on to the quick answers. Whatever they are, they are
-/// read or refused.
+/// Passes any bytes to one of the readers of input data, then computes the quick answers. All bytes must be read or
+/// rejected.
 namespace trivet::fuzz {
 
 /// "#role NAME\n" and the bytes of a file in that role; without such a line, or with the role "project", a project
 /// file.
-/// @throws std::exception only for a defect: refusals are handled here
+/// @throws std::exception only for a defect: rejections are handled here
 void exercise(std::string_view input);
 
-/// The roles of files: "matrix", "stl", "msh", "catalogue", "spectrum", "history" …
+/// Roles of files: "matrix", "stl", "msh", "catalogue", "spectrum", "history" …
 [[nodiscard]] std::vector<std::string_view> roles();
 
 }  // namespace trivet::fuzz

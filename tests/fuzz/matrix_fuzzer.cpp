@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer target: any bytes as a matrix file of any format; what is read goes on to its condensation.
+// libFuzzer target: any bytes as a matrix file of any format; a matrix that is read is then condensed.
 #include <cstddef>
 #include <cstdint>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pins the paper's answers to what this program gave before: proves nothing but that nothing moved.
+// Compares the paper's answers with earlier answers of this program: shows only that nothing changed.
 #include <gmock/gmock.h>
 
 #include <cstdlib>

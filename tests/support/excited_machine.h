@@ -22,8 +22,8 @@ namespace trivet::test {
 
 inline constexpr double turn = 2 * std::numbers::pi;
 
-/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, with dashpots; one stands on a deck
-/// that gives.
+/// A machine of 400 kg with a point "seat" on four mounts of unequal stiffness, with dashpots; one is on a flexible
+/// deck.
 inline model::Description machine_on_four_mounts() {
   model::Description d;
   model::Body machine;
@@ -55,7 +55,7 @@ inline model::Description machine_on_four_mounts() {
   return d;
 }
 
-/// Everything that a case can ask for, of that machine.
+/// All analyses that a case can request, for that machine.
 inline study::Answers answers_of_everything() {
   model::Description d = machine_on_four_mounts();
   model::Action on_machine, base;
@@ -65,7 +65,7 @@ inline study::Answers answers_of_everything() {
   base.amplitude(2) = 1;
   base.amplitude(0) = 0.3;
   base.derivative = 2;
-  base.elements = {0, 1, 2};  // the fourth stands on the mode of the deck
+  base.elements = {0, 1, 2};  // the fourth is on the mode of the deck
   d.excitations = {
       {"piston", on_machine, model::Harmonic{}},
       {"deck", base, model::Random{excitation::from_table({{1, 10, 100, 200}, {0.01, 0.1, 0.1, 0.02}}), {}}}};

@@ -13,7 +13,7 @@
 namespace trivet::test {
 namespace {
 
-/// A fixed orthogonal matrix: skew axes, no lucky zeros.
+/// A fixed orthogonal matrix: skew axes, no accidental zeros.
 Eigen::MatrixXd mixing(Eigen::Index n) {
   std::mt19937 generator(7);
   std::normal_distribution<double> normal;
@@ -42,7 +42,7 @@ Eigen::MatrixXd spread(double size) {
   return b;
 }
 
-/// The least value of a function with one minimum, and where it is.
+/// Minimum of a function with one minimum, and its position.
 template <typename Function>
 std::pair<double, double> least(const Function& f, double low, double high) {
   for (int i = 0; i < 50; ++i) {
@@ -53,8 +53,8 @@ std::pair<double, double> least(const Function& f, double low, double high) {
   return {f(low), low};
 }
 
-/// Two oscillators, one damped, joined by a spring: for one damping and one detuning their roots coalesce with their
-/// vectors.
+/// Two oscillators, one damped, joined by a spring: for one damping and one detuning their roots and their vectors
+/// coalesce.
 DynamicMatrices exceptional_point() {
   const auto with = [](double damping, double detuning) {
     Eigen::MatrixXd B = Eigen::MatrixXd::Identity(6, 6),

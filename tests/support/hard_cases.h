@@ -21,7 +21,7 @@ std::vector<HardCase> hard_cases();
 /// A load on six coordinates, with real and complex amplitudes.
 Eigen::VectorXcd load();
 
-/// Resonances, close to them and far from them.
+/// Frequencies at resonances, close to them and far from them.
 std::vector<double> awkward_frequencies(const DynamicMatrices& m);
 
 }  // namespace trivet::test

@@ -21,7 +21,7 @@ Eigen::MatrixXd lyapunov_covariance(const Eigen::MatrixXd& state, const Eigen::M
     if (!(T(i, i).real() < 0))
       throw foundation::NotComputable(
           "a free motion does not decay: under white noise no stationary covariance exists");
-  // T Y + Y Tᴴ = −Uᴴ Q U, from the last row and column backward.
+  // T Y + Y Tᴴ = −Uᴴ Q U, solved from the last row and column backwards.
   Eigen::MatrixXcd Y = -(U.adjoint() * intensity.cast<Complex>() * U);
   for (Eigen::Index j = n - 1; j >= 0; --j) {
     if (j + 1 < n) Y.col(j) -= Y.rightCols(n - j - 1) * T.row(j).tail(n - j - 1).adjoint();

@@ -11,7 +11,7 @@ namespace trivet::test {
 
 inline constexpr float unlimited = std::numeric_limits<float>::infinity();
 
-/// Margins of a grid from a function of the nodes, (int i, int j) → float.
+/// Outcomes of a grid whose margins are a function of the nodes, (int i, int j) → float.
 template <typename Margin>
 std::vector<design::DesignOutcome> outcomes(const design::MapGrid& grid, const Margin& margin) {
   std::vector<design::DesignOutcome> all;

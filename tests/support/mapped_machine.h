@@ -28,13 +28,13 @@ force = [0, 0, 10]
       "[analyses]\n" + map;
 }
 
-/// 5 × 4 designs of it.
+/// Axes of a map of 5 × 4 designs of the machine.
 inline const std::string two_axes =
     "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 5}, "
     "y = {parameter = \"elements.spring.damping.proportional\", from = 0.01, to = 0.3, points = 4}";
 
-/// A block of six coordinates on one spring through its centre, pushed along x beside it: no peak of any, along these
-/// two axes.
+/// A block of six coordinates on one spring through its centre, with a force along x off the centre; the map with these
+/// two axes allows no peak of any coordinate.
 inline std::string mapped_block(const std::string& x, const std::string& y) {
   return R"(
 trivet = 1

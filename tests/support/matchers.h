@@ -19,8 +19,8 @@ MATCHER_P2(RelativelyNear, expected, tolerance, "") {
   return difference <= tolerance;
 }
 
-/// Every entry within `tolerance` of the expected matrix, measured over `scale_i · scale_j`: newtons and newton metres
-/// compare.
+/// Every entry within `tolerance · scale_i · scale_j` of the expected matrix: makes newtons and newton metres
+/// comparable.
 MATCHER_P3(NearInUnits, expected, scale, tolerance, "") {
   double worst = 0;
   Eigen::Index row = 0, column = 0;
@@ -34,7 +34,7 @@ MATCHER_P3(NearInUnits, expected, scale, tolerance, "") {
   return worst <= tolerance;
 }
 
-/// The same for a matrix whose columns have another scale than its rows.
+/// The same for a matrix with different scales for columns and rows.
 MATCHER_P4(NearInUnitsOf, expected, row_scale, column_scale, tolerance, "") {
   const auto scaled = (arg - expected).cwiseAbs().cwiseQuotient(row_scale * column_scale.transpose()).eval();
   Eigen::Index row = 0, column = 0;

@@ -37,7 +37,7 @@ struct Bar {
   return k;
 }
 
-/// √K_ii, by which entries of mixed units are compared.
+/// √K_ii: scales for comparing entries of mixed units.
 [[nodiscard]] inline Eigen::VectorXd entry_scale(const Eigen::MatrixXd& matrix) {
   return matrix.diagonal().cwiseAbs().cwiseSqrt();
 }

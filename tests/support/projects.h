@@ -9,11 +9,11 @@
 
 namespace trivet::test {
 
-/// A project from text; fails the running test with the messages if it is refused.
+/// A project from text; fails the running test with the messages if it is rejected.
 [[nodiscard]] project::Project project(const std::string& text, const std::vector<std::string>& settings = {});
 
-/// A chain of guided masses along a direction between two walls: springs [N/m], dashpots [N s/m] and loss factors, one
-/// more than masses (0 leaves the joint out). Masses are named m1, m2, …, their free coordinate is "x".
+/// A chain of guided masses along a direction between two walls: springs [N/m], dashpots [N s/m] and loss factors, each
+/// one more than masses (0: no joint). Masses are named m1, m2, …, their free coordinate is "x".
 [[nodiscard]] std::string chain(const std::vector<double>& masses, const std::vector<double>& springs,
                                 const std::vector<double>& dashpots, const std::vector<double>& loss_factors = {},
                                 const std::string& orientation = "");

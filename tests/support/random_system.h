@@ -7,7 +7,7 @@
 
 namespace trivet::test {
 
-/// What kind of damping the elements of a random system get.
+/// Kind of damping of the elements of a random system.
 enum class RandomDamping { none, proportional, viscous, loss };
 
 /// Draws bodies, poses and elements with skew axes everywhere; the same seed gives the same system.
@@ -18,7 +18,7 @@ class RandomSystem {
   double number(double low, double high) { return std::uniform_real_distribution<double>(low, high)(generator_); }
   Eigen::Vector3d vector(double size);
   Eigen::Matrix3d rotation();
-  /// A real body: the mass properties of a cloud of points.
+  /// A physically possible body: the mass properties of a cloud of points.
   model::Body body(const std::string& name);
   /// A positive definite 6×6 in N/m … N m/rad, full.
   spatial::Matrix6 stiffness(double translation, double length);
@@ -31,7 +31,7 @@ class RandomSystem {
   std::mt19937 generator_;
 };
 
-/// The checked system; fails the running test if the description is refused.
+/// The checked system; fails the running test if the description is rejected.
 [[nodiscard]] model::System checked(const model::Description& description);
 
 }  // namespace trivet::test

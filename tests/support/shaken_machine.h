@@ -28,12 +28,12 @@ struct Assembly {
   }
 };
 
-/// The same machine on a foundation that is shaken by a translation given by its acceleration, and on one at rest under
-/// the forces of inertia −m a: what moves against the ground in the first moves in the second, and the second knows
-/// nothing of moving ground.
+/// The same machine on a foundation with a translation given by its acceleration a, and on a foundation at rest under
+/// the inertial forces −m a. The motion relative to the ground in the first is the motion in the second, which has no
+/// moving ground.
 struct ShakenAndPushed {
   model::Description shaken, pushed;
-  std::vector<std::string> relative, plain;  ///< answers of the one and of the other, in the same order
+  std::vector<std::string> relative, plain;  ///< answers of the first and of the second, in the same order
 
   ShakenAndPushed(const model::Description& machine, const Eigen::Vector3cd& acceleration)
       : shaken(machine), pushed(machine) {
@@ -59,8 +59,7 @@ struct ShakenAndPushed {
   }
 };
 
-/// Every element with proportional damping, so strong that the slowest mode with its stiffness would be overdamped
-/// `times`.
+/// Gives every element proportional damping with which the lowest mode would have the damping ratio `times`.
 inline void overdamp(model::Description& d, double times) {
   double lowest = 1e300;
   for (const modal::Mode& mode : modal::modes(checked(d)).list)

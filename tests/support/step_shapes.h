@@ -6,8 +6,8 @@
 
 namespace trivet::test {
 
-/// Writes a STEP file of the solids that gmsh makes of these commands (OpenCASCADE kernel, millimetres).
-/// @throws std::runtime_error with gmsh's words; gmsh is among the packages of the tests
+/// Writes a STEP file of the solids that gmsh makes from these commands (OpenCASCADE kernel, millimetres).
+/// @throws std::runtime_error with gmsh's message; the tests' packages include gmsh
 void write_step(const std::filesystem::path& file, const std::string& commands);
 
 }  // namespace trivet::test

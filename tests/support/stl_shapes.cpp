@@ -44,7 +44,7 @@ std::string stl_text(const Triangles& triangles) {
 
 std::string stl_binary(const Triangles& triangles) {
   std::string bytes(80, ' ');
-  bytes.replace(0, 5, "solid");  // as some programs begin their binary files
+  bytes.replace(0, 5, "solid");  // some programs begin their binary files so
   const auto append = [&](const auto& value) {
     char raw[sizeof value];
     std::memcpy(raw, &value, sizeof value);

@@ -13,8 +13,8 @@ namespace trivet::test {
 using Triangle = std::array<Eigen::Vector3d, 3>;
 using Triangles = std::vector<Triangle>;
 
-/// A grid of points closed in both directions by `at(i, j)`, two triangles to a cell, counterclockwise for i → right, j
-/// → up.
+/// Triangles of the points `at(i, j)`, a grid closed in both directions: two triangles per cell, counterclockwise for
+/// i → right, j → up.
 template <typename Point>
 Triangles grid_surface(int columns, int rows, const Point& at) {
   Triangles triangles;

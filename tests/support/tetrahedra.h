@@ -8,7 +8,7 @@
 
 namespace trivet::test {
 
-/// Each hexahedron as six tetrahedra about its diagonal, on the same nodes; neighbours of a regular grid fit.
+/// Each hexahedron as six tetrahedra about its diagonal, on the same nodes; in a regular grid neighbours match.
 inline fem::Mesh in_tetrahedra(const fem::Mesh& hexahedra) {
   constexpr int gmsh_lattice[27][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
                                        {0, 2, 2}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2, 1, 0}, {2, 0, 1}, {1, 2, 0},

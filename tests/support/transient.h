@@ -24,7 +24,7 @@ namespace trivet::test {
   return {"force", signal, assembly::loading(assembled, action)};
 }
 
-/// A signal as motion of the whole ground about its origin, or of single ground ends; derivative 2: the signal is an
+/// A signal as motion of the whole ground about its origin, or of single ground ends; with derivative 2 it is an
 /// acceleration.
 [[nodiscard]] inline response::TimeInput base_motion(const assembly::Assembled& assembled,
                                                      const excitation::Signal& signal, const spatial::Vector6& motion,
@@ -53,7 +53,7 @@ namespace trivet::test {
   throw std::out_of_range("no curve " + name);
 }
 
-/// Six components, one of them 1.
+/// A vector of six components, one of them 1.
 [[nodiscard]] inline spatial::Vector6 along(int component, double value = 1) {
   return value * spatial::Vector6::Unit(component);
 }

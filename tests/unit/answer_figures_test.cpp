@@ -30,7 +30,7 @@ int count(const std::string& text, const std::string& part) {
   return found;
 }
 
-/// Every element closed in its order, every attribute quoted, no bare & or <: what the first fault is, or "".
+/// First violation of: every element closed in order, every attribute quoted, no bare & or <; "" if there is none.
 std::string xml_fault(const std::string& text) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -57,7 +57,7 @@ std::string xml_fault(const std::string& text) {
   return open.empty() ? "" : "never closed: " + open.back();
 }
 
-/// With the name of a file that begins so.
+/// The figure with a file name that begins with `file`.
 const report::Figure& figure(const std::vector<report::Figure>& figures, const std::string& file) {
   const auto found = std::find_if(figures.begin(), figures.end(),
                                   [&](const report::Figure& f) { return f.file_name.starts_with(file); });
@@ -146,7 +146,7 @@ TEST(AnswerSections, HoldTheFiguresAndTheKeyNumbers) {
 TEST(VisiblePieces, AreCutExactlyAtTheEdgesOfThePanel) {
   const report::PlotPanel panel{{0, 0}, 100, 100, {0, 10, false, ""}, {0, 1, false, ""}};
   const auto pieces = report::visible_pieces(panel, {0, 4, 8, 10}, {0, 2, 0, 0.5});
-  ASSERT_EQ(pieces.size(), 2u);  // over the upper edge from 2 to 6
+  ASSERT_EQ(pieces.size(), 2u);  // above the upper edge from 2 to 6
   EXPECT_NEAR(pieces[0].back().x, 20, 1e-12);
   EXPECT_NEAR(pieces[0].back().y, 0, 1e-12);
   EXPECT_NEAR(pieces[1].front().x, 60, 1e-12);

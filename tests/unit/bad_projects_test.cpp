@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file of tests/bad is refused with the messages that stand beside it.
+// Every file of tests/bad is rejected with the messages in its .expected file.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ using namespace trivet;
 class BadProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
-  setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
+  setenv("TRIVET_CACHE", "", 1);  // no results of earlier runs
   const auto refused = project::read_project(GetParam());
   ASSERT_FALSE(refused.has_value()) << "it was accepted";
   std::vector<std::string> messages;

@@ -14,13 +14,13 @@ namespace {
 
 using namespace trivet;
 
-/// A natural frequency against the band 3 … 3.1, and a margin that a resonance in the band brings to `there`.
+/// Outcome for a natural frequency and the band 3 … 3.1; with the resonance in the band the margin is `there`.
 design::DesignOutcome design(double omega, float there) {
   const bool below = omega < 3, inside = !below && omega <= 3.1;
   return {inside ? there : 5.0F, 0, static_cast<std::uint8_t>(inside), static_cast<std::uint16_t>(below)};
 }
 
-/// Passages along a row of two designs, whose natural frequency is a function of x.
+/// Passages along a row of two designs with the natural frequency as a function of x.
 design::BandPassages passages(const std::function<double(double)>& omega, float there) {
   const auto judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
     std::vector<design::DesignOutcome> outcomes;
@@ -71,8 +71,8 @@ TEST(BandPassages, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
   EXPECT_EQ(design::band_passages({1, 2}, {pair(0), pair(1)}, judge).pairs, 1u);
 }
 
-/// ω = 10 √scale rad/s passes over a narrow band between the designs 1 and 1.5: by poles under a force, one by one
-/// under an unbalance of equal height there.
+/// ω = 10 √scale rad/s passes a narrow band between the designs 1 and 1.5: computed by poles for a force, and by
+/// separate designs for an unbalance of equal size there.
 TEST(BandPassages, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNot) {
   const std::string axes =
       "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 8}, y = {parameter = "
@@ -85,7 +85,7 @@ TEST(BandPassages, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNo
   unbalance.erase(unbalance.find("force = ["), 19);
   for (const std::string& text : {force, unbalance}) {
     const auto mapped = [&](std::vector<std::string> settings) {
-      settings.emplace_back("elements.spring.damping.proportional=0.005");  // between both ranges
+      settings.emplace_back("elements.spring.damping.proportional=0.005");  // between the two ranges
       const project::Project project = test::project(text, settings);
       return study::design_map(project, project.base(), *project.base().analyses.map);
     };

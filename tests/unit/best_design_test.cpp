@@ -23,7 +23,7 @@ TEST(BestDesign, HasTheLargestMargin) {
 }
 
 TEST(BestDesign, StandsInTheMidstOfEquals) {
-  const design::MapGrid grid{21, 21};  // a plateau from the right frame inwards
+  const design::MapGrid grid{21, 21};  // a plateau that begins at the right frame
   const auto found =
       design::best_design(design::drawn_grid(grid),
                           outcomes(grid, [](int i, int j) { return i >= 12 && j >= 5 && j <= 11 ? 3.0F : 2.0F; }));
@@ -42,7 +42,7 @@ TEST(BestDesign, StandsInTheMiddleOfAStrip) {
 }
 
 TEST(BestDesign, StandsInTheMidstOfThoseWithoutBound) {
-  const design::MapGrid grid{21, 21};  // without bound: a disc of 5 nodes about (12, 9)
+  const design::MapGrid grid{21, 21};  // not limited: a disc of 5 nodes about (12, 9)
   const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) {
                                            return std::hypot(i - 12, j - 9) < 5.5 ? unlimited : 2.0F;
                                          }));

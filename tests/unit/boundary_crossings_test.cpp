@@ -10,7 +10,7 @@ namespace {
 
 using namespace trivet;
 
-/// Crossings of edges on a row of two designs, whose margin is a function of x.
+/// Crossings of edges on a row of two designs with the margin as a function of x.
 double crossing_of(const std::function<design::DesignOutcome(double)>& design, int* judged = nullptr) {
   const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places, const foundation::Progress&) {
     std::vector<design::DesignOutcome> outcomes;
@@ -26,7 +26,7 @@ TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
   int judged = 0;
   EXPECT_NEAR(crossing_of([](double x) { return design::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged),
               std::sqrt(0.5), design::boundary_tolerance);
-  EXPECT_LT(judged, 20);  // fewer than bisection takes
+  EXPECT_LT(judged, 20);  // fewer than bisection needs
 }
 
 TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {

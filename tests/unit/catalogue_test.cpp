@@ -55,13 +55,13 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
               HasSubstr("c.toml:1: error: catalogue: format 2"));
   EXPECT_THAT(said("catalogue = 1\n"), HasSubstr("mounts: missing"));
   EXPECT_THAT(said("catalogue = 1\n[mounts]\n"), HasSubstr("mounts: no mount"));
-  EXPECT_THAT(said("catalogue = 1\nmounts = 3\n"), HasSubstr("a table is wanted here"));
+  EXPECT_THAT(said("catalogue = 1\nmounts = 3\n"), HasSubstr("a table is expected here"));
   EXPECT_THAT(said("catalogue = 1\nmounts.a = 3\n"), HasSubstr("c.toml:2: error: mounts.a"));
   EXPECT_THAT(said("catalogue = 1\n[mounts.a]\n" + good), HasSubstr("mounts.a.maker: missing"));
   EXPECT_THAT(said(head), HasSubstr("mounts.M 20.translation: missing"));
   EXPECT_THAT(said(head + "translation = [1, 1]\n"), HasSubstr("c.toml:4: error: mounts.M 20.translation"));
   EXPECT_THAT(said(head + "translation = [1, 1, -2]\n"), HasSubstr("translation: -2 N/m; a stiffness is ≥ 0"));
-  EXPECT_THAT(said(head + "translation = [\"1 kg\", 1, 2]\n"), HasSubstr("does not measure what is wanted here"));
+  EXPECT_THAT(said(head + "translation = [\"1 kg\", 1, 2]\n"), HasSubstr("measures another quantity"));
   EXPECT_THAT(said(head + good + "stiffnes = 3\n"), HasSubstr("c.toml:5: error: mounts.M 20.stiffnes: unknown key"));
   EXPECT_THAT(said(head + good + "loss_factor = -0.1\n"), HasSubstr("c.toml:5: error: mounts.M 20.loss_factor"));
   EXPECT_THAT(said(head + good + "static_load = [5, 5]\n"), HasSubstr("the first one not below the second"));
@@ -90,7 +90,7 @@ TEST(Catalogue, ProposesTheNearestName) {
   EXPECT_EQ(project::mount_named("M 20", catalogues)->maker, "Acme");
   EXPECT_THAT(complaint(project::mount_named("disc 50x25 55 Sha", catalogues)),
               HasSubstr("did you mean \"disc 50x25 55 ShA\"?"));
-  EXPECT_THAT(complaint(project::mount_named("air spring", catalogues)), HasSubstr("look into the catalogue"));
+  EXPECT_THAT(complaint(project::mount_named("air spring", catalogues)), HasSubstr("see the names in the catalogue"));
 }
 
 TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {

@@ -66,11 +66,11 @@ TEST(Causality, EveryPassiveLawPasses) {
 }
 
 TEST(Causality, AConstantLossFactorWithConstantStiffnessDoesNotPass) {
-  // Causality wants k' to grow by 2η/π per factor e: over three decades by 88 % at η = 0.2.
+  // Causality requires k' to grow by 2η/π per factor e: over three decades by 88 % at η = 0.2.
   const CausalityCheck check = checked(table([](double) { return Complex(1, 0.2); }));
   EXPECT_FALSE(check.passes);
   EXPECT_GT(check.relative_rms, 0.06);
-  EXPECT_THAT(check.verdict, HasSubstr("belongs to no passive, causal element"));
+  EXPECT_THAT(check.verdict, HasSubstr("from the nearest passive, causal element"));
   const CausalityCheck growing =
       checked(table([](double w) { return std::pow(Complex(0, w), 2 / 3.14159265 * std::atan(0.2)); }));
   EXPECT_LE(growing.relative_rms, 2e-3);
@@ -102,10 +102,10 @@ TEST(Causality, AMassIsFollowedAndNamed) {
   EXPECT_THAT(check.verdict, HasSubstr("inertia"));
 }
 
-/// A hydraulic mount: rubber beside a chamber of stiffness 0.8 that a column of fluid with its own resonance
-/// short-circuits below it.
+/// A hydraulic mount: rubber in parallel with a chamber of stiffness 0.8, which a column of fluid short-circuits below
+/// its resonance.
 Complex hydromount(double w, double hertz, double damping) {
-  constexpr double chamber = 0.8, soft = 0.05;  // soft: of the second chamber
+  constexpr double chamber = 0.8, soft = 0.05;  // soft: stiffness of the second chamber
   const Complex s(0, w);
   const double own = 2 * std::numbers::pi * hertz;
   return Complex(1, 0.04) + chamber -
@@ -151,8 +151,8 @@ TEST(Causality, OnePercentOfNoiseOnAHydraulicMountPasses) {
 }
 
 TEST(Causality, AResonanceWithAWrongPhaseIsCaught) {
-  // Conjugate: the phase has the other sign. Turned around its high stiffness: each row is passive, but k' falls where
-  // k'' is large. Late by 3 ms: what a filter of the rig does.
+  // Conjugate: the phase has the wrong sign. Turned around the high stiffness: each row is passive, but k' falls where
+  // k'' is large. Late by 3 ms: the effect of a filter of the rig.
   using Wrong = std::function<Complex(Complex, double)>;
   const std::pair<const char*, Wrong> wrongs[] = {
       {"conjugate", [](Complex k, double) { return std::conj(k); }},
@@ -174,7 +174,7 @@ TEST(Causality, AResonanceBetweenTwoRowsIsAskedForWithFinerRows) {
   const CausalityCheck check = checked(over_hertz([](double w) { return hydromount(w, 12, 0.03); }, 1, 50, 20));
   EXPECT_FALSE(check.passes);
   EXPECT_EQ(check.kind, identification::Causality::too_coarse) << check.verdict;
-  EXPECT_THAT(check.warnings.list().back().remedy, HasSubstr("finer step"));
+  EXPECT_THAT(check.warnings.list().back().remedy, HasSubstr("finer frequency step"));
 }
 
 TEST(Causality, BadTablesAreNamedRowByRow) {
@@ -186,7 +186,7 @@ TEST(Causality, BadTablesAreNamedRowByRow) {
   bad.angular_frequency(5) = -1;
   const foundation::Problems problems = table_problems(bad);
   ASSERT_EQ(problems.list().size(), 5u);
-  const char* said[] = {"row 2: 0.95493 Hz stands twice", "row 3: 0.159155 Hz after 0.95493 Hz",
+  const char* said[] = {"row 2: 0.95493 Hz is listed twice", "row 3: 0.159155 Hz after 0.95493 Hz",
                         "row 4: an entry is missing", "row 5: negative loss", "row 6: -0.159155 Hz"};
   for (std::size_t i = 0; i < 5; ++i) EXPECT_THAT(foundation::message(problems.list()[i]), HasSubstr(said[i]));
   EXPECT_FALSE(causality(bad).has_value());

@@ -22,7 +22,7 @@ const Eigen::Vector3d arm(0, 0, 0.2);
 const Vector6 constants = (Vector6() << 2e5, 3e5, 9e5, 40, 60, 25).finished();
 constexpr double round_off = 1e-11;
 
-/// The element's axes turned: R K Rᵀ at both ends.
+/// The stiffness in turned element axes: R K Rᵀ at both ends.
 Matrix12 turned(const Matrix12& stiffness, const Eigen::Matrix3d& r) {
   Matrix12 turn = Matrix12::Zero();
   turn << spatial::both_blocks(r), Matrix6::Zero(), Matrix6::Zero(), spatial::both_blocks(r);

@@ -125,7 +125,7 @@ TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
   spring.youngs_modulus = 206e9;
   spring.shear_modulus = 79e9;
   spring.density = 7850;
-  // Compressed by 24 mm its first frequency is met exactly: the stiffness there is infinite.
+  // The search meets the first frequency of the spring compressed by 24 mm exactly; the stiffness there is infinite.
   const auto first = [&](double compression) {
     return natural_frequencies(compressed_by(spring, compression).coil, elements::SeatsHeld::both, 1).front();
   };

@@ -73,7 +73,7 @@ TEST(CsvTable, NeedsAHeaderAndARow) {
   EXPECT_THAT(first_message("\xEF\xBB\xBF\n# only a comment\n"), HasSubstr("the table is empty"));
   EXPECT_THAT(first_message("x,y\n"), HasSubstr("no row below the header"));
   EXPECT_THAT(first_message("1,2\n3,4\n"), HasSubstr("rig.csv:1: error: the first row holds numbers"));
-  EXPECT_THAT(first_message("x,x\n3,4\n"), HasSubstr("the column x stands twice"));
+  EXPECT_THAT(first_message("x,x\n3,4\n"), HasSubstr("the column x appears twice"));
   EXPECT_THAT(first_message("x,\n3,4\n"), HasSubstr("column 2 has no name"));
   EXPECT_THAT(first_message("\"x,y\n3,4\n"), HasSubstr("a quote is not closed"));
 }
@@ -87,7 +87,7 @@ TEST(CsvTable, AFileOfTheWrongKindDoesNotFillTheScreen) {
 TEST(CsvTable, RefusesWhatIsNoTextFile) {
   const std::string path = testing::TempDir() + "csv_table_test.csv";
   std::ofstream(path, std::ios::binary) << std::string("x,y\n1,\0\n", 8);
-  EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("zero bytes"));
+  EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("NUL bytes"));
   std::ofstream(path, std::ios::binary) << "x,y\n1,2\n";
   EXPECT_EQ(project::read_csv_table(path)->values(0, 1), 2);
   std::filesystem::remove(path);
@@ -118,7 +118,7 @@ TEST(CsvTable, HasAtMostTheRowsOfItsKind) {
 TEST(CsvTable, HasNamesThatCanBePrinted) {
   const auto refused = project::csv_table("name,a\nM\xFCller,1\n", "t.csv");
   ASSERT_FALSE(refused.has_value());
-  EXPECT_EQ(refused.error().list().front().finding, "a name holds the byte FC, which is no UTF-8");
+  EXPECT_EQ(refused.error().list().front().finding, "a name holds the byte FC, which is not UTF-8");
   EXPECT_FALSE(project::csv_table("a\x1b\n1\n", "t.csv").has_value());
 }
 

@@ -10,7 +10,7 @@ namespace {
 using namespace trivet;
 using assembly::Quantity;
 
-/// A block whose centre of mass stands above its mount, under a course at the mount.
+/// A block with its centre of mass above its mount, excited at the mount by `course`.
 std::string block(const std::string& course) {
   return R"(trivet = 1
 [bodies.block]
@@ -75,7 +75,7 @@ TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
   EXPECT_THAT(ends(free, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
 }
 
-/// A free direction under a force outgrows every other one towards rest.
+/// Towards rest the motion along a free direction with a force becomes larger than every other.
 TEST(CurveEnds, BesideAFreeDirectionThatIsPushedTheOthersStay) {
   const std::string sled = R"(trivet = 1
 [bodies.block]
@@ -105,7 +105,7 @@ TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
   undamped.replace(undamped.find("mass = 10"), 9, "mass = 16");
   undamped.replace(undamped.find("20000]"), 5, "160000");
   undamped.insert(undamped.find("[elements"),
-                  "free = [\"z\"]\npoints.top = [0, 0, 0.2]\n");  // of one natural frequency, 100 rad/s
+                  "free = [\"z\"]\npoints.top = [0, 0, 0.2]\n");  // a single natural frequency, 100 rad/s
   EXPECT_THAT(ends(undamped, {"block.top.z", "block.top.x"}, Quantity::velocity), testing::ElementsAre(true, false));
 }
 

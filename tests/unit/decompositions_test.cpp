@@ -22,7 +22,7 @@ using Complex = std::complex<double>;
 /// Round-off of up to 12 × 12 products of entries up to 3, of matrices with a condition below 100.
 constexpr double round_off = 1e4 * std::numeric_limits<double>::epsilon();
 
-/// Regular, without symmetry, the same entries for every type; what is near the diagonal outweighs the rest.
+/// A regular matrix without symmetry, with the same entries for every type and a large diagonal.
 template <typename Matrix>
 Matrix sample(Eigen::Index rows, Eigen::Index columns) {
   using Scalar = typename Matrix::Scalar;
@@ -37,7 +37,7 @@ Matrix sample(Eigen::Index rows, Eigen::Index columns) {
   return m;
 }
 
-/// Identities are checked in matrices of dynamic size, whose arithmetic is compiled once.
+/// The matrix in dynamic size: identities are checked there, so that the arithmetic is compiled only once.
 template <typename Matrix>
 auto dense(const Matrix& m) {
   return Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic>(m);
@@ -49,7 +49,7 @@ Matrix definite(Eigen::Index n) {
   return Matrix(m.adjoint() * m);
 }
 
-/// Largest entry of what should vanish.
+/// Largest entry of a matrix that should be zero.
 template <typename Derived>
 double rest(const Eigen::MatrixBase<Derived>& m) {
   return static_cast<double>(m.cwiseAbs().maxCoeff());

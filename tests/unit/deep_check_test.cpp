@@ -11,7 +11,7 @@ namespace {
 
 using namespace trivet;
 
-/// K, iωB and −ω²A of a single coordinate cancel at its resonance, while its condition is always 1.
+/// K, iωB and −ω²A of a single coordinate cancel at its resonance, although its condition is always 1.
 TEST(DeepCheck, AllowsForDigitsThatCancelInASingleCoordinate) {
   const project::Project project = test::project(R"(trivet = 1
 [bodies.b]
@@ -37,7 +37,7 @@ damping = {proportional = 1e-11}
   EXPECT_GE(check.frequencies, 60);
 }
 
-/// At an undamped resonance of some coordinates, while others do not take part in it.
+/// An undamped resonance of some coordinates; others do not take part in it.
 TEST(DeepCheck, KnowsThatASingularBlockHasNoFiniteCondition) {
   numerics::ExtendedMatrix z = numerics::ExtendedMatrix::Identity(5, 5);
   z.bottomRightCorner(2, 2) << 1, 2, 2, 4;

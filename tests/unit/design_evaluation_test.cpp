@@ -28,7 +28,7 @@ TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
   EXPECT_FALSE(map.outcomes[0].kept());
 }
 
-/// A body whose inertia breaks the triangle inequality, each design by other figures.
+/// A body with an inertia that violates the triangle inequality, with different numbers in each design.
 TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
   const project::Project project =
       test::project(test::mapped_block("{parameter = \"bodies.block.inertia.xx\", from = 1, to = 9, points = 9}",
@@ -53,7 +53,7 @@ TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
   EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
 }
 
-/// Under heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it at infinity alone.
+/// With heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it only at infinity.
 TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
   const project::Project project =
       test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = "
@@ -75,7 +75,7 @@ TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
       test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.one_by_one, 20u);
-  EXPECT_THAT(map.report.words(), testing::HasSubstr("rows change from design to design"));
+  EXPECT_THAT(map.report.words(), testing::HasSubstr("defined differently from design to design"));
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheWayTheyWereJudged) {
@@ -102,7 +102,7 @@ TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAnd
   }
   EXPECT_EQ(texts[0], texts[1]);
   for (const char* task : {"designs", "boundary", "cases"}) EXPECT_THAT(tasks, testing::Contains(task));
-  EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread after each
+  EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread, after each design
 }
 
 }  // namespace

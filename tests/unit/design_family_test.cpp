@@ -63,7 +63,7 @@ TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
              of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
   EXPECT_FALSE(of_x.family);
   EXPECT_FALSE(of_y.family);
-  EXPECT_THAT(of_x.reason, testing::EndsWith("polynomials on 17 nodes do not meet within 1e-12 along length"));
+  EXPECT_THAT(of_x.reason, testing::EndsWith("polynomials on 17 nodes do not reproduce within 1e-12 along length"));
   EXPECT_THAT(of_y.reason, testing::EndsWith("within 1e-12 along delta"));
 }
 
@@ -75,7 +75,7 @@ TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
   };
   const auto found = design::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
   EXPECT_FALSE(found.family);
-  EXPECT_THAT(found.reason, testing::HasSubstr("rows change from design to design"));
+  EXPECT_THAT(found.reason, testing::HasSubstr("defined differently from design to design"));
 }
 
 TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {

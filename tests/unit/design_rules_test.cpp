@@ -9,7 +9,7 @@ namespace {
 
 using namespace trivet;
 
-/// Four limits of 1, so that a margin is 1 / value.
+/// Four limits of 1, so a margin is 1 / value.
 const design::RuleSet four_limits{
     std::vector<design::DesignRule>(4, {design::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
 

@@ -47,7 +47,7 @@ TEST(Laws, EndForcesBalance) {
   const spatial::Vector12 d = spatial::Vector12::LinSpaced(12, -1, 2);
   const spatial::Vector12 f = sound_matrix() * d;
   at_n = f.head<6>();
-  at_k = spatial::rigid_motion(arm).transpose() * f.tail<6>();  // carried from K to N
+  at_k = spatial::rigid_motion(arm).transpose() * f.tail<6>();  // transformed from K to N
   EXPECT_LE((at_n + at_k).norm(), 1e-12 * at_n.norm());
 }
 
@@ -73,7 +73,7 @@ TEST(Examine, MeasuresTheResidualAgainstTheStiffnessOfTheEntry) {
   for (const double error : {1e-7, 0.01, 0.1}) {
     Matrix12 matrix =
         constants_at_point((Vector6() << 1e5, 2e5, 3e5, 10, 20, 30).finished(), Eigen::Vector3d::Zero(), 0.5);
-    matrix(9, 9) *= 1 + error;  // the softest entry: a norm would hide it
+    matrix(9, 9) *= 1 + error;  // the softest entry, which a norm would hide
     const MatrixVerdict v = examine(matrix, rigid_motions(Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()));
     EXPECT_NEAR(v.rigid_residual, error, 0.2 * error);
     EXPECT_EQ(v.residual_row, 9);

@@ -88,8 +88,8 @@ TEST(EndStiffness, WithRotationsOnASecondNodeIsTheSame) {
 }
 
 TEST(EndStiffness, OfPlatesCountsTheirLevers) {
-  // End N seen from 30 mm in front of it, and node 12 in the same plate: the bar is shortened to 90 mm, its lever is 60
-  // mm.
+  // The reference point of end N is 30 mm in front of it, and node 12 is in the same plate: the bar is shortened to
+  // 90 mm, its lever is 60 mm.
   exchange::RigidEnd n{{0, 0, -30}, {{11, {0, 0, 0}}, {12, {0, 0, 30}}}};
   exchange::RigidEnd k{{5, -3, 120}, {{15, {0, 0, 120}}}};
   const auto ends = exchange::reduce_to_ends(chain(), n, k);
@@ -125,27 +125,27 @@ TEST(EndStiffness, LeavesOutEmptyRowsAndSaysSo) {
 
 TEST(EndStiffness, NamesWhatHangsLoose) {
   NamedMatrix matrix = chain();
-  matrix.values.conservativeResizeLike(Eigen::MatrixXd::Zero(32, 32));  // two masses on a spring that nothing holds
+  matrix.values.conservativeResizeLike(Eigen::MatrixXd::Zero(32, 32));  // two masses on a free spring
   matrix.values.bottomRightCorner<2, 2>() << 500, -500, -500, 500;
   matrix.labels.push_back({20, 1});
   matrix.labels.push_back({21, 1});
   const auto ends = exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15});
-  EXPECT_THAT(complaint(ends), HasSubstr("condensation: node 21, component 1 moves without any force"));
+  EXPECT_THAT(complaint(ends), HasSubstr("condensation: node 21, component 1 can move without force"));
 }
 
 TEST(EndStiffness, SaysWhichEndIsMissing) {
   const auto said = [](int n, int k) {
     return complaint(exchange::reduce_to_ends(chain(), exchange::NodeEnd{n}, exchange::NodeEnd{k}));
   };
-  EXPECT_THAT(said(11, 99), HasSubstr("end K: node 99: no such node; component 1 of it is needed"));
+  EXPECT_THAT(said(11, 99), HasSubstr("end K: node 99: no such node; its component 1 is needed"));
   EXPECT_THAT(said(11, 11), HasSubstr("ends: node 11, component 1 is named twice"));
   NamedMatrix matrix = chain();
   matrix.labels[3] = {500, 1};
   EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
-              HasSubstr("end N: node 11: components 1, 2, 3, 5, 6; component 4 of it is needed"));
+              HasSubstr("end N: node 11: components 1, 2, 3, 5, 6; its component 4 is needed"));
   matrix.labels.clear();
   EXPECT_THAT(complaint(exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15})),
-              HasSubstr("the file names no nodes"));
+              HasSubstr("the file has no node numbers"));
   EXPECT_THAT(complaint(exchange::reduce_to_ends(chain(), exchange::RigidEnd{},
                                                  exchange::RigidEnd{{0, 0, 0}, {{15, {0, 0, 0}}}})),
               HasSubstr("end N: no nodes"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Why a peak is there, on one mass in closed form: ω0 = √(k/m), |y| = F/(kη).
+// The explanation of a peak of one mass, in closed form: ω0 = √(k/m), |y| = F/(kη).
 #include "trivet/study/explanation.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace trivet;
 using test::RelativelyNear;
-constexpr double digits = 1e-8;  // of a peak's place
+constexpr double digits = 1e-8;  // of a peak's frequency
 
 const std::string force = "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n";
 
@@ -54,14 +54,12 @@ TEST(Explanation, SolvesTenPercentMoreAgain) {
 }
 
 TEST(Explanation, SaysItInWords) {
-  EXPECT_EQ(one_mass(0.1).peaks.at(0).sentence,
-            "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, makes 100 % of it. 100 % of the "
-            "strain energy is in \"k1\", "
-            "100 % in its stiffness along x; \"k1\" takes 100 % of the dissipated power. +10 % on the stiffness along "
-            "x of \"k1\" moves it to "
-            "31.46 rad/s (5.008 Hz) and 25.25 mm (solved again; to first order 31.5 rad/s and 25 mm). Its height "
-            "answers most to "
-            "elements.k1.scale: +1 % gives -1 %.");
+  EXPECT_EQ(
+      one_mass(0.1).peaks.at(0).sentence,
+      "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, contributes 100 % of it. 100 % of the "
+      "strain energy is in \"k1\", 100 % in its stiffness along x; \"k1\" dissipates 100 % of the power. +10 % on "
+      "the stiffness along x of \"k1\" moves the peak to 31.46 rad/s (5.008 Hz) and 25.25 mm (recomputed; to first "
+      "order 31.5 rad/s and 25 mm). Its height is most sensitive to elements.k1.scale: +1 % gives -1 %.");
 }
 
 TEST(Explanation, OfAnUnboundedPeakKeepsToItsFrequency) {

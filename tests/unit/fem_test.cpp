@@ -60,7 +60,7 @@ TEST(Hyperelastic, TangentIsTheSlopeOfTheStress) {
 }
 
 TEST(Hyperelastic, UniaxialTensionFollowsTheInvariants) {
-  // Incompressible bar at stretch λ: P = 2 (λ − λ⁻²)(W1 + W2/λ), Treloar; the pressure takes the lateral stress away.
+  // Incompressible bar at stretch λ: P = 2 (λ − λ⁻²)(W1 + W2/λ), Treloar; the pressure cancels the lateral stress.
   constexpr double stretch = 1.4, round_off = 1e-13;
   const Eigen::Matrix3d f = Eigen::Vector3d(stretch, 1 / std::sqrt(stretch), 1 / std::sqrt(stretch)).asDiagonal();
   const double e = stretch * stretch + 2 / stretch - 3;
@@ -97,7 +97,7 @@ TEST(FemElement, TangentIsTheSlopeOfTheForces) {
     }
 }
 
-/// Forces on nodes inside a block whose inner nodes are displaced at random, under one deformation gradient everywhere.
+/// Forces on the inner nodes of a block with randomly displaced inner nodes, under a uniform deformation gradient.
 double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient, const fem::Material& material,
                        double pressure) {
   fem::Mesh mesh = regular;
@@ -146,7 +146,7 @@ TEST(FemElement, PassesThePatchTestAtFiniteStrainOnDistortedElements) {
 TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
   constexpr double round_off = 1e-11;
   constexpr int elements = 60, inner = 61,
-                retained = 2;  // a chain of 3-unknown elements, indefinite, with loops to the retained ones
+                retained = 2;  // an indefinite chain of elements with 3 unknowns, with loops to the retained ones
   std::vector<std::vector<int>> unknowns;
   std::vector<Eigen::MatrixXd> matrices;
   Eigen::Matrix3Xd centres = Eigen::Matrix3Xd::Zero(3, elements);
@@ -203,7 +203,7 @@ TEST(FemCondensation, CanBeInterruptedAndRefusesWhatDoesNotFit) {
     (void)fem::condense(mesh, {rubber}, fem::frame(cylinder), {.memory_limit = 1e5});
     FAIL();
   } catch (const foundation::InvalidInput& refused) {
-    EXPECT_THAT(refused.what(), HasSubstr("take a coarser mesh or raise the limit"));
+    EXPECT_THAT(refused.what(), HasSubstr("use a coarser mesh or raise the limit"));
   }
 }
 
@@ -223,13 +223,13 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
   };
   EXPECT_THAT(finding([](fem::Mesh& m) { m.plate_k.clear(); }), HasSubstr("plate K must be bonded"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.plate_k.push_back(m.plate_n.front()); }),
-              HasSubstr("1 nodes belong to plate N too"));
+              HasSubstr("1 nodes also belong to plate N"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.material[2] = 1; }), HasSubstr("element 2 has material 1"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.elements.col(1) = Eigen::VectorXi(m.elements.col(1).reverse()); }),
-              HasSubstr("inside out"));
+              HasSubstr("flat or inverted"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.nodes.row(2).setZero(); }), HasSubstr("volume"));
-  EXPECT_THAT(finding([](fem::Mesh& m) { m.elements(0, 0) = 100000; }), HasSubstr("a node number without node"));
-  EXPECT_THAT(finding([](fem::Mesh& m) { m.nodes(0, 0) = std::nan(""); }), HasSubstr("no finite number"));
+  EXPECT_THAT(finding([](fem::Mesh& m) { m.elements(0, 0) = 100000; }), HasSubstr("a node number that does not exist"));
+  EXPECT_THAT(finding([](fem::Mesh& m) { m.nodes(0, 0) = std::nan(""); }), HasSubstr("not a finite number"));
   EXPECT_THAT(finding([](fem::Mesh& m) { m.elements.resize(27, 0); }), HasSubstr("no elements"));
   EXPECT_THAT(finding([](fem::Mesh& m) {  // a second, loose cylinder
                 const Eigen::Index n = m.nodes.cols(), e = m.elements.cols();
@@ -239,7 +239,7 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
                 m.elements.rightCols(e) = m.elements.leftCols(e).array() + static_cast<int>(n);
                 m.material.resize(static_cast<std::size_t>(2 * e), 0);
               }),
-              HasSubstr("hangs on no plate"));
+              HasSubstr("is not bonded to a plate"));
   EXPECT_THAT(first_finding(sound, {fem::Material{.c10 = -1, .bulk_modulus = 1}}), HasSubstr("must be > 0"));
   EXPECT_THROW((void)fem::linear_elastic(3e6, 0.5), foundation::InvalidInput);
   EXPECT_THROW((void)fem::mesh(fem::Bush{.inner_diameter = 0.02, .outer_diameter = 0.01, .length = 0.1}, 1),

@@ -10,7 +10,7 @@ namespace {
 
 using namespace trivet;
 
-/// One point of three springs leaves three rotations free; a damper resists one combination of them, modal damping
+/// Three springs at one point leave three rotations free; a damper resists one combination of them, modal damping
 /// none.
 constexpr const char* damped_pendulum_without_weight = R"(trivet = 1
 [bodies.machine]
@@ -49,8 +49,8 @@ TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
   for (const modal::Root& root : answers.roots.list)
     if (const double size = std::abs(root.eigenvalue); size == 0) ++at_rest;
     else slowest = std::min(slowest, size);
-  EXPECT_EQ(at_rest, 5);     // two of each free motion, one of that with the damper
-  EXPECT_GT(slowest, 1e-3);  // the damper's own: c/m of a kilogram scale, far above round-off
+  EXPECT_EQ(at_rest, 5);     // two of each rigid-body mode, one of the mode with the damper
+  EXPECT_GT(slowest, 1e-3);  // the root of the damper: c/m in the range of kilograms, far above round-off
 }
 
 TEST(FreeMotions, BesideADamperAndModalDampingTheirPeaksAreFound) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Replays what fuzzing found interesting: no input may crash, hang or leak.
+// Replays inputs that fuzzing found interesting: none may crash, hang or leak.
 #include <gmock/gmock.h>
 
 #include <algorithm>

@@ -18,7 +18,7 @@ using testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi, omega = 2 * pi * 7.3, amplitude = 4e-4, stiffness = 2.5e5, loss = 0.12;
 
-/// A loss factor of 0.12 at 7.3 Hz: 250 kN/m, 0.4 mm, offset and drift, noise relative to the amplitudes.
+/// Record with a loss factor of 0.12 at 7.3 Hz: 250 kN/m, 0.4 mm, offset and drift, noise relative to the amplitudes.
 struct HarmonicTest {
   double cycles = 6.4;
   int samples = 900;
@@ -109,7 +109,7 @@ TEST(LoopFit, HigherHarmonicsOfTheForceDoNotMixIn) {
 
 TEST(LoopFit, TheEnergyIsTheAreaOfTheLoop) {
   LoopRecord record =
-      HarmonicTest{1, 2001, 0, 0, 1}.record();  // a distorted motion: the energy of every harmonic counts
+      HarmonicTest{1, 2001, 0, 0, 1}.record();  // the motion is distorted: the energy of every harmonic counts
   record.displacement.array() += 0.1 * amplitude * (2 * omega * record.time.array()).sin();
   record.force.array() += 0.3 * stiffness * amplitude * (2 * omega * record.time.array()).cos();
   double area = 0;
@@ -133,11 +133,12 @@ TEST(LoopFit, CyclesThatDoNotRepeatWidenTheIntervals) {
 TEST(LoopFit, WrongSignsAreSaid) {
   LoopRecord record = HarmonicTest().record();
   record.force *= -1;
-  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()), HasSubstr("turn the sign of the force"));
+  EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
+              HasSubstr("reverse the sign of the force"));
   record = HarmonicTest().record();
   std::swap(record.force, record.displacement);
   EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
-              HasSubstr("a passive element takes energy"));
+              HasSubstr("a passive element dissipates energy"));
   record = HarmonicTest().record();
   record.angular_frequency = 7.3;
   EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
@@ -158,7 +159,7 @@ TEST(LoopFit, UnusableRecordsAreRefusedInWords) {
   EXPECT_THAT(first_problem({"still", {}, Eigen::VectorXd::Ones(50), Eigen::VectorXd::Ones(50)}),
               HasSubstr("does not change"));
   EXPECT_THAT(first_problem(HarmonicTest{0.7, 200, 0, 0, 1}.record()),
-              HasSubstr("a loop has at least one whole cycle"));
+              HasSubstr("a loop must have at least one whole cycle"));
   EXPECT_THAT(first_problem(HarmonicTest{20, 90, 0, 0, 1}.record()), HasSubstr("samples per cycle"));
   LoopOptions options;
   options.harmonics = 0;

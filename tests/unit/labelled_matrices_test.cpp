@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matrix files that name their nodes: Nastran DMIG, Abaqus and CalculiX.
+// Matrix files with node names: Nastran DMIG, Abaqus and CalculiX.
 #include <gtest/gtest.h>
 
 #include "support/matchers.h"
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 const std::string folder = std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/";
 std::string kept(const std::string& name) { return *exchange::file_bytes(folder + name); }
 
-/// Digits of the entries in the files: 10 in large fields, 4 where a small field holds a sign and an exponent.
+/// Digits of the entries in the files: 10 in large fields, 4 in small fields with a sign and an exponent.
 constexpr double large_field = 1e-9, small_field = 2e-3;
 
 TEST(NastranDmig, IsReadInLargeFieldAsSymmetricMatrix) {
@@ -51,7 +51,7 @@ TEST(NastranDmig, KeepsTheImaginaryPart) {
   EXPECT_THAT(matrix->imaginary, NearInUnits(loss, entry_scale(loss), large_field));
 }
 
-/// The same 2×2 matrix, 3 and 5 on the diagonal and −2 beside it, on component 1 of the points 7 and 9.
+/// The same 2×2 matrix, 3 and 5 on the diagonal and −2 off it, on component 1 of the points 7 and 9.
 TEST(NastranDmig, IsTheSameInFreeFieldLargeFieldWithContinuationsAndTabs) {
   const char* texts[] = {
       // free field, an entry of each triangle, other cards and comments around it
@@ -109,7 +109,7 @@ TEST(NastranDmig, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(head + "DMIG,K,7,7,,7,1,3.0\n"), HasSubstr("f:2: error: grid point: \"7\", component \"7\""));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,3.0\n,-9,1,1.\n"), HasSubstr("f:3: error: grid point: \"-9\""));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,abc\n"), HasSubstr("f:2: error: entry: \"abc\""));
-  EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.,2.\n"), HasSubstr("the header says that the matrix is real"));
+  EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.,2.\n"), HasSubstr("the header declares the matrix as real"));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,7,1,1.\nDMIG,K,7,1,,7,1,1.\n"),
               HasSubstr("f:3: error: entry (1, 1): given again, first in line 2"));
   EXPECT_THAT(said(head + "DMIG,K,7,1,,9,1,1.\nDMIG,K,9,1,,7,1,2.\n"), HasSubstr("its mirror image"));
@@ -143,7 +143,7 @@ TEST(MatrixStorage, OfCalculixCondensedOntoItsPlatesResistsNoRigidMotion) {
   ASSERT_TRUE(ends) << complaint(ends);
   EXPECT_LT(verdict(ends->values).rigid_residual, elements::silent_residual);
   EXPECT_TRUE(elements::is_semidefinite(verdict(ends->values)));
-  // Clamped ends hinder the contraction: stiffer than E A / L, by far less than one diameter of the five counts.
+  // Clamped ends prevent the contraction: stiffer than E A / L, but by less than 5 %.
   const double bar = 210000.0 * 100 / 60;
   EXPECT_GT(ends->values(8, 8), bar);
   EXPECT_LT(ends->values(8, 8), 1.05 * bar);
@@ -157,7 +157,7 @@ TEST(Substructure, OfCalculixWithRigidBodiesIsCaughtByRigidMotionAlone) {
   EXPECT_GT(verdict(ends->values).rigid_residual, elements::refused_residual);
   EXPECT_LT(verdict(ends->values).asymmetry, elements::rounding_of_data);
   EXPECT_TRUE(elements::is_semidefinite(verdict(ends->values)));
-  EXPECT_TRUE(ends->values.topRightCorner(6, 6).isZero(1e-6));  // the ends do not know of each other
+  EXPECT_TRUE(ends->values.topRightCorner(6, 6).isZero(1e-6));  // the ends are not coupled
 }
 
 TEST(Substructure, OfCalculixWithPlatesIsCaughtToo) {
@@ -208,10 +208,10 @@ TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said("1,1,1,1,five\n"), HasSubstr("f:1: error: entry"));
   EXPECT_THAT(said("1,1,1,1,5\n1,1,1,1,5\n"), HasSubstr("f:2: error: entry (1, 1): given again, first in line 1"));
   const std::string element = "*USER ELEMENT, NODES=2, LINEAR\n1\n";
-  EXPECT_THAT(said(element), HasSubstr("*MATRIX, TYPE=stiffness: 0 numbers; 2 components ask for 3"));
+  EXPECT_THAT(said(element), HasSubstr("*MATRIX, TYPE=stiffness: 0 numbers; 2 components need 3"));
   EXPECT_THAT(said(element + "*MATRIX, TYPE=MASS\n1,2,3\n"), HasSubstr("the file has mass"));
   EXPECT_THAT(said(element + "*MATRIX, TYPE=STIFFNESS\n1,2\n"),
-              HasSubstr("2 numbers; 2 components ask for 3; was the file cut off?"));
+              HasSubstr("2 numbers; 2 components need 3; was the file cut off?"));
   EXPECT_THAT(said(element + "*MATRIX, TYPE=STIFFNESS\n1,x,3\n"), HasSubstr("f:4: error: entry: \"x\""));
   EXPECT_THAT(said("*USER ELEMENT, NODES=2000000000, LINEAR\n1\n"), HasSubstr("NODES=2000000000"));
   EXPECT_THAT(said("*USER ELEMENT, NODES=6000, LINEAR\n1,2,3,4,5,6\n"), HasSubstr("size: 36000 × 36000"));
@@ -242,7 +242,7 @@ TEST(MatrixStorage, SaysWhatIsWrongAndWhere) {
 
 TEST(MatrixFile, NeedsAFormatThatIsKnown) {
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "README.md")),
-              HasSubstr("the name of the file does not tell it; these are read: matrix_market, numpy"));
+              HasSubstr("the file name does not show it; known formats are matrix_market, numpy"));
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "beam.npy", {"ansys", ""})),
               HasSubstr("format: \"ansys\""));
 }

@@ -109,7 +109,8 @@ TEST(FittedLaws, UnusablePointsAreNamed) {
   ASSERT_EQ(problems.size(), 2u);
   EXPECT_THAT(foundation::message(problems[0]), HasSubstr("point 2: angular frequency 0"));
   data = points([](double) { return std::complex<double>(1, -0.1); }, 0);
-  EXPECT_THAT(foundation::message(fitted_laws(data).error().list().front()), HasSubstr("the loss is not positive"));
+  EXPECT_THAT(foundation::message(fitted_laws(data).error().list().front()),
+              HasSubstr("the mean loss is not positive"));
 }
 
 TEST(StiffnessPoints, LoopsOfTwoAmplitudesAreToldApart) {
@@ -123,7 +124,7 @@ TEST(StiffnessPoints, LoopsOfTwoAmplitudesAreToldApart) {
   EXPECT_EQ(stiffness_points({small, large, timeless}, false, problems).size(), 2u);
   ASSERT_EQ(problems.list().size(), 2u);
   EXPECT_THAT(foundation::message(problems.list()[0]), HasSubstr("a linear law does not depend on amplitude"));
-  EXPECT_THAT(foundation::message(problems.list()[1]), HasSubstr("its frequency is not known"));
+  EXPECT_THAT(foundation::message(problems.list()[1]), HasSubstr("its frequency is unknown"));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ Matrix6 moved_end_stiffness() {
   return k;
 }
 
-/// Each motion of `moved` alone, forth and back, `times` times, with noise of the given share of a typical force or
+/// Each motion of `moved` separately, in both directions, `times` times; the noise is a share of a typical force or
 /// moment.
 std::vector<LoadCase> one_at_a_time(const std::vector<int>& moved, int times, double noise = 0.002) {
   std::mt19937_64 random(7);
@@ -60,8 +60,7 @@ TEST(IdentifiedStiffness, NamesAMotionThatIsOnlyMadeTogetherWithAnother) {
   auto cases = one_at_a_time({1, 2, 3, 5}, 2);
   const Vector6 both = (Vector6() << 1e-3, 0, 0, 0, 5e-3, 0).finished();
   cases.push_back(moved_end_case("lever", both, moved_end_stiffness() * both));
-  EXPECT_THAT(first_message(identified_stiffness(cases, arm)),
-              HasSubstr("every load case keeps u_K x − 0.2 θ_K y = 0"));
+  EXPECT_THAT(first_message(identified_stiffness(cases, arm)), HasSubstr("every load case has u_K x − 0.2 θ_K y = 0"));
 }
 
 TEST(IdentifiedStiffness, NamesTheChannelThatIsMissing) {

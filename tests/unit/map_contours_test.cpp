@@ -10,7 +10,7 @@ namespace {
 
 using namespace trivet;
 
-// Regions that are known: a disc, its outside, a half, two touching corners.
+// Known regions: a disc, its outside, a half, two touching corners.
 
 design::MapContours contours_of(const design::MapGrid& grid, const std::function<double(design::MapPlace)>& level,
                                 bool connected = false) {

@@ -15,7 +15,7 @@ using namespace trivet;
 using test::mapped_machine;
 using test::two_axes;
 
-/// A pad measured from 5 to 100 Hz, as rigs do.
+/// A pad measured from 5 to 100 Hz, a typical range of rigs.
 std::string measured_pad(const foundation::TemporaryFolder& folder) {
   const std::string file = (folder.path() / "pad.csv").string();
   std::ofstream(file) << "frequency_hz,k_z,k_z_loss\n5,800,80\n20,900,150\n100,1200,300\n";
@@ -30,11 +30,11 @@ TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
                      "= \"nominal\"}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   ASSERT_EQ(map.marks.size(), 3u);
-  EXPECT_EQ(map.marks[0].name, "");  // no scale is written: it is 1
+  EXPECT_EQ(map.marks[0].name, "");  // the file has no scale, so it is 1
   EXPECT_DOUBLE_EQ(*map.marks[0].x, 1);
   EXPECT_TRUE(map.marks[0].of_this_model);
   EXPECT_TRUE(map.marks[1].of_this_model);
-  EXPECT_FALSE(map.marks[2].of_this_model);  // its damping is another
+  EXPECT_FALSE(map.marks[2].of_this_model);  // it has another damping
 }
 
 TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) {

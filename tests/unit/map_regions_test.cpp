@@ -14,7 +14,7 @@ namespace {
 
 using namespace trivet;
 
-/// No peak for ζ = δω/2 ≥ 1/√2, on a grid so coarse that the nearest design is often one beyond the boundary.
+/// No peak for ζ = δω/2 ≥ 1/√2, on a grid so coarse that the nearest design is often beyond the boundary.
 study::DesignMap coarse_map(const std::string& points) {
   const project::Project project =
       test::project(test::mapped_machine("map = {" + test::two_axes + ", no_peak = \"machine\"}\n"),
@@ -42,7 +42,7 @@ TEST(MapRegions, NoBrokenPlaceIsShownAsLimitedByNothing) {
     EXPECT_EQ(region.broken.empty(), region.governing == report::MapRegion::unlimited);
 }
 
-/// Also on a grid so fine that some of its designs are not drawn.
+/// Also on a grid so fine that some designs are not drawn.
 TEST(MapRegions, CoverBothSidesOfTheBoundary) {
   for (const char* const points : {"9", "401"}) {
     const study::DesignMap map = coarse_map(points);

@@ -43,7 +43,7 @@ TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
   EXPECT_THAT(
       results::feasible_words(nearly_all_kept(1)),
       testing::HasSubstr(
-          "; between one pair of neighbours that limits on amplitudes govern the margin changes more than tenfold: "));
+          "; between one pair of neighbours governed by amplitude limits the margin changes more than tenfold: "));
   EXPECT_THAT(results::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
 }
 
@@ -51,11 +51,11 @@ TEST(AskedWords, TellBandAndWhatCountsAsAPeak) {
   EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
             "amplitudes over 0 … 40 rad/s");
   EXPECT_EQ(results::asked_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
-            "resonance peaks wherever they lie, from 2 % above the minimum beside them (rises below 0.0001 of a curve "
-            "are none)");
+            "resonance peaks at all frequencies, from 2 % above the adjacent minimum (rises below 0.0001 of the curve "
+            "maximum are ignored)");
 }
 
-/// Amplitudes only: stiffer is always better, and more damped too while there is a peak.
+/// With amplitude limits alone stiffer is always better, and so is more damping as long as there is a peak.
 TEST(BestWords, TellThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
   const study::DesignMap map = map_of("limits = {\"machine.z\" = \"1 mm\"}", {"analyses.map.y.to=0.05"});
   EXPECT_EQ(results::best_ends(map),
@@ -66,7 +66,7 @@ TEST(BestWords, TellThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
                         "of spring, a better one may lie beyond"));
 }
 
-/// High above resonance a soft spring without damping lets the least force through.
+/// Far above resonance a soft spring without damping transmits the least force.
 TEST(BestWords, SayNothingOfTheEndAtZeroOrWhereNothingIsLimited) {
   const study::DesignMap map =
       map_of("limits = {\"spring.force.z\" = \"1 N\"}, band = [200, 300]", {"analyses.map.y.from=0"});
@@ -83,14 +83,14 @@ TEST(BestWords, CallNoDesignNearestWhereEveryMarginIsZero) {
               "analyses.map.y.from=8", "analyses.map.y.to=12"});
   EXPECT_EQ(map.outcomes[*map.best].margin, 0);
   EXPECT_THAT(results::best_words(map),
-              HasSubstr("none is nearer than another: margin 0 (machine.z ≤ 0.001 m); in their midst: stiffness scale "
-                        "of spring = 1.25, "));
+              HasSubstr("No design is feasible and all have margin 0 (machine.z ≤ 0.001 m); the middle one: stiffness "
+                        "scale of spring = 1.25, "));
 }
 
 TEST(UnlimitedWords, NameAPeakOnlyWhereARuleForbidsIt) {
   EXPECT_EQ(
       results::unlimited_words(map_of("limits = {\"machine.z\" = \"1 mm\"}", {"excitations.force.force=[0, 0, 0]"})),
-      "nothing moves");
+      "no motion");
   EXPECT_EQ(results::unlimited_words(map_of("no_peak = \"machine\"")), "no peak");
 }
 

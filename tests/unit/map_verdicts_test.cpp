@@ -11,8 +11,8 @@ using namespace trivet;
 using test::mapped_machine;
 using test::two_axes;
 
-/// ζ = 0.25 at 10 rad/s: the peak stands at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends
-/// to F/m = 1 m/s².
+/// ζ = 0.25 at 10 rad/s: the peak is at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends to
+/// F/m = 1 m/s².
 TEST(MapVerdicts, TellsWhereACaseGoesBeyondItsLimits) {
   const auto words = [&](const std::vector<std::string>& settings) {
     const project::Project changed =

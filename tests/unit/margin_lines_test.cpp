@@ -51,7 +51,7 @@ TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
   const design::MapGrid grid{41, 41};
   const auto all = outcomes(grid, [](int i, int j) {
     return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i));
-  });  // a cliff from 0.9 to 1.4 … 3.1
+  });  // a step from 0.9 to 1.4 … 3.1
   const auto lines = design::margin_lines(design::drawn_grid(grid), all, 3.1);
   ASSERT_FALSE(lines.empty());
   for (const design::MarginLine& margin : lines)

@@ -16,9 +16,9 @@ using exchange::NamedMatrix;
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// The other program computed the entries with a few operations in another order.
+/// The other program computed the entries with some operations in a different order.
 constexpr double round_off = 8 * epsilon;
-/// Matrix Market files here have 16 decimals.
+/// The Matrix Market files have 16 decimals.
 constexpr double printed = 1e-15;
 
 std::string kept(const std::string& name) {
@@ -33,7 +33,7 @@ void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance,
   EXPECT_TRUE(read->labels.empty());
 }
 
-/// Ones on and above the diagonal: rows and columns mixed up would show.
+/// Ones on and above the diagonal: shows an exchange of rows and columns.
 Eigen::MatrixXd upper_ones() { return Eigen::MatrixXd::Ones(12, 12).triangularView<Eigen::Upper>(); }
 
 TEST(MatrixMarket, IsReadInAllFormsThatScipyWrites) {
@@ -92,7 +92,7 @@ struct Bad {
 TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
   const std::string head = "%%MatrixMarket matrix coordinate real general\n";
   const Bad cases[] = {
-      {"2 2 1\n1 1 1\n", "f:1: error: header"},  // placed after the head below: a second one is missing
+      {"2 2 1\n1 1 1\n", "f:1: error: header"},  // placed after the header below; a second line is missing
       {"2 3 1\n1 1 1\n", "f:2: error: size: 2 × 3"},
       {"2 2\n1 1 1\n", "f:2: error: size: \"2 2\""},
       {"2 2 -1\n", "f:2: error: size"},
@@ -107,7 +107,7 @@ TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
       {"2 2 1\n1 1 1e999\n", "f:3: error: entry"},
       {"2 2 1\n1 1 1 2\n", "f:3: error: entry"},
       {"2 2 2\n1 1 1\n", "the file ends after 1 of 2"},
-      {"2 2 1\n1 1 1\n2 2 1\n", "f:4: error: entries: more than the 1 announced"},
+      {"2 2 1\n1 1 1\n2 2 1\n", "f:4: error: entries: more than the stated 1"},
       {"2 2 2\n1 1 1\n1 1 1\n", "f:4: error: entry (1, 1): given again, first in line 3"},
       {"2 2 2000000000\n1 1 1\n", "the file ends after 1 of 2000000000"},
       {"", "error: size: missing"},
@@ -144,11 +144,11 @@ TEST(NumpyArray, SaysWhatIsWrong) {
   const auto said = [](const std::string& bytes) { return complaint(exchange::read_numpy_array(bytes, "f")); };
   const std::string order = "'fortran_order': False, ";
   EXPECT_EQ(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 8)), "none");
-  EXPECT_THAT(said("PK\x03\x04"), HasSubstr("take the array out of the .npz"));
-  EXPECT_THAT(said(""), HasSubstr("no NumPy file"));
-  EXPECT_THAT(said("\x93NUMPY"), HasSubstr("no NumPy file"));
-  EXPECT_THAT(said(std::string("\x93NUMPY\x01\x00\xff\xff{", 11)), HasSubstr("65535 bytes announced"));
-  EXPECT_THAT(said(std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13)), HasSubstr("4294967295 bytes announced"));
+  EXPECT_THAT(said("PK\x03\x04"), HasSubstr("extract the array from the .npz"));
+  EXPECT_THAT(said(""), HasSubstr("not a NumPy file"));
+  EXPECT_THAT(said("\x93NUMPY"), HasSubstr("not a NumPy file"));
+  EXPECT_THAT(said(std::string("\x93NUMPY\x01\x00\xff\xff{", 11)), HasSubstr("65535 bytes stated"));
+  EXPECT_THAT(said(std::string("\x93NUMPY\x02\x00\xff\xff\xff\xff{", 13)), HasSubstr("4294967295 bytes stated"));
   EXPECT_THAT(said(numpy_file("{'descr': '<f4', " + order + "'shape': (1, 1), }", 4)),
               HasSubstr("number type: \"'<f4'\""));
   EXPECT_THAT(said(numpy_file("{'descr': '>f8', " + order + "'shape': (1, 1), }", 8)), HasSubstr("number type"));

@@ -26,7 +26,7 @@ MobilityVerdict judged(const Ground& mobility, const std::function<Complex(Compl
 
 Complex as_it_is(Complex y, double) { return y; }
 
-/// Passive grounds of every kind; the last is damped in one place alone, so that its modes are complex.
+/// Passive grounds of every kind; the last is damped at one place only, so its modes are complex.
 const std::pair<const char*, Ground> grounds[] = {
     {"spring and dashpot", [](Complex s) { return s / (1e8 + 2e5 * s); }},
     {"soil with mass", [](Complex s) { return s / (1e8 + 3e5 * s + 2e3 * s * s); }},
@@ -48,7 +48,7 @@ TEST(MobilityCausality, EveryPassiveGroundPasses) {
 
 TEST(MobilityCausality, AConjugateOrReversedMobilityIsCaught) {
   for (const auto& [name, ground] : grounds) {
-    if (std::string(name) == "wide plate") continue;  // real: it is its own conjugate
+    if (std::string(name) == "wide plate") continue;  // real, so it equals its conjugate
     EXPECT_FALSE(judged(ground, [](Complex y, double) { return std::conj(y); }).passes) << name;
   }
   for (const auto& [name, ground] : grounds)

@@ -115,7 +115,7 @@ TEST(Roots, OfALossFactorAreThoseOfThePositiveHalfPlane) {
 }
 
 TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
-  // 10 rad/s along x with the loss factor 0.8 makes |λ| = 10 (1 + 0.8²)^¼ = 11.3 rad/s, beyond the 11 rad/s along z.
+  // 10 rad/s along x with the loss factor 0.8 gives |λ| = 10 (1 + 0.8²)^¼ = 11.3 rad/s, above the 11 rad/s along z.
   const std::string text =
       "trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
       "[elements.x]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [100, 0, 0]\nrotation = [0, 0, "

@@ -134,7 +134,7 @@ TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
 }
 
 TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
-  // ζ = 1e-7 beside a stiff, well-damped coordinate: a double eigensolver leaves few digits of Re λ.
+  // ζ = 1e-7 and a second, stiff, well-damped coordinate: a double eigensolver gives few digits of Re λ.
   DynamicMatrices m{Eigen::MatrixXd::Identity(2, 2),
                     Eigen::Vector2d(2e-7, 1e4).asDiagonal(),
                     Eigen::Vector2d(1, 1e10).asDiagonal(),

@@ -37,10 +37,10 @@ TEST(RiseIsKnown, WhereThePeakAndItsBaseAre) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};
   const auto known = [&](const std::vector<double>& doubts) { return rise_is_known(heights, doubts, 0.5, 4, 1e-6); };
   EXPECT_TRUE(known({0, 1e-9, 0, 0, 0}));
-  EXPECT_FALSE(known({0, 1e-5, 0, 0, 0}));  // of the peak
-  EXPECT_FALSE(known({1e-5, 0, 0, 0, 0}));  // of its base
-  EXPECT_TRUE(known({0, 0, 0.1, 0.1, 0}));  // of a peak that stays far below
-  EXPECT_FALSE(known({0, 0, 1, 1, 0}));     // of one that may not
+  EXPECT_FALSE(known({0, 1e-5, 0, 0, 0}));  // uncertain peak
+  EXPECT_FALSE(known({1e-5, 0, 0, 0, 0}));  // uncertain base
+  EXPECT_TRUE(known({0, 0, 0.1, 0.1, 0}));  // a peak that stays far below
+  EXPECT_FALSE(known({0, 0, 1, 1, 0}));     // a peak that may not
 }
 
 TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {

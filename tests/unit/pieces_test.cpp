@@ -32,7 +32,7 @@ TEST(Pieces, ThrowOnTheFirstFailureAndStop) {
                                 ++started;
                                 if (first == 3) throw std::runtime_error("piece 3");
                                 std::this_thread::sleep_for(
-                                    std::chrono::microseconds(20));  // or all may be done before the failure is known
+                                    std::chrono::microseconds(20));  // else all may end before the failure is known
                               }),
                std::runtime_error);
   EXPECT_LT(started, 100000);

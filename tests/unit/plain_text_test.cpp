@@ -20,9 +20,9 @@ TEST(PlainText, ShowsControlCharactersAsEscapes) {
 
 TEST(PlainText, ShowsBytesThatAreNotUtf8) {
   EXPECT_EQ(on_one_line("M\xFCller"), "M\\xfcller");
-  EXPECT_EQ(on_one_line("Ger\xE4t"), "Ger\\xe4t");            // in UTF-8 this byte begins a character of three
-  EXPECT_EQ(on_one_line("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // half of a pair of UTF-16
-  EXPECT_EQ(on_one_line("\xC0\xAF"), "\\xc0\\xaf");           // a slash written too long
+  EXPECT_EQ(on_one_line("Ger\xE4t"), "Ger\\xe4t");            // in UTF-8 this byte begins a three-byte character
+  EXPECT_EQ(on_one_line("\xED\xA0\x80"), "\\xed\\xa0\\x80");  // half of a surrogate pair
+  EXPECT_EQ(on_one_line("\xC0\xAF"), "\\xc0\\xaf");           // overlong encoding of a slash
 }
 
 TEST(PlainText, IsShortenedBetweenCharacters) {
@@ -37,7 +37,7 @@ TEST(PlainText, NamesWhatCannotBePrinted) {
   EXPECT_EQ(unprintable("a\x1bz"), "the control character U+001B");
   EXPECT_EQ(unprintable("a\nz"), "the control character U+000A");
   EXPECT_EQ(unprintable("a\nz", false), std::nullopt);
-  EXPECT_EQ(unprintable("M\xFCller"), "the byte FC, which is no UTF-8");
+  EXPECT_EQ(unprintable("M\xFCller"), "the byte FC, which is not UTF-8");
 }
 
 TEST(MessageList, HoldsAHundredMessagesErrorsFirstAndTheNumberOfTheOthers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Features of bodies against closed forms, slips that are undone, and single rules at their bounds.
+// Features of bodies against closed forms, corrected slips, and single rules at their bounds.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr double round_off = 1e-12;  // a few operations on numbers of one size
+constexpr double round_off = 1e-12;  // a few operations on numbers of equal size
 constexpr double pi = std::numbers::pi;
 
 /// A steel cube of 1 m on four equal springs at the corners of its lower face.
@@ -106,7 +106,7 @@ TEST(Plausibility, KnowsGravityInOtherUnitsAndUpwards) {
     EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), ElementsAre("gravity")) << gravity;
   for (const char* gravity : {"[0, 0, -9.81]", "[0, 0, -1.62]", "[-9.80665, 0, 0]", "[0, 0, -29.4]"})
     EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), IsEmpty()) << gravity;
-  // z down: the cube lies above its mounts, at negative z
+  // z down: the cube is above its mounts, at negative z
   EXPECT_THAT(kinds(Cube{.centre = -0.5, .gravity = "gravity = [0, 0, 9.80665]"}.text()), IsEmpty());
 }
 
@@ -220,8 +220,7 @@ TEST(Plausibility, KnowsRimsThatBurst) {
 
 TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
   const auto end = [](double z) { return fmt::format("from_at = [0.5, 0.5, {}]", z); };
-  // All four mounts end at one corner of the ground's frame: only those of a body with a position can be meant
-  // otherwise.
+  // `from_at` in the frame of the body instead of the ground is only possible for a body with a position.
   const std::string position = "position = [0, 0, 1.2]";
   std::string text = Cube{.of_body = position}.text();
   EXPECT_THAT(kinds(text), IsEmpty());
@@ -248,16 +247,17 @@ TEST(Plausibility, TellsAMachineThatFallsOver) {
     return plausibility::overturning_notes(test::project(text).base().system);
   };
   EXPECT_THAT(rack(0.27), IsEmpty());  // 24.8 %
-  EXPECT_THAT(rack(0.28), ElementsAre(testing::HasSubstr("26 % of the stiffness are lost")));
-  EXPECT_THAT(rack(1.08), ElementsAre(testing::HasSubstr("99 % of the stiffness are lost")));
-  EXPECT_THAT(rack(1.09),
-              ElementsAre(testing::HasSubstr("by 3208 N m/rad, its mounts hold it by 3200 N m/rad: it falls over")));
+  EXPECT_THAT(rack(0.28), ElementsAre(testing::HasSubstr("26 % of the stiffness is lost")));
+  EXPECT_THAT(rack(1.08), ElementsAre(testing::HasSubstr("99 % of the stiffness is lost")));
+  EXPECT_THAT(
+      rack(1.09),
+      ElementsAre(testing::HasSubstr("of 3208 N m/rad, its mounts a restoring moment of 3200 N m/rad: it falls over")));
   EXPECT_THAT(rack(-1), IsEmpty());
 }
 
 TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
-  // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which bears
-  // nothing: only the feet count.
+  // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which carries
+  // no weight: only the feet count.
   const auto guided = [](double feet, double guide) {
     std::string text =
         "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ninertia = {about = \"center_of_mass\", xx = "
@@ -279,8 +279,8 @@ TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
 }
 
 TEST(Plausibility, FindsTheWorstAxisOfTilting) {
-  // Feet at ±0.2 m along an axis turned by any angle and ±0.5 m across: the narrow side counts, whatever the axes of
-  // the body.
+  // Feet at ±0.2 m along an axis turned by any angle and ±0.5 m across: the narrow side counts, for any axes of the
+  // body.
   for (const double angle : {0.0, 0.4, 1.0}) {
     std::string text =
         "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.rack]\nmass = 300\ncenter_of_mass = [0, 0, 0.9]\ninertia = "
@@ -292,8 +292,9 @@ TEST(Plausibility, FindsTheWorstAxisOfTilting) {
             "[elements.m{}]\ntype = \"bushing\"\non = \"rack\"\nat = [{}, {}, 0]\ntranslation = [2e4, 2e4, 2e4]\n",
             ++number, along * std::cos(angle) - across * std::sin(angle),
             along * std::sin(angle) + across * std::cos(angle));
-    EXPECT_THAT(plausibility::overturning_notes(test::project(text).base().system),
-                ElementsAre(testing::HasSubstr("by 2649 N m/rad, its mounts hold it by 3200 N m/rad: 83 %")));
+    EXPECT_THAT(
+        plausibility::overturning_notes(test::project(text).base().system),
+        ElementsAre(testing::HasSubstr("of 2649 N m/rad, its mounts a restoring moment of 3200 N m/rad: 83 %")));
   }
 }
 
@@ -330,7 +331,7 @@ TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {
         xy);
   };
   EXPECT_THAT(kinds(body(4)), IsEmpty());
-  const auto refused = project::project_from_text(body(-4), "p.toml");  // 8 kg m² are left, more than Jxx = 6
+  const auto refused = project::project_from_text(body(-4), "p.toml");  // 8 kg m² remain, more than Jxx = 6
   ASSERT_FALSE(refused.has_value());
   EXPECT_THAT(foundation::message(refused.error().list().front()), HasSubstr("suspicion \"products of inertia\""));
   std::string far = body(-4);

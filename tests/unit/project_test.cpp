@@ -71,7 +71,7 @@ TEST(Project, ASettingOnAnUnknownThingIsAnErrorWithASuggestion) {
 TEST(Project, ADamperHasNoStiffnessAndActsAlongItsAxis) {
   const auto project = test::project(two_bodies);
   const auto assembled = assembly::assemble(project.base().system);
-  // zulu moves in x and z, alpha in y: only alpha's own coordinate feels the damper along y.
+  // zulu moves in x and z, alpha in y: the damper along y acts only on alpha's coordinate.
   EXPECT_EQ(assembled.matrices.B(2, 2), 7);
   EXPECT_NEAR(assembled.matrices.B.cwiseAbs().sum(), 7, 1e-15);
   EXPECT_EQ(assembled.matrices.K(2, 2), 0);
@@ -96,7 +96,7 @@ TEST(Project, TheSameInputGivesTheSameBytes) {
 }
 
 TEST(Project, ElementsAreCarriedBetweenTurnedBodies) {
-  // A spring along the ground's z between two bodies with different orientations must act along z alone.
+  // A damper along the ground's z between two bodies with different orientations must act along z only.
   const auto project = test::project(R"(
 trivet = 1
 [bodies.a]

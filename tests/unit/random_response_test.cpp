@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard cases and refusals of random vibration, and what it is made of.
+// Hard cases and rejections of random vibration, and its building blocks.
 #include <gmock/gmock.h>
 
 #include <Eigen/LU>
@@ -84,7 +84,7 @@ TEST(RandomHardCases, AnyDampingOfOneMassMeetsItsClosedForm) {
     const Case c = one_mass(100, dashpot(2 * ratio * 10));
     const response::RandomAnswer answer = c.random(white(c, 0, 1e9)).answers[0];
     const double tolerance =
-        std::abs(ratio - 1) < 1e-3 ? 2e-8 : round_off;  // by quadrature where two poles nearly meet
+        std::abs(ratio - 1) < 1e-3 ? 2e-8 : round_off;  // by quadrature if two poles nearly coincide
     EXPECT_NEAR(*answer.rms * std::sqrt(2 * 100 * 2 * ratio * 10 / pi), 1, tolerance) << ratio;
     EXPECT_NEAR(*answer.zero_crossings * 2 * pi / 10, 1, tolerance + 2 * ratio * 10 / 1e9) << ratio;  // the band ends
   }
@@ -96,7 +96,7 @@ TEST(RandomHardCases, EqualMachinesSideBySideAreEachWhatOneIs) {
     d.bodies.push_back(mass("m" + std::to_string(i), 1));
     d.elements.push_back(strut("s" + std::to_string(i), std::nullopt, i, 100, dashpot(0.2)));
   }
-  // A dashpot between equals: their undamped modes may be chosen freely, their damped ones not.
+  // A dashpot between equal machines: their undamped modes are arbitrary, their damped ones are not.
   d.elements.push_back(strut("between", 0, 1, 0.001, dashpot(0.5)));
   const Case c{test::checked(d)};
   const auto random = c.random({{{"a", c.force(0), excitation::flat_spectrum(1, 0, 1e7)},
@@ -147,7 +147,7 @@ TEST(RandomHardCases, AMaxwellBranchKeepsTheFormOfItsPoles) {
 }
 
 TEST(RandomHardCases, AGrowingMotionHasNoStationaryVibration) {
-  // A circulatory force turns the mass faster and faster.
+  // A circulatory force: the motion of the mass grows.
   model::Description d;
   d.bodies = {mass("m", 1)};
   d.bodies[0].free[1] = true;
@@ -182,7 +182,7 @@ TEST(RandomHardCases, AVeryLongDelayIsTakenInPortions) {
   };
   const excitation::Spectrum spectrum = excitation::flat_spectrum(1, 5, 20);
   const double in_phase = *c.random({{{"g", ground(0), spectrum}}, {}}).answers[0].rms;
-  // Far apart, the two are as if uncorrelated but for the ends of the band, which fall like 1/delay.
+  // With a long delay the two are as if uncorrelated, except for the ends of the band, which fall like 1/delay.
   const double apart = *c.random({{{"g", ground(1e5), spectrum}}, {}}).answers[0].rms;
   EXPECT_NEAR(apart / in_phase, std::sqrt(0.5), 1e-5);
 }
@@ -269,7 +269,7 @@ TEST(IntegrationPanels, IntegrateANarrowResonanceAndAWaveToRoundOff) {
       response::gauss_nodes(response::graded_panels(Eigen::VectorXcd::Constant(1, pole), 0, 20, 3));
   const Eigen::VectorXd lorentz = ((nodes.omega.array() - 7).square() + 1e-8).inverse();
   EXPECT_NEAR(nodes.weight.dot(lorentz) / ((std::atan(13 / 1e-4) + std::atan(7 / 1e-4)) / 1e-4), 1,
-              2e-12);  // a node moves by ε 7 in 1e-4
+              2e-12);  // a node is uncertain by ε 7 in 1e-4
   EXPECT_NEAR(nodes.weight.dot((3 * nodes.omega).array().cos().matrix()), std::sin(60.0) / 3, 1e-12);
   const response::KronrodRule rule = response::kronrod_rule();
   EXPECT_NEAR((rule.kronrod * rule.node.pow(22)).sum(), 2.0 / 23, 1e-15);

@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 
 constexpr double tolerance = 1e-6;
 
-/// Two curves with the resonances 3, 7 and 7.01 rad/s of different damping, one of them not conjugate-symmetric.
+/// Two curves with resonances at 3, 7 and 7.01 rad/s with different damping, one of them not conjugate-symmetric.
 Eigen::VectorXcd curves(double w) {
   const Complex i(0, 1);
   const auto pole = [&](double natural, double ratio) {

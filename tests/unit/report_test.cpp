@@ -96,8 +96,8 @@ TEST(Figures, OnePerGroupOfCurves) {
   }
 }
 
-/// Of a block that is pushed along x and z: a case with another stiffness along z has the first curve of the base
-/// model, and is another all the same.
+/// Overview of a block with forces along x and z: a case with another stiffness along z has the same first curve as the
+/// base model, but is a different case.
 std::string overview_with(const std::string& the_case) {
   const std::string block = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2}",
                                                "{parameter = \"bodies.block.mass\", from = 5, to = 20}");

@@ -33,7 +33,7 @@ std::string driven_chain(const std::string& analyses) {
 }
 
 TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
-  // A transfer function of a chain of three: two resonances passed without a zero turn the phase of m3 by −π each.
+  // A transfer function of a chain of three: each resonance passed without a zero turns the phase of m3 by −π.
   const auto project =
       test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
   const auto answers = study::answers(project.base(), project.base().analyses);

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::UnorderedElementsAre;
 
-/// An earlier result in "current" with files of the user in it, and one that follows in "next".
+/// An earlier result in "current", with files of the user, and the following result in "next".
 class ResultExchangeTest : public ::testing::Test {
  protected:
   ResultExchangeTest() {
@@ -81,7 +81,7 @@ TEST_F(ResultExchangeTest, InOneStepTakesTheUsersFilesAlong) {
   expect_the_next_result_with_the_users_files();
   EXPECT_THAT(notes_,
               ElementsAre("00-base/modes.csv was changed since trivet wrote it; it is kept as 00-base/modes.kept-1.csv",
-                          "02-new is not from trivet, and its name was needed; it is kept as 02-new.kept-1"));
+                          "02-new was not written by trivet, and its name was needed; it is kept as 02-new.kept-1"));
 }
 
 TEST_F(ResultExchangeTest, OneByOneGivesTheSame) {

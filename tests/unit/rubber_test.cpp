@@ -94,7 +94,7 @@ TEST(RubberBlock, ExchangingTheWidthsTurnsTheElement) {
   EXPECT_THAT(a.shear_1, test::RelativelyNear(b.shear_2, round_off));
   EXPECT_THAT(a.bending_1, test::RelativelyNear(b.bending_2, round_off));
   EXPECT_THAT(a.torsion, test::RelativelyNear(b.torsion, round_off));
-  EXPECT_THAT(a.axial, test::RelativelyNear(b.axial, 1e-9));  // the series runs over the other side
+  EXPECT_THAT(a.axial, test::RelativelyNear(b.axial, 1e-9));  // the series is along the other side
   EXPECT_GT(a.bending_1, a.bending_2);
 }
 
@@ -130,8 +130,8 @@ TEST(Sandwich, OfOneLayerIsTheLayer) {
 }
 
 TEST(Sandwich, OfManyLayersBendsLikeATimoshenkoColumn) {
-  // n layers: the ends' parallel shift meets n/k_shear plus the tilting of the layers, Σ z_i²/k_bending about the
-  // middle.
+  // n layers: the flexibility of a parallel shift of the ends is n/k_shear plus that of tilting layers,
+  // Σ z_i²/k_bending about the middle.
   const RubberDisc disc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.01};
   const int n = 7;
   const double plate = 0.003, pitch = disc.thickness + plate;
@@ -148,7 +148,7 @@ TEST(RubberChecks, NameEveryBadNumber) {
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02}).list().empty());
   const auto bad = check(
       RubberDisc{.rubber = {-1, 0}, .radius = 0, .hole_radius = 0.2, .thickness = std::nan(""), .dynamic_factor = 0});
-  EXPECT_EQ(bad.list().size(), 5u);  // the hole of a disc without a radius is no sixth
+  EXPECT_EQ(bad.list().size(), 5u);  // the hole of a disc without a radius is not counted
   EXPECT_TRUE(check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .hole_radius = 0.005, .thickness = 0.02}).has_errors());
   for (const double thickness : {0.5, 0.001}) {  // shape factors 0.1 and 50
     const auto warned = check(RubberDisc{.rubber = {1e6}, .radius = 0.1, .thickness = thickness});

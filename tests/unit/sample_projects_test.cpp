@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file of tests/samples, at least one per element law, is read without an error and keeps its element.
+// Every file of tests/samples, at least one per element law, is read without errors and has its element.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using namespace trivet;
 class SampleProject : public testing::TestWithParam<fs::path> {};
 
 TEST_P(SampleProject, IsReadWithItsElement) {
-  setenv("TRIVET_CACHE", "", 1);  // nothing out of an earlier run
+  setenv("TRIVET_CACHE", "", 1);  // no results of earlier runs
   const auto project = project::read_project(GetParam());
   std::string all;
   if (!project)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches end: on numbers beyond the range of computation, and where nothing settles.
+// Searches end, also for numbers outside the computable range and without convergence.
 #include <gmock/gmock.h>
 
 #include <limits>
@@ -19,7 +19,7 @@ TEST(SearchBounds, CoefficientsThatAreNotFiniteAreRefused) {
     EXPECT_THROW(static_cast<void>(numerics::sign_changes(std::vector<double>{1, wrong, 1}, -1, 1)), NotComputable);
 }
 
-/// Their bounds by Taylor's formula overflow, so that no interval can ever be decided.
+/// Bounds by Taylor's formula overflow, so no interval can be decided.
 TEST(SearchBounds, CoefficientsWhoseBoundsOverflowEndInARefusal) {
   std::vector<double> c(40, 1e305);
   for (std::size_t k = 0; k < c.size(); k += 2) c[k] = -1e305;

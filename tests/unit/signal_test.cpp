@@ -25,7 +25,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double round_off = 1e-13;  // some hundred operations on numbers of order 1
 
-/// Simpson's rule: the second way to every integral here. Smooth on [a, b] only.
+/// Simpson's rule, the second method for every integral here. Only for functions that are smooth on [a, b].
 double simpson(const std::function<double(double)>& f, double a, double b, int halves = 400) {
   const double h = (b - a) / (2 * halves);
   double sum = f(a) + f(b);
@@ -58,7 +58,7 @@ TEST(Signal, ASlowSineGoesOverIntoAParabola) {
   const double slow_integral = integrals({{Piece{0, 1, 2, 3, 1e-5}}}, 2).twice,
                parabola_integral = integrals({{Piece{0, 1, 2, 3, 0}}}, 2).twice;
   EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, 1e-9));  // κ²s² = 4e-10
-  // Either side of the change from series to closed form, κs = 1.
+  // Both sides of the change from series to closed form at κs = 1.
   EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value,
               RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
 }
@@ -162,10 +162,10 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
           worst_rate = std::max(worst_rate, std::abs(state_here.rate - exact.rate) / (amplitude * omega));
         }
       }
-      EXPECT_LE(worst, 1.2 * tolerance);  // the local amplitude of a run-up is that of the end of an interval
-      EXPECT_GE(worst, 0.3 * tolerance);  // and no waste
+      EXPECT_LE(worst, 1.2 * tolerance);  // in a run-up the amplitude at the end of an interval counts
+      EXPECT_GE(worst, 0.3 * tolerance);  // not much more accurate than necessary
       EXPECT_LE(worst_rate, 4 * std::pow(tolerance, 2.0 / 3));
-      for (std::size_t i = 1; i + 1 < signal.pieces.size(); ++i) {  // continuous with its rate
+      for (std::size_t i = 1; i + 1 < signal.pieces.size(); ++i) {  // value and rate are continuous
         const SignalState end = state_on(signal.pieces[i - 1], signal.pieces[i].start - signal.pieces[i - 1].start);
         ASSERT_NEAR(end.value, signal.pieces[i].value, 1e-9);
         ASSERT_NEAR(end.rate, signal.pieces[i].rate, 1e-9 * fastest);

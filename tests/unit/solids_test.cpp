@@ -22,9 +22,9 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 constexpr double mm = 1e-3;
-constexpr double round_off = 1e-13;  // some hundred operations on numbers of one size
+constexpr double round_off = 1e-13;  // some hundred operations on numbers of equal size
 
-/// All messages of the problems of an outcome, one a line; empty without problems.
+/// Messages of all problems of an outcome, one per line; empty without problems.
 template <typename T>
 std::string messages(const foundation::Expected<T>& outcome) {
   std::string text;
@@ -95,7 +95,7 @@ TEST(RigidSolid, RefusesWhatHasNoVolume) {
 TEST(RigidSolid, RefusesAPoseThatIsNone) {
   Part part{"box", Box{1, 1, 1}, 1000};
   part.pose.rotation(0, 0) = -1;
-  EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("box.orientation: is no rotation"));
+  EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("box.orientation: is not a rotation"));
   part.pose = {{NAN, 0, 0}, Eigen::Matrix3d::Identity()};
   EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("position"));
 }
@@ -188,7 +188,7 @@ TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
   EXPECT_THAT(solid->remarks.list(), SizeIs(1));
 }
 
-// ---- files that are none
+// ---- invalid files
 
 TEST(StlFile, SaysWhatIsWrongWithIt) {
   const foundation::TemporaryFolder folder;
@@ -199,9 +199,9 @@ TEST(StlFile, SaysWhatIsWrongWithIt) {
   const test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
   EXPECT_THAT(of(""), HasSubstr("0 bytes"));
   EXPECT_THAT(of("hello"), HasSubstr("5 bytes, neither text nor a binary STL file"));
-  EXPECT_THAT(of("solid nothing\nendsolid\n"), HasSubstr("holds no triangle"));
+  EXPECT_THAT(of("solid nothing\nendsolid\n"), HasSubstr("contains no triangle"));
   EXPECT_THAT(of(test::stl_binary(box).substr(0, 400)),
-              HasSubstr("400 bytes; a binary file of 12 triangles, as its header says, has 684"));
+              HasSubstr("400 bytes; a binary file of 12 triangles, as stated in its header, has 684"));
   EXPECT_THAT(of(test::stl_text(box).substr(0, 400)), HasSubstr("cut off"));
   EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"),
               AllOf(HasSubstr("line 4"), HasSubstr("three finite numbers")));
@@ -211,7 +211,7 @@ TEST(StlFile, SaysWhatIsWrongWithIt) {
   EXPECT_THAT(of("solid\nfaçade\n"), HasSubstr("unexpected 'façade'"));
   std::string with_nan = test::stl_binary(box);
   with_nan.replace(84 + 12, 4, "\xff\xff\xff\x7f");
-  EXPECT_THAT(of(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is no finite number"));
+  EXPECT_THAT(of(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is not a finite number"));
   EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "missing.stl", mm}, 1000}})),
               HasSubstr("cannot be read"));
   EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path(), mm}, 1000}})), HasSubstr("cannot be read"));

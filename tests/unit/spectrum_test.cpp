@@ -52,7 +52,7 @@ const SpectrumTable table{{5, 20, 80, 350, 2000}, {0, 0.01, 0.04, 0.04, 0.007}};
 TEST(Spectrum, FollowsItsTableOverLogarithms) {
   const Spectrum s = from_table(table);
   EXPECT_THAT(two_pi * density(s, two_pi * 20), RelativelyNear(0.01, round_off));
-  EXPECT_THAT(two_pi * density(s, two_pi * 40), RelativelyNear(0.02, round_off));  // a slope of 1 over logarithms
+  EXPECT_THAT(two_pi * density(s, two_pi * 40), RelativelyNear(0.02, round_off));  // slope 1 on logarithmic axes
   EXPECT_THAT(two_pi * density(s, two_pi * 100), RelativelyNear(0.04, round_off));
   EXPECT_THAT(two_pi * density(s, two_pi * 12.5),
               RelativelyNear(0.005, round_off));  // the piece with a zero is straight
@@ -129,7 +129,7 @@ TEST(Spectrum, FindingsNameTheRow) {
   EXPECT_THAT(first({{1}, {1}}), HasSubstr("1 rows"));
   EXPECT_THAT(first({{1, 2}, {1}}), HasSubstr("2 frequencies and 1 densities"));
   EXPECT_THAT(first({{1, 2}, {0, 0}}), HasSubstr("every density is 0"));
-  EXPECT_THAT(first(table), HasSubstr("density 0 at 5 Hz; a logarithm has no zero"));
+  EXPECT_THAT(first(table), HasSubstr("density 0 at 5 Hz; 0 has no logarithm"));
   EXPECT_FALSE(check(table, "").has_errors());
   EXPECT_THROW((void)from_table({{1, 2}, {1, -3}}), foundation::InvalidInput);
 }
@@ -155,11 +155,11 @@ TEST(RandomInputs, TheLaterInputLags) {
 }
 
 TEST(RandomInputs, AnAnswerOfTheirSumVanishesInAntiPhase) {
-  // x₂(t) = x₁(t − τ): with ωτ = π the sum is silent, with ωτ = 2π it is twice x₁. S_yy = Σ H_j* S_jk H_k.
+  // x₂(t) = x₁(t − τ): with ωτ = π the sum is zero, with ωτ = 2π it is twice x₁. S_yy = Σ H_j* S_jk H_k.
   const RandomInputs wheels{{flat_spectrum(4, 1, 9), flat_spectrum(4, 1, 9)}, {{0, 1, {}, 1}}};
   EXPECT_NEAR(density_matrix(wheels, std::numbers::pi).sum().real(), 0, round_off);
   EXPECT_THAT(density_matrix(wheels, two_pi).sum().real(), RelativelyNear(16, round_off));
-  // The delayed sum 1 + e^{−iωτ} seen from input 2: H = (0, 1) and H = (e^{−iωτ}, 0) are the same signal.
+  // Input 2 is the delayed input 1: H = (0, 1) and H = (e^{−iωτ}, 0) give the same signal.
   const Eigen::MatrixXcd s = density_matrix(wheels, 2.2);
   const Eigen::Vector2cd h(std::polar(1.0, -2.2), -1.0);
   EXPECT_NEAR(std::abs((h.adjoint() * s * h).value()), 0, round_off);
@@ -180,10 +180,10 @@ TEST(RandomInputs, RefuseWhatNoSignalsCanDo) {
   EXPECT_THAT(first({three, {{0, 1}, {1, 2}}}), HasSubstr("eigenvalue -0.414"));
   EXPECT_TRUE(check({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.8}}}, "").list().empty());
   EXPECT_THAT(first({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.7}}}), HasSubstr("delays add up"));
-  // Wrong by 2π s: right at the breakpoints 1 and 9 rad/s, and wrong between them.
+  // Wrong by 2π s: correct at the breakpoints 1 and 9 rad/s, wrong between them.
   EXPECT_TRUE(check({three, {{0, 1, {}, 0.3}, {1, 2, {}, 0.5}, {0, 2, {}, 0.8 + two_pi}}}, "").has_errors());
   EXPECT_TRUE(check({three, {{0, 1, {0.4}}, {1, 2, {0.4}}}}, "").list().empty());  // √0.4 √2 < 1
-  EXPECT_THAT(first({three, {{0, 3}}}), HasSubstr("two different ones of the 3 inputs"));
+  EXPECT_THAT(first({three, {{0, 3}}}), HasSubstr("two different inputs out of 3"));
   EXPECT_THAT(first({three, {{1, 1}}}), HasSubstr("two different"));
   EXPECT_THAT(first({three, {{0, 1, {1.1}}}}), HasSubstr("coherence 1.1"));
   EXPECT_THAT(first({three, {{0, 1, {1, 1, 1, 0}}}}), HasSubstr("speed 0 m/s"));

@@ -14,7 +14,7 @@ constexpr std::uint8_t amplitude = 0, no_peak = 1;
 const std::vector<design::MapRule> rules = {{Kind::amplitude, "a.z", "m", 0.01, "a.z ≤ 0.01 m"},
                                             {Kind::no_peak, "a.z", "m", 0.01, "no peak of a.z"}};
 
-/// Of two designs side by side, and of the same one above the other.
+/// Steep pairs of two designs side by side; must be the same for one above the other.
 std::size_t steep(const design::DesignOutcome& a, const design::DesignOutcome& b) {
   const std::size_t beside = design::steep_neighbours({2, 1}, rules, {a, b});
   EXPECT_EQ(design::steep_neighbours({1, 2}, rules, {a, b}), beside);
@@ -33,7 +33,7 @@ TEST(SteepNeighbours, AreGovernedByLimitsOnAmplitudesBoth) {
 }
 
 TEST(SteepNeighbours, MayHaveNoMarginAtAllOnOneSide) {
-  EXPECT_EQ(steep({0, amplitude}, {0.1F, amplitude}), 1u);  // an amplitude without bound
+  EXPECT_EQ(steep({0, amplitude}, {0.1F, amplitude}), 1u);  // an unbounded amplitude
   EXPECT_EQ(steep({0, amplitude}, {0, amplitude}), 0u);
 }
 

@@ -18,7 +18,7 @@ using namespace trivet::solids;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Temporary folders made in here can be counted.
+/// Puts all temporary folders into one folder, where they can be counted.
 class StepFile : public ::testing::Test {
  protected:
   StepFile() { setenv("TMPDIR", temporary_.c_str(), 1); }
@@ -60,7 +60,7 @@ TEST_F(StepFile, ThatWasCutOffIsRefusedInGmshsWords) {
 TEST_F(StepFile, WithSurfacesOnlyHoldsNoSolid) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Rectangle(1) = {0, 0, 0, 10, 20};");
-  EXPECT_THAT(message_of(file), HasSubstr("holds no solid"));
+  EXPECT_THAT(message_of(file), HasSubstr("contains no solid"));
 }
 
 TEST_F(StepFile, NeedsGmshAndSaysSo) {

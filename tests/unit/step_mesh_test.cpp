@@ -46,7 +46,8 @@ class StepMeshing : public ::testing::Test {
   foundation::TemporaryFolder folder_;
 };
 
-/// Mean edge of the elements with a corner within `distance` of the rim radius 25 mm at the plates, or farther.
+/// Mean edge of the elements with a corner within `distance` of the rims (radius 25 mm at the plates) if `near`, else
+/// of the others.
 double mean_edge(const Mesh& mesh, double distance, bool near) {
   double sum = 0;
   int count = 0;
@@ -83,7 +84,7 @@ TEST_F(StepMeshing, FollowsCurvedSurfacesAtSecondOrder) {
   for (Eigen::Index t = 0; t < step->mesh.nodes.cols(); ++t)
     outside += step->mesh.nodes.col(t).head<2>().norm() > 25 * mm + on_the_face;
   EXPECT_EQ(outside, 0);
-  const auto middle_on_surface = [&](Eigen::Index e) {  // node 4 halves the edge 0–1
+  const auto middle_on_surface = [&](Eigen::Index e) {  // node 4 is the middle of the edge 0–1
     const auto radius = [&](int k) { return step->mesh.nodes.col(step->mesh.elements(k, e)).head<2>().norm(); };
     return radius(0) > 25 * mm - on_the_face && radius(1) > 25 * mm - on_the_face && radius(4) > 25 * mm - on_the_face;
   };
@@ -178,7 +179,7 @@ TEST_F(StepMeshing, APlateWithoutFaceIsRefusedWithAListOfTheFaces) {
               AllOf(HasSubstr("plate_n: no plane face normal to (1, 0, 0)"), HasSubstr("plate_k: no face 17"),
                     HasSubstr("at (0, 0, 0.025) m with 0.001963 m²")));
   options.plate_n = options.plate_k = FacesByNumber{{2}};
-  EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("face 2 is bonded to plate N too"));
+  EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("face 2 is also bonded to plate N"));
   options.plate_k = FacesOnCylinder{26 * mm};
   EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("no face on the cylinder of radius 0.026 m"));
 }
@@ -189,7 +190,7 @@ TEST_F(StepMeshing, RefusesSizesThatCannotBe) {
               AllOf(HasSubstr("size: -1"), HasSubstr("rim_distance: -1"), HasSubstr("scale: 0")));
   EXPECT_THAT(messages(mesh_step("none.step", {.size = 1 * mm, .rim_size = 2 * mm})), HasSubstr("between 0 and size"));
   EXPECT_THAT(messages(mesh_step(cylinder(), {.size = 1e-3 * mm})),
-              AllOf(HasSubstr("size"), HasSubstr("take a size above")));
+              AllOf(HasSubstr("size"), HasSubstr("use a size above")));
   EXPECT_THAT(messages(mesh_step("none.step", coarse())), HasSubstr("none.step: cannot be read"));
   EXPECT_THROW((void)step_faces("none.step", -1), foundation::InvalidInput);
 }

@@ -132,7 +132,7 @@ TEST(TableLaw, ChecksNameTheTableAndTheRow) {
   EXPECT_TRUE(check(law).has_errors());
   law.directions[2] = over_frequencies({10, 50}, {1, 2}, Interpolation::linear);
   law.directions[0] = over_frequencies({60, 70}, {1, 2}, Interpolation::linear);
-  EXPECT_THAT(check(law).list().front().finding, testing::HasSubstr("share no frequency"));
+  EXPECT_THAT(check(law).list().front().finding, testing::HasSubstr("have no common frequency"));
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ TEST(TemporaryFolders, OfKilledProcessesGoWithTheNext) {
   const TemporaryFolder parent;
   leave_one_behind(parent.path());
   const auto count = [&] { return std::distance(fs::directory_iterator(parent.path()), fs::directory_iterator()); };
-  EXPECT_EQ(count(), 2);  // the parent's mark and what was left
+  EXPECT_EQ(count(), 2);  // the parent's mark and the remains
   const TemporaryFolder living(parent.path());
   EXPECT_EQ(count(), 2);
   EXPECT_TRUE(fs::exists(living.path()));
@@ -91,7 +91,7 @@ TEST(ChildProcessOfAKilledOwner, EndsWithAllThatItStarted) {
     pid_t process = 0;
     std::ifstream(folder.path() / name) >> process;
     ASSERT_GT(process, 0);
-    const auto lives = [&] {  // a zombie that init has not reaped yet has ended too
+    const auto lives = [&] {  // a zombie that init has not yet reaped has also ended
       std::ifstream status("/proc/" + std::to_string(process) + "/stat");
       std::string number, command, state;
       return static_cast<bool>(status >> number >> command >> state) && state != "Z" && state != "X";

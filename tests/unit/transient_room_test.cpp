@@ -19,12 +19,12 @@ TEST(Transient, RefusesMorePointsTimesAnswersThanMemoryShouldHold) {
       test::force_on(assembled, 0, excitation::half_sine(1, 0.1, 0), spatial::Vector6::Unit(0));
   response::TransientOptions options;
   options.to = 100;
-  options.step = 1e-5;  // 10 million points, alone no reason to refuse
+  options.step = 1e-5;  // 10 million points alone are allowed
   try {
     static_cast<void>(test::transient(system, assembled, {"coordinates"}, {push}, options));
     FAIL() << "10,000,001 points of 30 answers are 2.5 GB";
   } catch (const foundation::NotComputable& refusal) {
-    EXPECT_THAT(refusal.what(), testing::HasSubstr("10000001 points × 30 answers and the time ask for 2.48 GB"));
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("10000001 points × 30 answers and the time need 2.48 GB"));
   }
 }
 

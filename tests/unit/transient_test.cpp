@@ -67,7 +67,7 @@ TEST(ExponentialStep, TurnsAnOscillatorByItsAngleOnEveryLevel) {
 }
 
 TEST(ExponentialStep, IntegratesTheInputAndItsIntegrals) {
-  // ẋ = w_m alone: x(h) is the integral of the mth column's quantity, of ∬u = cos-like series with κ.
+  // ẋ = w_m alone: x(h) is the integral of the quantity of the mth column, a cos-like series in κ for ∬u.
   const double h = 0.8, kappa = 3;
   const Eigen::MatrixXd still = Eigen::MatrixXd::Zero(1, 1);
   const response::ExponentialStep exponential(still, h, kappa);
@@ -83,7 +83,7 @@ TEST(ExponentialStep, IntegratesTheInputAndItsIntegrals) {
   for (int i = 0; i < 5; ++i) EXPECT_NEAR(twice(0, i), std::pow(h, i + 1) / std::tgamma(i + 2), round_off);
 }
 
-/// One mass m on a spring k1 to a node without mass or damping, which a spring k2 holds; the force acts on the node.
+/// A mass m on a spring k1 to a node without mass or damping, which has a spring k2; the force acts on the node.
 TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   const double mass = 2, k1 = 900, k2 = 300;
   numerics::DynamicMatrices m;
@@ -99,7 +99,7 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   response::WalkState state{0, Eigen::VectorXd::Zero(space.size()), {-1}};
   walk.take_corners(state);
   walk.advance(state, 0.37);
-  // The force arrives at the mass as k1/(k1 + k2) of it, on the springs in series; the node stands between.
+  // The share k1/(k1 + k2) of the force acts on the mass, which is on the springs in series; the node is between them.
   const double series = k1 * k2 / (k1 + k2), omega = std::sqrt(series / mass),
                q = k1 / (k1 + k2) / series * (1 - std::cos(omega * 0.37));
   Eigen::VectorXd inputs(response::input_derivatives);
@@ -144,8 +144,8 @@ TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSyste
   const auto r = test::transient(m.system, m.assembled, {"b.x", "s"}, {base}, options);
   EXPECT_THAT(warnings(r), HasSubstr("nearest linear system"));
   const Eigen::Index last = r.time.size() - 1;
-  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, 1e-6);     // it comes to rest on the moved ground …
-  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, 1e-3);  // … and the element is free of force
+  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, 1e-6);     // it comes to rest on the displaced ground …
+  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, 1e-3);  // … and the element has no force
 }
 
 TEST(Transient, RefusesPhasesAndForeignLoads) {
@@ -208,8 +208,8 @@ TEST(Transient, WarnsOfSamplesTooFarApartForTheFastestMode) {
         test::transient(m.system, m.assembled, {"m1.x"}, {m.push(excitation::from_samples(samples))}, until(2, 0.01)));
   };
   EXPECT_THAT(sampled(0.25), HasSubstr("Nyquist frequency 2 Hz"));
-  EXPECT_THAT(sampled(0.25), HasSubstr("say nothing of motions above"));
-  EXPECT_THAT(sampled(0.1), HasSubstr("pass 71 % of a motion"));  // sinc²(0.318)
+  EXPECT_THAT(sampled(0.25), HasSubstr("contain no motion above"));
+  EXPECT_THAT(sampled(0.1), HasSubstr("reproduce 71 % of a motion"));  // sinc²(0.318)
   EXPECT_EQ(sampled(0.03), "");
 }
 
@@ -252,8 +252,8 @@ TEST(Transient, RmsOfAWholeNumberOfPeriodsIsThatOfASine) {
 }
 
 TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
-  // A base that stood at 0.01 m long before, and the body with it: nothing moves. A force that jumps at the start does
-  // act.
+  // The base, and the body with it, have been at 0.01 m for a long time: nothing moves. A force that jumps at the start
+  // acts.
   const Machine m = one_mass({30});
   response::TransientOptions options = until(3, 0.01);
   options.from = 2;

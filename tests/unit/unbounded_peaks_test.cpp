@@ -25,10 +25,10 @@ void expect_refusal(const std::string& text, const std::string& words) {
 TEST(UnboundedPeaks, OfATiltThatTheForceMovesNeitherAtRestNorAboveAreRefused) {
   std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
                                         "{parameter = \"bodies.block.mass\", from = 5, to = 20, points = 3}");
-  EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // the force has an arm about the spring
+  EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // the force has a lever about the spring
   text.replace(text.find("at = [0, 0, 0.1]"), 16, "at = [0, 0, 0.0]");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
-  expect_refusal(text, "no_peak asked of block.ry: a curve that vanishes");
+  expect_refusal(text, "no_peak of block.ry: a curve that vanishes");
 }
 
 TEST(UnboundedPeaks, OfVelocitiesUnderAForceAreRefusedAndUnderAnUnbalanceJudged) {
@@ -47,7 +47,7 @@ TEST(UnboundedPeaks, OfABaseModelAloneAreNoReason) {
   text.insert(
       text.find("[analyses"),
       "[excitations.second]\ntype = \"harmonic\"\non = \"block\"\nat = [0, 0, -0.1]\nforce = [1, 0, 0]\nphase = 0\n");
-  EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // in phase both forces have no moment about the spring
+  EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // in phase the two forces have no moment about the spring
   text.replace(text.find("from = 1, to = 2"), 16, "from = -1e-17, to = 1e-17");
   expect_refusal(text, "block.ry");
 }

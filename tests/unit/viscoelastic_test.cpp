@@ -75,7 +75,7 @@ TEST(RationalForm, FitsAFractionalLawPassivelyToTheAccuracyAsked) {
         EXPECT_LE(form.times.size(), 40u);
         EXPECT_GE(form.viscous_time, 0);
         for (std::size_t i = 0; i < form.ratios.size(); ++i) EXPECT_TRUE(form.ratios[i] > 0 && form.times[i] > 0);
-        for (double w = 0.6; w < 6e4; w *= 1.0137)  // another grid than the fit's
+        for (double w = 0.6; w < 6e4; w *= 1.0137)  // not the grid of the fit
           EXPECT_THAT(relative_modulus(form, w),
                       test::RelativelyNear(relative_modulus(law, w), 1.1 * form.worst_error));
       }

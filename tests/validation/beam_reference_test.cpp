@@ -64,8 +64,8 @@ TEST(Beam, ACantileverBendsByMomentAndShear) {
 
 using Coordinates = std::vector<int>;
 
-/// Natural angular frequencies of `count` equal beams end to end, some coordinates held at both outer ends and some at
-/// every node.
+/// Natural angular frequencies of `count` equal beams end to end; coordinates `at_ends` are held at both outer ends,
+/// `everywhere` at every node.
 Eigen::VectorXd frequencies(const Beam& whole, int count, const Coordinates& at_ends, const Coordinates& everywhere) {
   Beam part = whole;
   part.length = whole.length / count;

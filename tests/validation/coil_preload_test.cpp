@@ -15,7 +15,7 @@ using test::literature_spring;
 using test::RelativelyNear;
 constexpr double pi = std::numbers::pi;
 
-/// The literature spring's wire and pitch, with as many coils as the length takes.
+/// A spring of this length with the wire and pitch of the literature spring.
 CoilSpring spring_of_length(double length) {
   CoilSpring spring = literature_spring();
   spring.active_coils *= length / spring.active_length;
@@ -24,7 +24,7 @@ CoilSpring spring_of_length(double length) {
 }
 
 /// Lateral stiffness between parallel seats of Haringx' elastic column with bending and shear stiffness of the coils;
-/// force P > 0.
+/// force > 0.
 double haringx_lateral_stiffness(const CoilSpring& s, double compression, double force) {
   const double D = s.mean_diameter, I = wire_section(s).second_moments(0), E = s.youngs_modulus, G = s.shear_modulus;
   const double L = s.active_length - compression, coils = s.active_coils;
@@ -34,15 +34,15 @@ double haringx_lateral_stiffness(const CoilSpring& s, double compression, double
   return force / ((1 + force / shear) * 2 / q * std::tan(q * L / 2) - L);
 }
 
-/// EN 13906-1: compression at which a spring buckles; `seating` is ν, 0.5 between held seats, 1 if one may slide.
+/// Compression at which a spring buckles by EN 13906-1; `seating` is ν, 0.5 between held seats, 1 if one may slide.
 double standard_buckling(const CoilSpring& s, double seating) {
   const double ratio = s.shear_modulus / s.youngs_modulus, slender = pi * s.mean_diameter / (seating * s.active_length);
   return s.active_length * 0.5 / (1 - ratio) * (1 - std::sqrt(1 - (1 - ratio) / (0.5 + ratio) * slender * slender));
 }
 
 TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
-  // The column smears the coils out; the two lateral stiffnesses of the real spring lie on one side by less than 3 % of
-  // the unloaded value.
+  // The column distributes the coils evenly; the two lateral stiffnesses of the real spring differ from it in one
+  // direction, by less than 3 % of the unloaded value.
   constexpr double of_the_unloaded = 0.03;
   const CoilSpring spring = literature_spring();
   const double unloaded = stiffness(spring)(6, 6);
@@ -89,7 +89,7 @@ TEST(CompressedCoil, AStubbySpringDoesNotBuckle) {
 
 TEST(CompressedCoil, ForceOfTheStandardsExample) {
   // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard
-  // neglects that the seats do not turn, that the coils widen, and the shear of the wire.
+  // neglects the held rotation of the seats, the widening of the coils and the shear of the wire.
   constexpr double of_the_standard = 0.025;
   const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(compressed_with(spring, 280).compression, RelativelyNear(17.3e-3, of_the_standard));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The coil spring against published frequencies, a published 12×12, and the same equations solved with 70 digits.
+// The coil spring against published frequencies, a published 12×12, and its equations solved with 70 digits.
 #include <gmock/gmock.h>
 
 #include <array>
@@ -33,7 +33,7 @@ TEST(CoilSpring, FirstTenClampedFrequenciesOfThePublishedSpring) {
 }
 
 TEST(CoilSpring, StiffnessOfThePublishedSpring) {
-  // Castigliano's theorem on the curved rod, at the top seat; its shear factor differs in the third digit.
+  // Castigliano's theorem for the curved rod, at the top seat; its shear factor differs in the third digit.
   constexpr double digits = 1e-4;
   Eigen::Matrix<double, 6, 6> expected;
   expected << 306.04358222428374, -0.6041200066131152, -14.941134978078045, 0.02461411633036571, -5.5031825158059,
@@ -51,13 +51,13 @@ TEST(CoilSpring, StiffnessOfThePublishedSpring) {
 TEST(CoilSpring, AxialRateOfTheStandardsExample) {
   // EN 13906-1 worked example (De 39.6, d 5, n 9.5, nt 11.5, L0 105.8 mm): 16.181 N/mm, from G d⁴/(8 D³ n).
   constexpr double second_order_of_the_index =
-      0.02;  // 1/(2 κ C²) of shear and the seats' rotation being held, C = 6.92
+      0.02;  // 1/(2 κ C²) by shear and the held rotation of the seats, C = 6.92
   const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(elements::stiffness(spring)(8, 8), RelativelyNear(16181.0, second_order_of_the_index));
   EXPECT_DOUBLE_EQ(elements::seat_distance(spring), 105.8e-3);
 }
 
-/// v of the reference computation: a millimetre and 0.2 rad times 1 … 12, some negative.
+/// Vector v of the reference computation: a millimetre and 0.2 rad times 1 … 12, some negative.
 spatial::Vector12 probe() {
   spatial::Vector12 v;
   for (int i = 0; i < 12; ++i) v(i) = (i + 1) * (i % 6 < 3 ? 1e-3 : 0.2) * (i % 5 == 2 ? -1 : 1);

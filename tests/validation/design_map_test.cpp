@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mass on a spring: boundaries of maps in closed form. With ζ = δω₀/2 the amplitude is largest at ω₀√(1 − 2ζ²) for
-// ζ < 1/√2, F/(k·2ζ√(1 − ζ²)), and F/k at rest otherwise, where there is no peak. [Den Hartog, Mechanical Vibrations,
+// One mass on a spring: boundaries of maps in closed form. With ζ = δω₀/2 the amplitude is largest at ω₀√(1 − 2ζ²) if
+// ζ < 1/√2: F/(k·2ζ√(1 − ζ²)). Otherwise it is F/k at rest, and there is no peak. [Den Hartog, Mechanical Vibrations,
 // section 2.9]
 #include <gmock/gmock.h>
 
@@ -51,8 +51,7 @@ study::DesignMap map_of(const std::string& rules) {
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
-/// The boundary is stated to 1e-6 of each axis; over it the amplitude changes by no more than a factor e per 0.29 of an
-/// axis.
+/// The boundary is accurate to 1e-6 of each axis; the amplitude changes by at most a factor e per 0.29 of an axis.
 constexpr double along_the_axis = 5e-6;
 
 TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
@@ -82,7 +81,7 @@ TEST(DesignMap, HasTheBoundaryOfThePeakOfOneMassInClosedForm) {
 TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
   const study::DesignMap map = map_of("no_peak = \"mass.z\"\npeak_tolerance = 0\n");
   ASSERT_FALSE(map.feasible.lines.empty());
-  constexpr double flat = 1e-3;  // peaks below 1e-6 of the curve are none: (1 − 2ζ²)²/2 of it
+  constexpr double flat = 1e-3;  // rises below 1e-6 of the curve are not peaks; the rise is (1 − 2ζ²)²/2 of it
   for (const design::MapLine& line : map.feasible.lines)
     for (const design::MapPlace& p : line)
       EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);

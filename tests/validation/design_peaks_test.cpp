@@ -13,7 +13,7 @@ namespace {
 
 using numerics::DesignStatus;
 
-/// One mass of 2 kg on 200 N/m, ω0 = 10 rad/s, under 3 N, at these damping ratios.
+/// A mass of 2 kg on 200 N/m, ω0 = 10 rad/s, with a force of 3 N, for these damping ratios.
 numerics::Designs single_masses(const std::vector<double>& zeta) {
   const auto count = static_cast<Eigen::Index>(zeta.size());
   numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1),
@@ -22,7 +22,7 @@ numerics::Designs single_masses(const std::vector<double>& zeta) {
   return designs;
 }
 
-/// Round-off of the decay rate, a few units of the frequency: ε/ζ of the height.
+/// Relative error of the height by round-off of the decay rate, a few units of the frequency: ε/ζ.
 double tolerance(double zeta) { return 1e-13 + 8 * std::numeric_limits<double>::epsilon() / zeta; }
 
 TEST(DesignPeaks, OfASingleMassStandBelowItsNaturalFrequency) {  // [Ewins2000]: ω0 √(1 − 2ζ²), F/k / (2ζ√(1 − ζ²))
@@ -116,7 +116,7 @@ TEST(DesignPeaks,
   EXPECT_EQ(peaks.peaks(0, 0), 1);
 }
 
-TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 + τs) q rises like ω beyond its minimum
+TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 + τs) q rises like ω above its minimum
   const double zeta = 0.01, rate = 1e-4;
   numerics::DesignPeakOptions options;
   options.rows = Eigen::ArrayXXd::Constant(1, 1, 1);

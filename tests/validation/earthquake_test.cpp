@@ -42,9 +42,8 @@ TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
     EXPECT_THAT(r.modes[static_cast<std::size_t>(i)].effective_mass,
                 RelativelyNear(gamma * gamma * modal_mass, round_off));
     EXPECT_THAT(std::abs(r.answers[0].modal_maxima(i)), RelativelyNear(std::abs(gamma * top * 2 / squared), round_off));
-    EXPECT_THAT(
-        std::abs(r.answers[1].modal_maxima(i)),
-        RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // the base feels S_a times the effective mass
+    EXPECT_THAT(std::abs(r.answers[1].modal_maxima(i)),
+                RelativelyNear(2 * gamma * gamma * modal_mass, round_off));  // base force: S_a times the effective mass
     squares += std::pow(gamma * top * 2 / squared, 2);
     mass += r.modes[static_cast<std::size_t>(i)].effective_mass;
   }
@@ -83,7 +82,7 @@ TEST(Earthquake, OfOneModeIsTheLargestValueOfItsTimeHistory) {
 }
 
 TEST(Earthquake, ShakesTheMassOfSkewBodiesAlongEveryDirection) {
-  // Σ Γ² is the mass for a translation: that of all bodies, whatever their poles and axes.
+  // For a translation Σ Γ² is the mass of all bodies, for any poles and axes.
   const model::System system = test::checked(test::RandomSystem(8).description(3, test::RandomDamping::proportional));
   const assembly::Assembled assembled = assembly::assemble(system);
   const excitation::ResponseSpectrum flat{{1e-2, 1e5}, {1, 1}, 0.05};
@@ -103,7 +102,7 @@ TEST(Earthquake, WarnsOfModesAndDampingBeyondItsSpectrum) {
   const excitation::ResponseSpectrum narrow{{20, 1000}, {2, 2}, 0.05};
   const auto r = response::earthquake_response(assembled, {}, narrow, along(0));
   ASSERT_EQ(r.warnings.list().size(), 2u);
-  EXPECT_THAT(message(r.warnings.list()[0]), testing::HasSubstr("5 % of the mass"));
+  EXPECT_THAT(message(r.warnings.list()[0]), testing::HasSubstr("5 % of the effective mass"));
   EXPECT_THAT(message(r.warnings.list()[1]), testing::HasSubstr("spectrum for 0.05"));
   const auto channels =
       assembly::channels(project.base().system, assembled, {"base.x"}, assembly::Quantity::displacement);

@@ -32,7 +32,7 @@ TEST(SliderCrank, HasTheSeriesOfTheTextbooks) {
   const std::vector<double> a = inertia_coefficients(l, 8), g = inertia_torque_coefficients(l, 4);
   EXPECT_EQ(a[1], 1);
   EXPECT_EQ(a[3], 0);
-  // The series is cut after the fourth term: the next one is below λ⁹ for the second order, λ⁹ for the others.
+  // The series is truncated after the fourth term: the next one is below λ⁹ for the second order, λ⁹ for the others.
   EXPECT_NEAR(a[2], l + std::pow(l, 3) / 4 + 15 * std::pow(l, 5) / 128 + 35 * std::pow(l, 7) / 512, std::pow(l, 9));
   EXPECT_NEAR(a[4], -(std::pow(l, 3) / 4 + 3 * std::pow(l, 5) / 16 + 35 * std::pow(l, 7) / 256), 2 * std::pow(l, 9));
   EXPECT_NEAR(a[6], 9 * std::pow(l, 5) / 128 + 45 * std::pow(l, 7) / 512, 3 * std::pow(l, 9));
@@ -50,7 +50,7 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
   EXPECT_THAT(a[2], RelativelyNear(0.3070506590621658, digits));
   EXPECT_THAT(a[4], RelativelyNear(-0.007237694996822019, digits));
   EXPECT_THAT(a[6], RelativelyNear(0.00019193674663644267, 1e-8));
-  for (const double l : {0.05, 0.3, 0.6, 0.9}) {  // and here: the sums must be the motion
+  for (const double l : {0.05, 0.3, 0.6, 0.9}) {  // here the sums must equal the motion
     const int count = negligible_order(l);
     const std::vector<double> all = inertia_coefficients(l, count), torque = inertia_torque_coefficients(l, 2 * count);
     for (const double phi : {0.0, 0.4, 1.3, 2.9, 4.4}) {
@@ -91,7 +91,7 @@ ComplexVector6 inertia(const Engine& engine, int order) {
 /// direction is −y here.
 void expect_order(const Engine& engine, int order, Complex vertical, Complex transverse, Complex pitch, Complex yaw) {
   constexpr double digits =
-      3e-6;  // the references cut the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
+      3e-6;  // the references truncate the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
   constexpr double absolute = 2e-5;
   const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : digits;
   const ComplexVector6 w = inertia(engine, order);
@@ -114,8 +114,8 @@ TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
   expect_order(four, 6, 1.8753963617404699, 0, 0, 0);
   // In closed form with the exact coefficient: 4 m r Ω² a₂.
   EXPECT_THAT(inertia(four, 2)(2).real(), RelativelyNear(4 * 0.55 * 0.045 * omega * omega * 0.3070506590621658, 1e-10));
-  // What cancels is exactly zero, and an order with nothing left is not listed: the torque of order 1 and 3 cancels
-  // too.
+  // Cancelled terms are exactly zero, and an order without terms is not listed: the torque of orders 1 and 3 also
+  // cancels.
   for (const Order& entry : inertia_orders(four, 6)) EXPECT_EQ(std::fmod(entry.order, 2), 0);
 }
 
@@ -166,9 +166,9 @@ TEST(EngineOrders, OfACrossPlaneVeeEightAreItsPrimaryCouple) {
   expect_order(vee, 6, 0, 0, 0, 0);
 }
 
-/// The wrench of all cylinders at crank angle θ from the exact kinematics, one cylinder after another in vectors:
-/// pistons accelerate along their axes, throws circle, and the side force of each rod pushes its wall at the height of
-/// the piston.
+/// The wrench of all cylinders at crank angle θ from the exact kinematics, cylinder by cylinder in vectors: pistons
+/// accelerate along their axes, throws move on circles, and the side force of each rod acts on its wall at the height
+/// of the piston.
 Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double speed) {
   const double r = e.crank_radius, rod = r / e.rod_ratio;
   Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
@@ -182,13 +182,13 @@ Eigen::Matrix<double, 6, 1> exact_wrench(const Engine& e, double theta, double s
     const double h = 1e-4,
                  acceleration = (height(theta + h) - 2 * height(theta) + height(theta - h)) / (h * h) * speed * speed;
     const double phi = theta + c.crank_angle - c.bank_angle, s = height(theta);
-    const double pin_across = r * std::sin(phi);  // of the crank pin; the rod leans from the piston to it
+    const double pin_across = r * std::sin(phi);                 // of the crank pin; the rod connects the piston to it
     const double along_rod = e.oscillating_mass * acceleration;  // axial force of the rod on the piston, no gas
     const double side = -along_rod * pin_across /
-        (s - r * std::cos(phi));  // of the rod on the piston, and so of the piston on the wall
+        (s - r * std::cos(phi));  // of the rod on the piston, and therefore of the piston on the wall
     const Eigen::Vector3d throw_direction(0, -std::sin(theta + c.crank_angle), std::cos(theta + c.crank_angle));
     const Eigen::Vector3d at(c.position, 0, 0);
-    // On the frame: the wall, and the main bearings with what the pin and the throw bring.
+    // On the frame: the wall, and the main bearings with the forces of the pin and the throw.
     const Eigen::Vector3d wall = side * across,
                           bearing = -along_rod * axis - side * across +
         (e.rotating_mass * r - e.counterweight) * speed * speed * throw_direction;
@@ -227,13 +227,13 @@ TEST(EngineOrders, CounterweightsOnTheThrowsBalanceTheRotatingMasses) {
   EXPECT_EQ(inertia(one, 1)(1), 0.0);
   one.oscillating_mass = 0;
   one.counterweight = 0;
-  const ComplexVector6 w = inertia(one, 1);  // circles: y runs a quarter turn ahead of z towards −y
+  const ComplexVector6 w = inertia(one, 1);  // circles: y leads z by a quarter turn towards −y
   EXPECT_LE(std::abs(w(2) - 2 * 0.045 * omega * omega * std::polar(1.0, 0.3)), 1e-9);
   EXPECT_LE(std::abs(w(1) - Complex(0, 1) * w(2)), 1e-9);
 }
 
-/// A made pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing top
-/// dead centre.
+/// A synthetic pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing
+/// top dead centre.
 PressureTrace made_trace(const Engine& engine, int points) {
   PressureTrace trace;
   for (int i = 0; i < points; ++i) {
@@ -276,8 +276,7 @@ TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
 }
 
 TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
-  // Mean torque · 4π = ∮ p dV, the volume of the swept cylinder being A(s(0) − s(φ)): indicator work by its own
-  // trapezoids.
+  // Mean torque · 4π = ∮ p dV, with the swept volume A(s(0) − s(φ)): indicator work by separate trapezoids.
   const Engine engine = engine_of({{0, 0, 0}});
   const PressureTrace trace = made_trace(engine, 7200);
   const double area = pi * 0.08 * 0.08 / 4;
@@ -300,7 +299,7 @@ TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
   const std::vector<Order> orders = gas_orders(engine, one);
   ASSERT_EQ(orders.size(), 2u);
   EXPECT_EQ(orders[0].order, 2);
-  EXPECT_LE(std::abs(orders[0].fixed(3) + 4.0 * Complex(25, 12)), 1e-12);  // the block answers against the crank
+  EXPECT_LE(std::abs(orders[0].fixed(3) + 4.0 * Complex(25, 12)), 1e-12);  // the block reacts opposite to the crank
   EXPECT_EQ(orders[1].order, 4);
   EXPECT_EQ(mean_torque(engine, one), 80);
   EXPECT_EQ(orders[0].per_speed_squared.norm(), 0);
@@ -354,7 +353,7 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   EXPECT_FALSE(check(boxer, "").has_errors());
   EXPECT_EQ(inertia(boxer, 1).head<3>().norm(), 0);
   EXPECT_EQ(inertia(boxer, 2).head<3>().norm(), 0);
-  EXPECT_GT(inertia(boxer, 2).tail<3>().norm(), 1);  // the couple of the offset banks is left
+  EXPECT_GT(inertia(boxer, 2).tail<3>().norm(), 1);  // the couple of the offset banks remains
 }
 
 TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {

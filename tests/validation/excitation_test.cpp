@@ -95,9 +95,9 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
   }
   EXPECT_THAT(shock_spectrum(half_sine(1, 1), {two_pi * 0.81}, 0).at(0).maximax(),
               RelativelyNear(1.768, 5e-4));  // the well known peak
-  // Exactly on resonance the half sine leaves π/2 behind.
+  // Exactly at resonance the residual of the half sine is π/2.
   EXPECT_THAT(shock_spectrum(half_sine(1, 1), {pi}, 0).at(0).residual(), RelativelyNear(pi / 2, digits));
-  // A step doubles and a slow ramp hardly does: 1 + |sin(ωt_r/2)|/(ωt_r/2).
+  // A step has the factor 2, a ramp 1 + |sin(ωt_r/2)|/(ωt_r/2).
   EXPECT_THAT(shock_spectrum(step(1), {5}, 0).at(0).maximax(), RelativelyNear(2, digits));
   EXPECT_THAT(shock_spectrum(ramp(1, 1), {5}, 0).at(0).maximax(),
               RelativelyNear(1 + std::abs(std::sin(2.5)) / 2.5, digits));
@@ -107,8 +107,8 @@ TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
 }
 
 TEST(ShockSpectrum, AnImpulseLeavesItsClosedFormBehind) {
-  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse while the absolute
-  // acceleration 2ζωV was largest in it.
+  // A change of velocity V: ωz_max = V exp(−ζ arccos ζ/√(1 − ζ²)), reached after the pulse. The absolute acceleration
+  // 2ζωV is largest during the pulse.
   const double duration = 1e-6;
   for (const double zeta : {0.6, 0.8, 0.9}) {
     const ShockResponse response = shock_spectrum(rectangular(1 / duration, duration), {1}, zeta).at(0);
@@ -136,7 +136,7 @@ TEST(ModalCombination, CorrelationIsThatOfTwoOscillatorsInWhiteNoise) {
   };
   const auto integral = [&](double wi, double zi, double wj, double zj) {
     double sum = 0;
-    constexpr int count = 400000;  // midpoints of w = tan(x): algebraic tails become smooth ends
+    constexpr int count = 400000;  // midpoints in w = tan(x), which makes algebraic tails smooth at the ends
     for (int k = 0; k < count; ++k) {
       const double x = pi / 2 * (k + 0.5) / count, w = std::tan(x);
       sum += (std::conj(h(wi, zi, w)) * h(wj, zj, w)).real() * (1 + w * w);

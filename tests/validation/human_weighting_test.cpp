@@ -53,7 +53,7 @@ TEST(HumanWeighting, HasTheFactorsOfItsBands) {
 }
 
 TEST(HumanWeighting, HasTheSeparatelyComputedFactorsOfWkAndWd) {
-  // Product of the four parts in frequency, computed once with all digits.
+  // Product of the four parts in frequency, computed separately with all digits.
   const double wk[] = {0.41880607485499177, 0.4588473090762276, 0.47666462758174893, 0.48247335441108624,
                        0.48464631896782806, 0.4934868064593904, 0.5307530271256297,  0.6334835030212541,
                        0.8071022396718057,  0.9647838855679114, 1.0392195351805116,  1.054358667585132,

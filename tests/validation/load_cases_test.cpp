@@ -9,7 +9,7 @@
 #include "trivet/identification/stiffness_fit.h"
 #include "trivet/identification/student_distribution.h"
 
-/// Rigs whose matrix is known, because the test made them.
+/// Synthetic rigs with a known matrix.
 namespace {
 
 using namespace trivet;
@@ -17,7 +17,7 @@ using namespace trivet::identification;
 
 const Eigen::Vector3d arm(0.01, -0.02, 0.12);
 
-/// A mount of 300, 450, 1200 kN/m with every coupling there can be.
+/// A mount of 300, 450, 1200 kN/m with all couplings.
 Matrix12 true_stiffness() {
   Matrix6 k = (Vector6() << 3e5, 4.5e5, 1.2e6, 900, 700, 250).finished().asDiagonal();
   const Vector6 size = k.diagonal().cwiseSqrt();
@@ -26,7 +26,7 @@ Matrix12 true_stiffness() {
   return elements::from_moved_end(k, arm);
 }
 
-/// A rig that moves both ends (or only K) at random, about 1 mm and 10 mrad, with noise relative to the rms of each
+/// A rig that moves both ends (or only K) randomly by about 1 mm and 10 mrad, with noise relative to the rms of each
 /// channel.
 class SyntheticRig {
  public:
@@ -79,7 +79,7 @@ TEST(IdentifiedStiffness, ExactReadingsGiveTheExactMatrix) {
   }
 }
 
-/// Share of all entries of all rigs whose interval holds the truth.
+/// Share of the entries of all rigs with the true value inside their interval.
 double coverage(Unknowns unknowns, bool both_ends, int cases, double noise, int rigs) {
   const Matrix12 truth = true_stiffness();
   StiffnessFitOptions options;

@@ -21,11 +21,11 @@ namespace {
 
 using namespace trivet;
 using test::RelativelyNear;
-constexpr double digits = 1e-10;           // solves of one coordinate, and roots and heights found from them
-constexpr double frequency_digits = 1e-8;  // where a maximum is flat
+constexpr double digits = 1e-10;           // solves of one coordinate, with roots and heights from them
+constexpr double frequency_digits = 1e-8;  // frequencies of flat maxima
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A system with what every answer needs.
+/// A system with its matrices, modes and roots.
 struct Solved {
   explicit Solved(const model::Description& description)
       : system(test::checked(description)),
@@ -141,7 +141,7 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
 }
 
 TEST(RunUp, TellsTallPeaksFromSmallOnes) {
-  // The same force at orders 1 and 2, and 0.9 % and 0.1 % of it at orders 3 and 4: all peak at ω0√(1 − 2ζ²).
+  // Equal forces at orders 1 and 2, and 0.9 % and 0.1 % of them at orders 3 and 4: all peak at ω0√(1 − 2ζ²).
   constexpr double natural = 60, ratio = 0.02;
   model::Description d = test::guided_mass(2, natural, ratio);
   model::Action action;

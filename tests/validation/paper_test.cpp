@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The paper's example against numbers computed outside this project with 60-digit arithmetic (relative 1e-9 as given).
+// The paper's example against numbers computed outside this project with 60-digit arithmetic (given to relative 1e-9).
 #include <gmock/gmock.h>
 
 #include <array>
@@ -24,7 +24,7 @@ project::Project paper(const std::string& file) {
 
 struct Natural {
   const char* case_name;
-  std::array<double, 6> frequencies;  // negative: the modulus of an imaginary one
+  std::array<double, 6> frequencies;  // negative: modulus of an imaginary frequency
 };
 
 void expect_frequencies(const std::string& file, const std::vector<Natural>& expected) {
@@ -135,7 +135,7 @@ TEST(Paper, AsPrintedHasOneGrowingRootAndSaysSo) {
   const auto growing = std::find_if(roots.list.begin(), roots.list.end(),
                                     [](const auto& r) { return r.kind == modal::RootKind::growing; });
   ASSERT_NE(growing, roots.list.end());
-  EXPECT_NEAR(growing->eigenvalue.real(), 4.61, 0.005);  // the paper's checkers give +4.61 1/s
+  EXPECT_NEAR(growing->eigenvalue.real(), 4.61, 0.005);  // the check of the paper gave +4.61 1/s
   EXPECT_FALSE(growing->angular_frequency.has_value());
   EXPECT_FALSE(roots.warnings.list().empty());
   EXPECT_FALSE(project.base().warnings.list().empty());

@@ -27,7 +27,7 @@ model::Body mass(const std::string& name, double kilograms, double height = 0) {
   return body;
 }
 
-/// A vertical spring and dashpot without length from the ground or a body to a body above.
+/// A vertical spring and dashpot of zero length from the ground or a body to a body above.
 model::Element strut(const std::string& name, std::optional<std::size_t> from, std::size_t on, double stiffness,
                      double damping, double height = 0) {
   model::Element element;
@@ -116,7 +116,7 @@ TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
   }
 }
 
-/// The quarter car by hand: sprung m_s on k_s, c_s over unsprung m_u on the tyre k_t; the road moves by 1 e^{iωt}.
+/// The quarter car by hand: sprung m_s on k_s, c_s above unsprung m_u on the tyre k_t; the road moves by 1 e^{iωt}.
 struct QuarterCar {
   double sprung = 300, unsprung = 40, suspension = 18000, damper = 1200, tyre = 180000;
 
@@ -166,8 +166,7 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
 }
 
 TEST(HumanWeighting, AVeryNarrowBandIsWeighedByThePublishedFactors) {
-  // ISO 2631-1 annex B / ISO 8041-1 at 15.915 Hz: Wk 0.7718, Wd 0.1261. A free mass under a force has its acceleration
-  // alone.
+  // ISO 2631-1 annex B / ISO 8041-1 at 15.915 Hz: Wk 0.7718, Wd 0.1261. The acceleration of a free mass is F/m.
   constexpr double printed = 0.00005 / 0.1261;
   model::Description description;
   description.bodies = {mass("seat", 2)};
@@ -202,7 +201,7 @@ TEST(HumanWeighting, AWideBandAgreesWithTheSumOverItsCurve) {
       c.answer("m.z", assembly::Quantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
   EXPECT_FALSE(answer.rms);  // a flat acceleration down to 0 Hz has no finite velocity …
   EXPECT_THAT(answer.reason, testing::HasSubstr("begins at 0 Hz"));
-  ASSERT_TRUE(answer.weighted_rms);  // … but people do not feel it
+  ASSERT_TRUE(answer.weighted_rms);  // … but the weighting removes it
   EXPECT_NEAR(*answer.weighted_rms / std::sqrt(sum), 1, truncation);
 }
 
@@ -224,7 +223,7 @@ TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
       "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
   EXPECT_FALSE(resonance.rms || resonance.rms_of_derivative || resonance.zero_crossings || resonance.three_sigma);
   EXPECT_THAT(resonance.reason, testing::HasSubstr("undamped natural frequency"));
-  // Below resonance an undamped oscillator is as good as any: ∫₁⁵ dω/(100 − ω²)².
+  // A band below resonance has a finite variance also without damping: ∫₁⁵ dω/(100 − ω²)².
   const auto primitive = [](double w) { return w / (200 * (100 - w * w)) + std::log((10 + w) / (10 - w)) / 4000; };
   const response::RandomAnswer below = undamped.answer(
       "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});

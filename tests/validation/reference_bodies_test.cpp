@@ -86,7 +86,7 @@ struct Inertia {
 };
 
 TEST(Inertia, ImpossibleOnesAreRefusedAndTheCorrectedOneAccepted) {
-  // Central principal moments computed outside this project; Jz = 132.853 leaves one at −0.0085 kg m².
+  // Central principal moments computed outside this project; with Jz = 132.853 one is −0.0085 kg m².
   constexpr double digits = 1e-9;
   for (const Inertia& given :
        {Inertia{"printed", 66.194, 32.853, {-98.74761912698347, 0.30447956327340475, 5.077435051710137}, false},

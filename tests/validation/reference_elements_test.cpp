@@ -88,7 +88,7 @@ TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
 }
 
 TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
-  // One realisation of the paper's K by three identical 12×12 elements, found by a separate linear solve.
+  // A realisation of the paper's K by three identical 12×12 elements, found by a separate linear solution.
   const auto three =
       project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
   const auto one = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();

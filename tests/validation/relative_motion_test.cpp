@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mass on a spring and a dashpot over a ground given by its acceleration a: z = −a / (ω₀² − ω² + 2iζω₀ω) against
-// the ground, in closed form.
+// One mass on a spring and a dashpot on a ground given by its acceleration a: the motion relative to the ground is
+// z = −a / (ω₀² − ω² + 2iζω₀ω).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,7 +62,7 @@ struct Oscillator {
       const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
-  /// The ground moves along z with this derivative of its displacement given.
+  /// A motion of the ground along z, given by this derivative of its displacement.
   [[nodiscard]] assembly::Loading base(double amplitude, int derivative = 2) const {
     model::Action action;
     action.amplitude(2) = amplitude;
@@ -93,7 +93,7 @@ TEST(RelativeMotion, OfAMassOverAShakenGroundIsTheClosedFormFromRestToHighFreque
       EXPECT_LE(std::abs(std::abs(found.curves[2].value(at)) - std::abs(force)), round_off * std::abs(force))
           << omega[i] << " rad/s, ratio " << ratio;
       if (omega[i] == 0) {
-        EXPECT_FALSE(std::isfinite(std::abs(found.curves[3].value(at))));  // in space it drifts off with the ground
+        EXPECT_FALSE(std::isfinite(std::abs(found.curves[3].value(at))));  // in space it drifts with the ground
         continue;
       }
       const Complex in_space = -2 / (omega[i] * omega[i]) *
@@ -164,7 +164,7 @@ TEST(RandomRelativeMotion, MeetsMilesFromZeroOn) {
 
 TEST(TransientRelativeMotion, KeepsItsDigitsHoweverFarTheGroundDrifts) {
   const Oscillator o(11, 0.03);
-  // Constant acceleration for 1e4 s: the ground is 1e8 m away in the end, the mass −a/ω₀² from its place on it.
+  // Constant acceleration for 1e4 s: the ground ends 1e8 m away, and the mass is −a/ω₀² from its position on it.
   const excitation::Signal steady{{{0, 2, 0, 0, 0}}};
   response::TransientOptions options;
   options.from = 9'990;

@@ -20,8 +20,8 @@ using namespace trivet;
 using namespace trivet::solids;
 using std::numbers::pi;
 
-constexpr double round_off = 1e-13;     // some hundred operations on numbers of one size
-constexpr double step_accuracy = 1e-9;  // the goal; Gauss quadrature over the exact surfaces is far better
+constexpr double round_off = 1e-13;     // some hundred operations on numbers of equal size
+constexpr double step_accuracy = 1e-9;  // required; Gauss quadrature over the exact surfaces is far more accurate
 constexpr double mm = 1e-3, steel = 7850;
 
 /// Largest difference of mass, centre and inertia, relative to mass, `size` and mass · size².
@@ -105,7 +105,7 @@ spatial::MassProperties l_block(double length, double density) {
   return p;
 }
 
-/// Surface of the L-block: its outline drawn up along z, and its two faces.
+/// Surface of the L-block: its outline extruded along z, and its two faces.
 test::Triangles l_block_surface() {
   const std::vector<Eigen::Vector2d> outline{{0, 0}, {1, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}};
   const auto at = [&](std::size_t i, double z) { return Eigen::Vector3d(outline[i % 8].x(), outline[i % 8].y(), z); };

@@ -47,8 +47,7 @@ TEST(BondedDisc, TextbookFormulasGiveThePublishedMatrix) {
 
 TEST(BondedDisc, MeetsThreeDimensionalFiniteElements) {
   // Cylinder D = 50 mm, E = 3 MPa, ν = 0.4995, hexahedra with quadratic displacement and discontinuous linear pressure,
-  // rim graded: ±0.05
-  // %.
+  // rim graded: ±0.05 %.
   constexpr double axial_error = 0.005, shear_error = 0.004, tilt_error = 0.01;
   const Rubber rubber{3e6 / (2 * 1.4995), 3e6 / (3 * (1 - 2 * 0.4995))};
   const double table[][4] = {{0.025, 363450, 68550, 59.06},
@@ -66,7 +65,7 @@ TEST(BondedDisc, MeetsThreeDimensionalFiniteElements) {
 }
 
 TEST(BondedDisc, MeetsAxisymmetricFiniteElementsOverAllShapeFactors) {
-  // Fourier-axisymmetric Q2/P1, K/G = 2000, own program apart from the library; S, Ec/3G, shear/(G A/h), Eb/3G, all
+  // Fourier-axisymmetric Q2/P1, K/G = 2000, by a program separate from the library; S, Ec/3G, shear/(G A/h), Eb/3G, all
   // ±0.15 %.
   constexpr double error = 0.01;
   const double table[][4] = {{0.25, 1.197136, 0.704684, 1.138965},  {0.375, 1.343833, 0.822051, 1.221539},
@@ -109,7 +108,7 @@ TEST(BondedStrip, MeetsPlaneStrainFiniteElements) {
                              {3, 12.682912, 0.961568, 3.714289},
                              {10, 107.459811, 0.988471, 26.090760}};
   for (const auto& [s, axial, shear, bending] : table) {
-    const double h = 1 / (2 * s), length = 500;  // its ends are 1 / length of it
+    const double h = 1 / (2 * s), length = 500;  // the effect of the ends is 1 / length
     const LayerConstants c =
         layer_constants(RubberBlock{.rubber = {1e6, 2e9}, .width_1 = 1, .width_2 = length, .thickness = h});
     EXPECT_THAT(c.axial * h / length / 3e6, RelativelyNear(axial, error)) << s;
@@ -119,8 +118,8 @@ TEST(BondedStrip, MeetsPlaneStrainFiniteElements) {
 }
 
 TEST(RubberBlock, MeetsThreeDimensionalFiniteElements) {
-  // Quarter model of Q2/P1 bricks, edges graded, K/G = 2000, per G, width_1 = 1, own program apart from the library,
-  // ±0.5 %: width_2, S, axial, shear 1, shear 2, bending 1, bending 2, torsion.
+  // Quarter model of Q2/P1 bricks, edges graded, K/G = 2000, per G, width_1 = 1, by a program separate from the
+  // library, ±0.5 %: width_2, S, axial, shear 1, shear 2, bending 1, bending 2, torsion.
   constexpr double axial_error = 0.02, shear_error = 0.045, bending_error = 0.05, torsion_error = 0.05;
   const double table[][8] = {{1, 0.25, 3.711, 0.73845, 0.73845, 0.29024, 0.29024, 0.14623},
                              {1, 0.5, 10.049, 1.7578, 1.7578, 0.68361, 0.68361, 0.30353},

@@ -30,7 +30,7 @@ TEST(BondedCylinder, MeetsTheConvergedStiffnessesAtTheDefaultLevel) {
   const auto& c = solid.stiffness;
   EXPECT_THAT(c(8, 8), RelativelyNear(axial, goal));
   EXPECT_THAT(c(6, 6), RelativelyNear(shear, goal));
-  EXPECT_THAT(c(7, 7), RelativelyNear(c(6, 6), 1e-9));  // nodes of the mesh are joined where they should be
+  EXPECT_THAT(c(7, 7), RelativelyNear(c(6, 6), 1e-9));  // the nodes of the mesh are joined correctly
   EXPECT_THAT(c(9, 9), RelativelyNear(tilt, goal));
   for (const int i : {6, 8, 9}) {
     const double error = std::abs(c(i, i) / (i == 6 ? shear : i == 8 ? axial : tilt) - 1);
@@ -49,7 +49,7 @@ TEST(BondedCylinder, ConvergesWithinItsEstimateOnFinerLevels) {
 }
 
 TEST(BondedCylinder, TwistsLikeSaintVenantsBar) {
-  // G J/H is exact for bonded ends; what is left is the circle of parabolic arcs, an error of fourth order and more.
+  // G J/H is exact for bonded ends; the circle is approximated by parabolic arcs, an error of at least fourth order.
   constexpr double circle = 1e-6;
   const double exact = fem::shear_modulus(rubber) * pi * std::pow(0.025, 4) / 2 / 0.025;
   EXPECT_THAT(fem::condense(fem::mesh(cylinder, 2), {rubber}, fem::frame(cylinder)).stiffness(11, 11),
@@ -90,9 +90,8 @@ PressureSolution pressure_solution(double shape_factor, double g, double bulk) {
 }
 
 TEST(BondedDisc, FollowsThePressureSolutionOverAllShapeFactors) {
-  // R = 50 mm, G = 0.7 MPa, κ = 2 GPa. The pressure solution leaves out the stress of free stretching; E0 = 3G is added
-  // for it. What then remains belongs to the free edge: measured 6 % at S = 0.25, and it fades like 1/S where the disc
-  // is thin.
+  // R = 50 mm, G = 0.7 MPa, κ = 2 GPa. The pressure solution neglects the stress of free stretching; E0 = 3G is added
+  // for it. The rest is due to the free edge: 6 % was found at S = 0.25, and it decreases like 1/S for thin discs.
   constexpr double radius = 0.05, g = 0.7e6, bulk = 2e9, edge = 0.08, mesh_error = 0.006;
   EXPECT_THAT(pressure_solution(1.25, g, bulk).compression, RelativelyNear(6533918.01350156, 1e-9));
   EXPECT_THAT(pressure_solution(1.25, g, bulk).bending, RelativelyNear(2183917.4021871523, 1e-9));
@@ -115,8 +114,8 @@ TEST(BondedDisc, FollowsThePressureSolutionOverAllShapeFactors) {
 }
 
 TEST(Bush, TwistsExactlyAndShearsAlongItsAxisAsALongOne) {
-  // 24 mm × 60 mm, G = 0.7 MPa: 2π G L/ln(r_o/r_i) per length in the middle of a long bush, whose free ends are softer
-  // over about a wall; 4π G L/(1/r_i² − 1/r_o²) in torsion for any length. Payne and Scott.
+  // 24 mm × 60 mm, G = 0.7 MPa: 2π G L/ln(r_o/r_i) per length in the middle of a long bush; its free ends are softer
+  // over about one wall thickness. 4π G L/(1/r_i² − 1/r_o²) in torsion for any length. Payne and Scott.
   constexpr double g = 0.7e6, inner = 0.012, outer = 0.03, mesh_error = 5e-4;
   double short_axial = 0;
   for (const double length : {0.05, 0.2, 0.35}) {
@@ -147,7 +146,7 @@ TEST(Sandwich, OfThreeLayersIsThreeLayersInSeries) {
 }
 
 TEST(Preload, FifteenPercentCompressionSoftensShearAndStiffensTheRest) {
-  // Published to us as −19 %, +36 %, +43 %, +17 %; torsion of the barrel is near G J/(0.85 H) = 28.9 N m/rad.
+  // Given to us as −19 %, +36 %, +43 %, +17 %; torsion of the barrel is near G J/(0.85 H) = 28.9 N m/rad.
   constexpr double two_units_of_the_percentage = 0.02;
   const fem::Mesh mesh = fem::mesh(cylinder, 2);
   const auto before = fem::condense(mesh, {rubber}, fem::frame(cylinder)).stiffness;
@@ -164,8 +163,8 @@ TEST(Preload, FifteenPercentCompressionSoftensShearAndStiffensTheRest) {
 }
 
 TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
-  // K G: nothing in a translation; a turn φ turns the forces (φ × F) and, for rotation vectors, half the moments (½ φ ×
-  // M).
+  // K G is zero for a translation; a rotation φ turns the forces (φ × F) and, for rotation vectors, half the moments
+  // (½ φ × M).
   constexpr double balance = 1e-7;  // of Newton's method, relative to preload 1e-9, amplified by the volume stiffness
   const fem::Mesh mesh = fem::mesh(cylinder, 1);
   fem::ElementFrame skew = fem::frame(cylinder);
@@ -204,7 +203,7 @@ TEST(Preload, BeyondAllMeasureIsRefusedWithTheLastBalance) {
   const auto solid = fem::preloaded_stiffness(fem::mesh(cylinder, 1), {rubber}, fem::frame(cylinder), load);
   EXPECT_FALSE(solid.converged);
   EXPECT_LT(solid.reached, 1);
-  EXPECT_THAT(solid.why_not, testing::HasSubstr("no balance beyond"));
+  EXPECT_THAT(solid.why_not, testing::HasSubstr("no equilibrium beyond"));
 }
 
 }  // namespace

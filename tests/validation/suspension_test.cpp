@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Suspension numbers of a block on four mounts in closed form, and a torque roll axis out of the literature.
+// Suspension numbers of a block on four mounts in closed form, and a torque roll axis from the literature.
 #include "trivet/modal/suspension.h"
 
 #include <fmt/format.h>
@@ -26,7 +26,7 @@ modal::BodySuspension of_body(const model::System& system, std::size_t body = 0)
 }
 
 /// Harris, Shock and Vibration Handbook, ch. 3: a body with two planes of symmetry on four mounts below its centre of
-/// mass; the pole is placed at `pole` from the centre of mass.
+/// mass; its pole is at `pole` from the centre of mass.
 std::string four_mounts(const Eigen::Vector3d& pole = Eigen::Vector3d::Zero(), const std::string& more = "") {
   const auto from_pole = [&](double x, double y, double z) {
     return fmt::format("[{}, {}, {}]", x - pole.x(), y - pole.y(), z - pole.z());
@@ -50,7 +50,7 @@ TEST(SuspensionOfABlockOnFourMounts, HasItsElasticCentreInTheMiddleOfTheMounts) 
     EXPECT_LE((suspension.elastic->elastic_centre - (Eigen::Vector3d(0, 0, -0.4) - pole)).norm(), round_off);
     EXPECT_LE(suspension.elastic->coupling_at_centre, round_off);
     EXPECT_THAT(suspension.centre_distance, RelativelyNear(0.4, round_off));
-    // Sums of k_i and of k_z y² …: all mounts lie in the plane of the elastic centre.
+    // Sums of k_i and of k_z y² …: all mounts are in the plane of the elastic centre.
     EXPECT_THAT(suspension.elastic->principal_stiffnesses,
                 test::NearVector(Eigen::Vector3d(1.6e6, 2e6, 3.2e6), round_off));
     EXPECT_THAT(
@@ -100,8 +100,8 @@ TEST(SuspensionOfABlockOnFourMounts, HasThePublishedFrequenciesAndTwoPureModes) 
 TEST(TorqueRollAxis, IsThePublishedOneOfAPowertrain) {
   // T. Jeong, R. Singh, Analytical methods of decoupling the automotive engine torque roll axis, J. Sound Vib. 234
   // (2000) 85-114, as quoted at eng-tips.com (thread 71-351229): moments in kg m² and direction to six digits. The
-  // quotation leaves the sign convention of the products open; of the four that a turn of axes allows, the one taken
-  // here gives the direction.
+  // quotation does not state the sign convention of the products; of the four that a rotation of axes allows, the one
+  // used here gives the direction.
   auto project = test::project(
       "trivet = 1\n[bodies.engine]\nmass = 73.2\ncenter_of_mass = [0.1, 0.2, 0.3]\n"
       "inertia = {about = \"center_of_mass\", xx = 2.519, yy = 4.458, zz = 4.409, xy = 0.1678, xz = 0.5385, yz = "
@@ -111,7 +111,7 @@ TEST(TorqueRollAxis, IsThePublishedOneOfAPowertrain) {
   const modal::BodySuspension suspension = of_body(project.base().system);
   const Eigen::Vector3d printed(0.992113, 0.0347851, 0.120426);
   EXPECT_THAT(suspension.roll_axes[0].torque_roll_axis, test::NearVector(printed, 5e-6));
-  // The bushing at the pole turns about its own centre: the elastic axis is the x axis through the pole.
+  // The bushing at the pole turns about its centre: the elastic axis is the x axis through the pole.
   EXPECT_THAT(suspension.roll_axes[0].angle, RelativelyNear(std::acos(printed.x()), 1e-4));
   EXPECT_THAT(suspension.roll_axes[0].distance_at_centre, RelativelyNear(std::hypot(0.2, 0.3), round_off));
 }
@@ -132,7 +132,7 @@ TEST(Suspension, AStaticMomentTurnsTheBodyAboutTheElasticRollAxis) {
   const model::System system = test::checked(test::RandomSystem(9).description(1, test::RandomDamping::none));
   const modal::BodySuspension suspension = of_body(system);
   for (const modal::RollAxes& axes : suspension.roll_axes) {
-    // Moving along the screw with its pitch needs the moment alone, scaled.
+    // A motion along the screw with its pitch needs only a multiple of the moment.
     const Eigen::Vector3d theta = axes.elastic_roll_axis.rotation * axes.elastic_roll_axis.direction;
     spatial::Vector6 motion;
     motion << axes.elastic_roll_axis.pitch * theta - theta.cross(axes.elastic_roll_axis.point), theta;

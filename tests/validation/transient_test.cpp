@@ -171,7 +171,7 @@ TEST(Transient, OfAnInitialStateIsTheFreeVibration) {
 }
 
 TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
-  // Half sine of 500 m/s² and 11 ms at the base; points four times a period, the peak lies between them.
+  // Half sine of 500 m/s² and 11 ms at the base; four points per period, the peak is between them.
   const double zeta = 0.05;
   const excitation::Signal shock = excitation::half_sine(500, 0.011);
   for (const double frequency_hz : {15.0, 40.0, 120.0}) {
@@ -187,7 +187,7 @@ TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
 }
 
 TEST(Transient, SeesBothSidesOfAJumpBetweenItsPoints) {
-  // A sawtooth of force ends between two points: the acceleration just before is its largest.
+  // A sawtooth of force ends between two points: the acceleration is largest just before the end.
   const Machine m = chain({mass}, {1e-3, 0});
   const auto r =
       test::transient(m.system, m.assembled, {"m1.x"},

@@ -31,7 +31,7 @@ TEST(GeneralizedMaxwell, MeetsTheTableOfItsFourierQuadrature) {
   }
 }
 
-/// m'(w) − m'(0) = (2w²/π) ⨍ m''(x)/(x(w² − x²)) dx from the loss modulus alone; with x = w e^y the principal value at
+/// m'(w) − m'(0) = (2w²/π) ⨍ m''(x)/(x(w² − x²)) dx, from the loss modulus alone. With x = w e^y the principal value at
 /// y = 0 is a symmetric midpoint sum of −(2/π) m''(w e^y)/(e^{2y} − 1).
 double storage_from_loss(const Viscoelastic& law, double w) {
   constexpr double step = 0.01, reach = 120;
@@ -52,7 +52,7 @@ TEST(RelativeModulus, ObeysTheKramersKronigRelation) {
 }
 
 TEST(Zener, IsTheThreeParameterIsolatorOfRuzicka) {
-  // Ruzicka 1967: k beside N k in series with c, ζ = c/(2√(km)). At the optimum the peak transmissibility is 1 + 2/N.
+  // Ruzicka 1967: k parallel to N k in series with c, ζ = c/(2√(km)). The optimal peak transmissibility is 1 + 2/N.
   constexpr double digits = 1e-9;
   const double table[][4] = {{1, 0.30618621784789724, 1.1547005383792515, 3},
                              {3, 0.5929270612815711, 1.2649110640673518, 1.6666666666666665},

@@ -6,7 +6,7 @@
 namespace trivet::assembly {
 namespace {
 
-/// Does a row hold any of the coordinates from `first` on that a motion moves?
+/// True if a row has a nonzero term, from `first` on, for a coordinate that the motion moves.
 template <typename Row>
 bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
   for (Eigen::Index j = first; j < motion.size(); ++j)
@@ -14,7 +14,7 @@ bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
   return false;
 }
 
-/// Nothing of the motions that are followed is in the answer, but for the inertia of elements.
+/// True if the answer does not contain the followed motions, except through the inertia of elements.
 bool is_relative(const Ground& ground, const Channel& channel, const numerics::Load& followed) {
   return channel.ground.empty() ||
       std::none_of(followed.terms().begin(), followed.terms().end(), [&](const numerics::LoadTerm& term) {

@@ -20,7 +20,7 @@ namespace {
 
 using spatial::Matrix6;
 
-/// Adds how six rows from `first_row` of the element follow one coordinate; no coordinate has two columns.
+/// Adds six rows from `first_row` on to the column of one coordinate; each coordinate has one column.
 void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row,
                 const spatial::Vector6& column) {
   const auto known = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
@@ -32,7 +32,7 @@ void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int firs
   ends.col(static_cast<Eigen::Index>(known)).segment<6>(first_row) += column;
 }
 
-/// First ground coordinates of the ends that are on the ground, and of the places whose fixed directions follow it.
+/// First ground coordinates of the ends that are on the ground, and of the places with fixed directions.
 struct GroundRows {
   std::vector<std::array<Eigen::Index, 2>>
       of_ends;                          ///< of end N and end K of each element; −1 if that end is not on the ground
@@ -56,8 +56,8 @@ GroundRows ground_rows(const model::Description& description, Ground& ground) {
   return rows;
 }
 
-/// Adds how the end follows the rigid ground at its place, and the motion of that place for itself; `fixed`: the
-/// directions in which it does.
+/// Adds the motion of an end with the rigid ground at its place, and with that place alone; `fixed`: the directions in
+/// which it moves so.
 void add_ground(const Matrix6& turn, const Matrix6& fixed, const Eigen::Vector3d& at, Eigen::Index own_row,
                 int first_row, ElementMap& map) {
   const Matrix6 as_one = turn * fixed * spatial::rigid_motion(at), alone = turn * fixed;
@@ -65,7 +65,7 @@ void add_ground(const Matrix6& turn, const Matrix6& fixed, const Eigen::Vector3d
   for (int j = 0; j < 6; ++j) add_column(map.ground_ends, map.ground_rows, first_row, own_row + j, alone.col(j));
 }
 
-/// Adds the end's six displacements (rows from `first_row`) as they follow the coordinates of its body, its foundation
+/// Adds the end's six displacements (rows from `first_row`) as functions of the coordinates of its body, its foundation
 /// and the ground.
 /// @param ground_row  first ground coordinate of this end, if it is on the ground
 void add_end(const Layout& layout, const model::End& end, Eigen::Index ground_row, const GroundRows& ground,
@@ -128,7 +128,7 @@ void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor
   scatter_block(map.ends.transpose() * matrix * map.ends, map.rows, map.rows, factor, global);
 }
 
-/// What the ground ends of the elements that `wanted` admits bring into the free rows.
+/// Coupling of the ground ends to the free rows, for the elements that `wanted` accepts.
 template <typename Wanted>
 void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Ground& ground, const Wanted& wanted) {
   ground.A = ground.B = ground.K = ground.K_loss = Eigen::MatrixXd::Zero(n, ground.size());
@@ -147,8 +147,8 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
   if (!lossy) ground.K_loss.resize(0, 0);
 }
 
-/// The damping of the system as a whole acts on the motion beyond that with which the massive coordinates follow the
-/// ground at rest.
+/// The damping of the whole system acts on the motion relative to the static motion of the massive coordinates with the
+/// ground.
 SystemDampingMatrices system_damping(const numerics::DynamicMatrices& m, const Eigen::MatrixXd& damping,
                                      const Eigen::MatrixXd& ground_stiffness) {
   const Eigen::VectorXd d = numerics::unit_scale(m);
@@ -176,8 +176,8 @@ void add_foundation(const Layout& layout, std::size_t index, const model::Founda
 
 void make_exactly_symmetric(Eigen::MatrixXd& m) { m = (0.5 * (m + m.transpose())).eval(); }
 
-/// Rayleigh and modal damping act on the coordinates with mass, with the stiffness that those without mass leave them
-/// at rest.
+/// Rayleigh and modal damping act on the coordinates with mass, with the stiffness after static condensation of the
+/// massless ones.
 void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMatrices& m) {
   if (std::holds_alternative<std::monostate>(damping)) return;
   const numerics::MassiveSystem massive = numerics::massive_system(m);
@@ -196,7 +196,7 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
   }
 }
 
-/// Sums bodies and the elements that `wanted` admits.
+/// Sums bodies, foundations and the elements that `wanted` accepts.
 template <typename Wanted>
 numerics::DynamicMatrices summed(const model::System& system, const Assembled& assembled, Eigen::Index n,
                                  const Wanted& wanted) {

@@ -24,7 +24,7 @@ class Builder {
   Builder(const model::System& system, const Assembled& assembled, Quantity quantity)
       : system_(system), assembled_(assembled), derivative_(static_cast<int>(quantity)) {}
 
-  /// All channels behind one word; empty if the word names nothing.
+  /// All channels of one name; empty if the name is unknown.
   std::vector<Channel> word(const std::string& of) const {
     std::vector<Channel> result;
     const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
@@ -105,7 +105,7 @@ class Builder {
                         Eigen::VectorXd::Zero(on_ground.size())};
   }
 
-  /// What is left of a motion on the ground coordinates that everything follows.
+  /// Sets the terms of a motion on the followed ground coordinates.
   void follow(Channel& channel) const {
     Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
     if (!channel.ground.empty()) on_ground = channel.ground.on_displacement.real();
@@ -114,7 +114,7 @@ class Builder {
     set_ground(channel, on_ground);
   }
 
-  /// Component j of the rigid motion of the whole foundation, seen where and in the axes that `carry` says.
+  /// Component j of the rigid motion of the whole foundation, at the place and in the axes given by `carry`.
   Channel base_motion(const Matrix6& carry, int j) const {
     Channel channel = empty({}, {}, derivative_);
     Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
@@ -123,7 +123,7 @@ class Builder {
     return channel;
   }
 
-  /// Motion of a point of a body, less that of the rigid foundation at the same place, body axes.
+  /// Motion of a point of a body relative to the rigid foundation at the same place, body axes.
   std::vector<Channel> relative_motion(std::size_t b, const std::string& name, const Eigen::Vector3d& at) const {
     const spatial::Pose& pose = system_.bodies()[b].pose;
     const Matrix6 x = spatial::rigid_motion(at);
@@ -137,8 +137,8 @@ class Builder {
     });
   }
 
-  /// Motion of the N end of an element in ground axes; or how far end K moves against it beyond a rigid motion of both,
-  /// in the element's axes at N.
+  /// Motion of end N of an element in ground axes; or motion of end K relative to N beyond a rigid motion of both, in
+  /// the element's axes at N.
   std::vector<Channel> end_motion(std::size_t e, const std::string& name, bool deflection) const {
     const ElementMap& map = assembled_.elements[e];
     const model::Element& element = system_.elements()[e];
@@ -195,15 +195,15 @@ class Builder {
             spatial::Vector6::Zero()};
   }
 
-  /// Longest arm from which a moment of this element or on it is counted [m].
+  /// Longest lever arm of the moments of this element [m].
   double longest_lever(std::size_t e) const {
     const model::Element& element = system_.elements()[e];
     return std::max(
         {element.n.at.norm(), element.k.at.norm(), model::span(system_.bodies(), element.n, element.k).arm.norm()});
   }
 
-  /// Products of rotation matrices leave 1e-17 where nothing is: a strut has no moment, a turned spring no force
-  /// across.
+  /// Sets the round-off (1e-17) of products of rotation matrices to zero: a strut has no moment, a turned spring no
+  /// transverse force.
   Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const Eigen::MatrixXd& matrix, double lever) const {
     constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
     double force = 0, moment = 0;
@@ -271,7 +271,7 @@ class Builder {
     return rows;
   }
 
-  /// Gravity on the element's own mass as it acts at its two ends.
+  /// Gravity on the element's own mass as forces on its two ends.
   spatial::Vector12 own_weight(std::size_t e) const {
     const model::Element& element = system_.elements()[e];
     spatial::Vector12 fall = spatial::Vector12::Zero();
@@ -370,7 +370,7 @@ std::vector<Channel> channels(const model::System& system, const Assembled& asse
       for (const std::string& group : channel_words(system.description()))
         for (const Channel& channel : builder.word(group)) names.push_back(channel.name);
       const std::string guess = foundation::nearest_name(word, names);
-      throw foundation::InvalidInput("\"" + word + "\" names no result of this model" +
+      throw foundation::InvalidInput("\"" + word + "\" is not a result of this model" +
                                      (guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
     }
     append_new(found);

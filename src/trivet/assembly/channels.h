@@ -12,41 +12,41 @@ namespace trivet::assembly {
 
 enum class Quantity { displacement, velocity, acceleration };
 
-/// The part of a force that a frequency-dependent element exerts: row · D(ω) · (displacements of its ends).
+/// Contribution of a frequency-dependent element to a force: row · D(ω) · (displacements of its ends).
 struct DynamicForce {
   std::size_t element = 0;
   Eigen::Matrix<double, 1, 12> row;
 };
 
-/// One answer as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω²
+/// One result as a linear function of the coordinates: y = (iω)^derivative (on_displacement + iω on_velocity − ω²
 /// on_acceleration)ᵀ q, and the same of the ground coordinates g. With loss factors `on_displacement` is complex (ω >
-/// 0); static answers use its real part. Elements with mass bring `on_acceleration`.
+/// 0); static results use its real part. Only elements with mass have `on_acceleration`.
 struct Channel : numerics::CurveTerms {
   std::string name;  ///< "body.x", "body.point.rz", "element.force.x", "ground.moment.z"
   std::string unit;  ///< SI
   int derivative = 0;
-  std::vector<DynamicForce> dynamic_forces;  ///< of frequency-dependent elements; not in the terms above
-  numerics::CurveTerms ground;               ///< what the motion of the ground adds; empty where that is nothing
-  double at_rest = 0;  ///< what preload and gravity on the element's own mass add to a static force
+  std::vector<DynamicForce> dynamic_forces;  ///< of frequency-dependent elements; not contained in the terms above
+  numerics::CurveTerms ground;               ///< contribution of the ground motion; empty if zero
+  double at_rest = 0;  ///< contribution of preload and of gravity on the element's own mass to a static force
 
   /// All but the dynamic forces.
   [[nodiscard]] numerics::ObservedCurve curve() const { return {*this, ground, derivative}; }
 };
 
-/// Of every channel.
+/// The curves of all channels.
 [[nodiscard]] std::vector<numerics::ObservedCurve> curves(const std::vector<Channel>& channels);
 
-/// Channels for the words of a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", "base"
-/// (the rigid motion of the whole foundation), BODY.relative and BODY.POINT.relative (less that motion),
-/// ELEMENT.deflection (end K against N beyond a rigid motion, in the element's axes at N), ELEMENT.foot (motion of end
-/// N, ground axes), or one full channel name. A force is what the element exerts on its N side (the ground, or the body
-/// given by `from`), in ground axes, its moment about the reference point of that end; "ground" is the total on the
-/// ground about its origin.
-/// @throws foundation::InvalidInput for a word that names nothing
+/// Channels for the names in a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", "base"
+/// (the rigid motion of the whole foundation), BODY.relative and BODY.POINT.relative (relative to that motion),
+/// ELEMENT.deflection (end K relative to N beyond a rigid motion, in the element's axes at N), ELEMENT.foot (motion of
+/// end N, ground axes), or one full channel name. A force is what the element exerts on its N side (the ground, or the
+/// body given by `from`), in ground axes, its moment about the reference point of that end; "ground" is the total on
+/// the ground about its origin.
+/// @throws foundation::InvalidInput for an unknown name
 [[nodiscard]] std::vector<Channel> channels(const model::System& system, const Assembled& assembled,
                                             const std::vector<std::string>& of, Quantity quantity);
 
-/// Groups of answers that `channels` accepts for this model; a full channel name is one of them, a dot and a component.
+/// Names of groups of results that `channels` accepts for this model; a full channel name is GROUP.COMPONENT.
 [[nodiscard]] std::vector<std::string> channel_words(const model::Description& description);
 
 }  // namespace trivet::assembly

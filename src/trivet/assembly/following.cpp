@@ -16,11 +16,11 @@ namespace {
 
 using spatial::Matrix6;
 
-constexpr double of_geometry = 1e-12;  // products of rotations and levers
+constexpr double of_geometry = 1e-12;  // round-off of products of rotations and levers
 
-/// Each entry as large as the largest of the three columns with it: translations of the ground, or its rotations.
-/// Components in turned axes that are zero but for rounding have terms that are rounding too; those along the other
-/// axes of the ground tell their size.
+/// Replaces each entry by the largest of its three columns: translations of the ground, or its rotations. A component
+/// in turned axes that is zero except for rounding has terms that are rounding too; the other axes of the ground give
+/// their scale.
 Eigen::MatrixXd over_axes(Eigen::MatrixXd terms) {
   for (Eigen::Index j = 0; j + 3 <= terms.cols(); j += 3)
     terms.middleCols(j, 3).colwise() = terms.middleCols(j, 3).rowwise().maxCoeff().eval();
@@ -34,7 +34,7 @@ Eigen::MatrixXd over_components(Eigen::MatrixXd terms) {
   return terms;
 }
 
-/// The sums, zero where they are below a share of their terms.
+/// The sums, set to zero if they are below a share of their terms.
 Eigen::MatrixXd without_rounding(Eigen::MatrixXd sum, const Eigen::MatrixXd& terms, const Eigen::ArrayXd& share) {
   for (Eigen::Index j = 0; j < sum.cols(); ++j)
     for (Eigen::Index i = 0; i < sum.rows(); ++i)
@@ -46,12 +46,12 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, cons
   return without_rounding(a * x, over_axes(a.cwiseAbs() * x.cwiseAbs()), share);
 }
 
-/// The same for the forces of an element, whose first twelve rows are components of forces and moments.
+/// The same for the forces of an element; its first twelve rows are components of forces and moments.
 Eigen::MatrixXd element_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
   return without_rounding(a * x, over_axes(over_components(a.cwiseAbs() * x.cwiseAbs())), share);
 }
 
-/// How strict the rule of a stress-free element is.
+/// Tolerance of the rule for a stress-free element.
 Eigen::ArrayXd stress_free(const Ground& ground) {
   return ground.rigid.select(Eigen::ArrayXd::Constant(ground.followed(), elements::silent_residual), ground.round_off);
 }
@@ -65,7 +65,7 @@ void follow_with_bodies(const model::System& system, const Layout& layout, Eigen
   }
 }
 
-/// Coordinates of a foundation so that its ends move rigidly with the ground, as far as they can.
+/// Coordinates of a foundation so that its ends move rigidly with the ground, as far as possible.
 void follow_with_foundations(const model::System& system, const Assembled& assembled, Eigen::MatrixXd& R) {
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
     const Eigen::Index first = assembled.layout.foundation_row(f),
@@ -79,7 +79,7 @@ void follow_with_foundations(const model::System& system, const Assembled& assem
           wanted.conservativeResize(wanted.rows() + 6, Eigen::NoChange);
           shapes.bottomRows<6>() = end->foundation->shape;
           wanted.bottomRows<6>() = (Matrix6::Identity() - end->foundation->fixed_directions) *
-              spatial::rigid_motion(end->at);  // the rest moves with the ground by itself
+              spatial::rigid_motion(end->at);  // the fixed directions move with the ground anyway
           reach = reach.max(spatial::rigid_motion(end->at).cwiseAbs().colwise().maxCoeff().transpose().array());
         }
     if (shapes.rows() == 0 || count == 0) continue;
@@ -91,7 +91,7 @@ void follow_with_foundations(const model::System& system, const Assembled& assem
   }
 }
 
-/// How the ends move, and the internal coordinates with R.
+/// Motion of the ends, and of the internal coordinates according to R.
 Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(map.ends.rows(), ground.followed());
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j)
@@ -112,8 +112,8 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   return ends;
 }
 
-/// Internal coordinates as the ends leave them at rest; those that are strains of an element which moves rigidly are
-/// zero.
+/// Sets the internal coordinates to their static values for the given ends; strains of an element that moves rigidly
+/// are zero.
 void follow_inside(Assembled& assembled) {
   Eigen::MatrixXd& R = assembled.ground.R;
   for (ElementMap& map : assembled.elements) {
@@ -133,8 +133,8 @@ struct Columns {
   Eigen::MatrixXd K, B, K_loss;
 };
 
-/// What the elements that `wanted` admits, the weights and the foundations bring into the free rows when R g is
-/// followed.
+/// Forces that the motion R g causes in the free rows: from the elements that `wanted` accepts, the weights and the
+/// foundations.
 template <typename Wanted>
 Columns coupled(const model::System& system, const Assembled& assembled, const Wanted& wanted) {
   const Eigen::Index n = assembled.layout.size();
@@ -164,7 +164,7 @@ Columns coupled(const model::System& system, const Assembled& assembled, const W
   return c;
 }
 
-/// A motion of the ground, not a wave, by its velocity or acceleration?
+/// True for a motion of the ground, not a wave, given by its velocity or acceleration.
 bool gives_rates(const model::Action& action) { return !action.body && !action.wave && action.derivative > 0; }
 
 bool given_by_rates(const model::System& system) {
@@ -172,7 +172,7 @@ bool given_by_rates(const model::System& system) {
                      [](const model::Excitation& excitation) { return gives_rates(excitation.action); });
 }
 
-/// R = −K⁻¹K_g in the columns that something resists.
+/// R = −K⁻¹K_g in the columns with a resisting stiffness.
 void follow_at_rest(const Columns& resisting, Assembled& assembled) {
   constexpr double regular = 1e-10;
   Ground& ground = assembled.ground;
@@ -194,7 +194,7 @@ void follow_at_rest(const Columns& resisting, Assembled& assembled) {
   follow_inside(assembled);
 }
 
-/// Does D(ω) of an element without mass stay silent at all its frequencies?
+/// True if the motion with the ground causes a force in the element at any of the probed frequencies.
 bool resists(const ElementMap& map, const Ground& ground) {
   const FollowedForces forces = followed_forces(map, ground);
   if (!forces.stiffness.isZero(0) || !forces.damping.isZero(0) || !forces.mass.isZero(0)) return true;
@@ -213,10 +213,10 @@ bool resists(const ElementMap& map, const Ground& ground) {
   return !std::all_of(probed.begin(), probed.end(), silent);
 }
 
-/// Of the system as a whole, on the motion beyond the one at rest; zero where R is that.
+/// Damping of the whole system on the motion beyond the static one; zero if R is the static motion.
 Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& ground,
                             const Eigen::MatrixXd& resisting) {
-  constexpr double of_a_solution = 1e-9;  // of a singular K
+  constexpr double of_a_solution = 1e-9;  // accuracy of a solution with a singular K
   const Eigen::MatrixXd direct = ground.gathered(damping.on_ground),
                         terms = over_axes(damping.on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
   Eigen::MatrixXd beyond = damping.on_coordinates * ground.R + direct;
@@ -241,8 +241,8 @@ Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& 
   const Eigen::RowVectorXd direct = ground.gathered(on_ground);
   Eigen::RowVectorXd sum = on_coordinates * ground.R + direct;
   const Eigen::RowVectorXd terms = over_axes(on_coordinates.cwiseAbs() * ground.R.cwiseAbs() + direct.cwiseAbs());
-  // One component may vanish along all axes of the ground: rounding of its largest coefficient times the longest lever
-  // is nothing either.
+  // A component may vanish along all axes of the ground: rounding of its largest coefficient times the longest lever
+  // counts as zero too.
   double lever = 1;
   for (const GroundEnd& end : ground.ends) lever = std::max(lever, end.pose.position.norm());
   const double largest = lever * std::max(on_coordinates.cwiseAbs().maxCoeff(), on_ground.cwiseAbs().maxCoeff());

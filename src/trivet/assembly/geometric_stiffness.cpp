@@ -35,7 +35,7 @@ Eigen::MatrixXd geometric_stiffness(const model::System& system, const Layout& l
       first += 6;
     }
   }
-  // Forces that do not balance would turn with the choice of the pole: a weight that no preload carries stays out.
+  // For forces that do not balance the result would depend on the pole: a weight that no preload carries is excluded.
   if (const auto& gravity = system.description().gravity)
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
       if (!preloaded[b]) continue;

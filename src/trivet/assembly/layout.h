@@ -8,11 +8,11 @@
 
 namespace trivet::assembly {
 
-/// Which row of the global matrices a coordinate is: bodies in their order, only free coordinates; then those of
-/// foundations; then the internal coordinates of elements, those of frequency-dependent elements last.
+/// Rows of the coordinates in the global matrices: bodies in their order, only free coordinates; then foundations; then
+/// the internal coordinates of elements, those of frequency-dependent elements last.
 class Layout {
  public:
-  /// `internal` is the number of internal coordinates of each element, `last` marks the elements whose come last.
+  /// `internal`: number of internal coordinates of each element; `last`: true if they come last.
   explicit Layout(const model::Description& description, const std::vector<Eigen::Index>& internal = {},
                   const std::vector<bool>& last = {});
 
@@ -25,14 +25,13 @@ class Layout {
   [[nodiscard]] Eigen::Index foundation_row(std::size_t foundation) const { return foundations_[foundation]; }
   /// First row of the internal coordinates of an element.
   [[nodiscard]] Eigen::Index internal_row(std::size_t element) const { return internal_[element]; }
-  /// First rows, ascending, of what belongs together: the coordinates of a body, of a foundation, the internal ones of
-  /// an element.
+  /// First rows, ascending, of the coordinate blocks: of a body, of a foundation, the internal ones of an element.
   [[nodiscard]] const std::vector<Eigen::Index>& blocks() const { return blocks_; }
   /// −1 for a coordinate that is not free.
   [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const {
     return rows_[body][static_cast<std::size_t>(coordinate)];
   }
-  /// All six coordinates of a body out of a global vector; zeros where it is guided.
+  /// All six coordinates of a body from a global vector; zero for guided ones.
   template <typename Vector>
   [[nodiscard]] Eigen::Matrix<typename Vector::Scalar, 6, 1> of_body(std::size_t body, const Vector& global) const {
     Eigen::Matrix<typename Vector::Scalar, 6, 1> six;

@@ -25,7 +25,7 @@ spatial::Vector6 six(const spatial::Wrench& wrench) {
   return v;
 }
 
-/// M times the acceleration of free fall of both ends.
+/// Adds the weight of the element's mass: M times the acceleration of free fall of both ends.
 void add_element_weight(const model::System& system, std::size_t index, const Eigen::Vector3d& gravity,
                         const ElementMap& map, Eigen::VectorXd& load) {
   if (map.matrices.mass.isZero(0)) return;
@@ -36,7 +36,7 @@ void add_element_weight(const model::System& system, std::size_t index, const Ei
   for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += weight(j);
 }
 
-/// What a preloaded element does at rest to the bodies that it carries.
+/// Adds the forces at rest of a preloaded element on its bodies.
 void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorXd& load) {
   if (!law.preload) return;
   const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * *law.preload);
@@ -59,7 +59,7 @@ Loading loading(const Assembled& assembled, const model::Action& action) {
     result.motion.add({-action.derivative, delay, motion});
   };
   if (action.elements.empty() && !action.wave) {
-    // About the ground origin: what a rigid motion about `at` is there.
+    // Converts a rigid motion about `at` to the ground origin.
     add_motion(action.delay, 0, spatial::rigid_motion(-action.at).cast<std::complex<double>>() * action.amplitude);
     return result;
   }
@@ -81,7 +81,7 @@ Loading harmonic_loading(const model::System& system, const Assembled& assembled
     if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
           return excitation.name == name && std::holds_alternative<model::Harmonic>(excitation.course);
         }))
-      throw foundation::InvalidInput("\"" + name + "\" names no harmonic excitation of this model");
+      throw foundation::InvalidInput("\"" + name + "\" is not a harmonic excitation of this model");
   for (const model::Excitation& excitation : excitations) {
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
     if (!harmonic ||

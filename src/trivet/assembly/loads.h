@@ -14,7 +14,7 @@
 
 namespace trivet::assembly {
 
-/// What drives the system: generalized forces on its free coordinates, and the motion of the ground coordinates.
+/// Excitation of the system: generalized forces on its free coordinates, and the motion of the ground coordinates.
 struct Loading {
   numerics::Load force;
   numerics::Load motion;
@@ -26,31 +26,31 @@ struct Loading {
 
   [[nodiscard]] bool vanishes() const { return force.vanishes() && motion.vanishes(); }
   [[nodiscard]] double longest_delay() const { return std::max(force.longest_delay(), motion.longest_delay()); }
-  /// Below 0: a motion is given by its velocity or acceleration, and has no limit at rest.
+  /// Negative if a motion is given by its velocity or acceleration; it then has no limit at rest.
   [[nodiscard]] int lowest_power() const { return std::min(force.lowest_power(), motion.lowest_power()); }
 };
 
-/// One action with amplitude 1 of its course: forces, or motions of the ground by powers of s = iω.
+/// Loading of one action whose course has amplitude 1: forces, or motions of the ground by powers of s = iω.
 [[nodiscard]] Loading loading(const Assembled& assembled, const model::Action& action);
 
-/// All harmonic excitations together, or those named.
-/// @throws foundation::InvalidInput for a name that is none
+/// Sum of all harmonic excitations, or of those named.
+/// @throws foundation::InvalidInput for a name that is not a harmonic excitation
 [[nodiscard]] Loading harmonic_loading(const model::System& system, const Assembled& assembled,
                                        const std::vector<std::string>& selected = {});
 
-/// Right side of Z q = h for constant matrices: forces minus what the motion of the ground brings in.
+/// Right side of Z q = h for constant matrices: forces minus the contribution of the ground motion.
 [[nodiscard]] numerics::Load right_side(const Assembled& assembled, const Loading& loading);
 
-/// Adds to it, at one ω, what the motion of the ground brings in through frequency-dependent elements, first rows of
-/// the layout.
+/// Adds to h, at one ω, the contribution of the ground motion through frequency-dependent elements, first rows of the
+/// layout.
 void add_frequency_dependent(const Assembled& assembled, const Loading& loading, std::complex<double> omega,
                              double near, Eigen::VectorXcd& h);
 
-/// The same at one ω with frequency-dependent elements, first rows of the layout.
+/// Right side at one ω with frequency-dependent elements, first rows of the layout.
 [[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading,
                                                 std::complex<double> omega, double near);
 
-/// Gravity on every body and on the mass of the elements, the preloads that already carry it, and the constant forces.
+/// Gravity on every body and on the mass of the elements, the preloads that balance it, and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);
 
 }  // namespace trivet::assembly

@@ -7,10 +7,10 @@
 namespace trivet::design {
 namespace {
 
-constexpr int most_halvings = 20;  // a strip thinner than a millionth of a step is no region of designs
+constexpr int most_halvings = 20;  // a strip thinner than a millionth of a step is ignored
 
-/// One natural frequency, counted from the lowest, that is below the band at `below` and above it at `above`, shares of
-/// the edge.
+/// One natural frequency, counted from the lowest, that is below the band at `below` and above it at `above` (shares of
+/// the edge).
 struct Passage {
   CrossedEdge edge;
   int mode = 0;

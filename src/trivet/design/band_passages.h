@@ -8,17 +8,17 @@
 
 namespace trivet::design {
 
-/// Kept neighbours between which a natural frequency passes over the whole band of the amplitudes, where a design
-/// breaks a rule.
+/// Pairs of feasible neighbours between which a natural frequency crosses the whole band of the amplitudes and an
+/// infeasible design was found.
 struct BandPassages {
   std::size_t pairs = 0;
-  std::array<std::size_t, 2> points{};  ///< along x and y: a grid of so many has a broken design between every such
-                                        ///< pair; 0 without one along that axis
+  std::array<std::size_t, 2> points{};  ///< along x and y: a grid with this many points has an infeasible design
+                                        ///< between every such pair; 0 if no pair lies along that axis
 };
 
-/// Where a resonance stands in the band of one of the two, its height was seen; where it passes over the band from one
-/// to the next, neither knows of it. Halves the way between these until the natural frequency stands in the band, and
-/// asks the design there: it breaks a rule or, with enough damping, does not.
+/// Finds resonances that both designs of a pair miss because the natural frequency is below the band at one and above
+/// it at the other. Bisects the edge until the natural frequency is in the band and evaluates the design there: it
+/// violates a rule or, with enough damping, does not.
 [[nodiscard]] BandPassages band_passages(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes,
                                          const JudgePlaces& judge, const foundation::Progress& progress = {});
 

@@ -7,8 +7,8 @@
 namespace trivet::design {
 namespace {
 
-/// Distance of every drawn node that is one of the equals to the nearest other, nodes beyond the frame among these:
-/// first along columns, then across them.
+/// Distance of every drawn node that is one of the equals to the nearest node that is not, nodes beyond the frame
+/// included: first along columns, then across them.
 template <typename Equal>
 std::vector<double> depths(const DrawnGrid& drawn, const Equal& is_equal) {
   const MapGrid grid = drawn.nodes();
@@ -52,7 +52,7 @@ std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<D
   if (best->equals < 2) return best;
   const std::vector<double> depth = depths(grid, equal);
   const double deepest = *std::max_element(depth.begin(), depth.end());
-  std::vector<std::size_t> candidates;  // a narrow strip has many as deep: then the middle one
+  std::vector<std::size_t> candidates;  // a narrow strip has many equally deep nodes: take the middle one
   for (std::size_t node = 0; node < depth.size(); ++node)
     if (depth[node] >= deepest * (1 - 1e-9)) candidates.push_back(node);
   if (deepest > 0) best->design = grid.design(candidates[candidates.size() / 2]);

@@ -11,12 +11,12 @@ namespace trivet::design {
 
 struct BestDesign {
   std::size_t design = 0;
-  std::size_t without_bound = 0;  ///< designs that no rule limits; where there are any, the best is one of these
-  std::size_t equals = 1;         ///< designs with its margin, to a millionth
+  std::size_t without_bound = 0;  ///< designs that no rule limits; if there are any, the best is one of these
+  std::size_t equals = 1;         ///< designs with the same margin, to a millionth
 };
 
-/// The design with the largest margin; of equals (also those that no rule limits) the one in their midst, farthest, in
-/// shares of the axes, from every other design and from the frame; of fine grids the drawn designs are candidates. None
+/// The design with the largest margin. Among equals (also those that no rule limits) it is the one farthest, in shares
+/// of the axes, from every other design and from the frame; on fine grids only the drawn designs are candidates. Empty
 /// if no design is known.
 [[nodiscard]] std::optional<BestDesign> best_design(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes);
 

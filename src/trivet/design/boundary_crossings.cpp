@@ -8,16 +8,16 @@
 namespace trivet::design {
 namespace {
 
-constexpr int most_steps = 80;  // bisection alone needs 20 of an axis of two points
+constexpr int most_steps = 80;  // bisection alone needs 20 on an axis of two points
 
-/// Where the boundary passes one edge: between a and b, shares of the edge, with the levels there.
+/// Interval of one edge that contains the boundary: between a and b, shares of the edge, with the levels there.
 struct Bracket {
   double a = 0, b = 1, at_a = 0, at_b = 0;
   double tolerance = 0;
   int steps = 0;
 
   [[nodiscard]] bool done() const { return std::abs(b - a) <= tolerance || steps >= most_steps; }
-  /// Regula falsi with the Illinois weights, every third step halving; never nearer to an end than half the tolerance.
+  /// Regula falsi with Illinois weights, every third step a bisection; never nearer to an end than half the tolerance.
   [[nodiscard]] double next() const {
     double t = steps % 3 == 2 ? 0.5 * (a + b) : a + (b - a) * at_a / (at_a - at_b);
     const double low = std::min(a, b) + 0.5 * tolerance, high = std::max(a, b) - 0.5 * tolerance;

@@ -12,18 +12,20 @@ namespace trivet::design {
 
 inline constexpr double boundary_tolerance = 1e-6;  ///< of each axis
 
-/// The place at a share of an edge.
+/// The place at the share `t` of an edge.
 [[nodiscard]] MapPlace place_on_edge(const MapGrid& grid, const CrossedEdge& edge, double t);
 
-/// A signed measure that crosses zero on the boundary of the kept designs; what has no model is well outside.
+/// A signed measure that is zero on the boundary of the feasible designs; strongly negative for designs without a
+/// model.
 [[nodiscard]] double boundary_level(const DesignOutcome& outcome);
 
-/// Outcomes of designs at places on the map.
+/// Returns the outcomes of the designs at places on the map.
 using JudgePlaces = std::function<std::vector<DesignOutcome>(const std::vector<MapPlace>& places,
                                                              const foundation::Progress& progress)>;
 
-/// Where the boundary crosses each edge, as a share of the edge: by regula falsi and bisection of all edges in step.
-/// @param outcomes  of the nodes
+/// Position at which the boundary crosses each edge, as a share of the edge: by regula falsi and bisection, all edges
+/// together.
+/// @param outcomes  at the nodes
 [[nodiscard]] std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<DesignOutcome>& outcomes,
                                                      const std::vector<CrossedEdge>& edges, const JudgePlaces& judge,
                                                      const foundation::Progress& progress = {});

@@ -17,14 +17,14 @@
 namespace trivet::design {
 namespace {
 
-/// Kept or not is decided before the margin is rounded.
+/// Feasibility is decided before the margin is rounded.
 DesignOutcome outcome_of(const Governing& least) {
   auto margin = static_cast<float>(least.margin);
   if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
   return {margin, static_cast<std::uint8_t>(least.rule)};
 }
 
-/// One more natural frequency of a design against the band of the amplitudes.
+/// Counts one natural frequency of a design that is below or in the band of the amplitudes.
 void count_mode(double squared, const response::Band& band, DesignOutcome& outcome) {
   if (squared < band.from * band.from)
     outcome.modes_below += outcome.modes_below < std::numeric_limits<std::uint16_t>::max();
@@ -32,13 +32,14 @@ void count_mode(double squared, const response::Band& band, DesignOutcome& outco
     outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
 }
 
-constexpr std::size_t assembled_piece = 1;  // a design takes milliseconds, and few of them are open on a boundary
-constexpr std::size_t lane_piece = 256;     // designs whose matrices stay in the cache
+constexpr std::size_t assembled_piece =
+    1;  // a design takes milliseconds, and a step of the boundary search has few designs
+constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the cache
 
-/// Frequencies that tell K, B and A of two systems apart: three decades up to the highest natural frequency, within
-/// what tables define.
+/// Frequency range in which differences of K, B and A of two systems show: three decades up to the highest natural
+/// frequency, within the range of the tables.
 response::Band compared_range(const assembly::Assembled& a, const assembly::Assembled& b, double natural_frequency) {
-  constexpr double decades = 1e-3, least = 10;  // where tables start above it, a decade of them
+  constexpr double decades = 1e-3, least = 10;  // least: one decade, if tables start above the range
   response::Band range{decades * natural_frequency, std::numeric_limits<double>::infinity()};
   for (const assembly::Assembled* assembled : {&a, &b})
     for (const assembly::ElementMap& map : assembled->elements)
@@ -87,7 +88,8 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
     const assembly::Assembled assembled = assembly::assemble(system);
     PlainOrNot found = plain_design(assembled, channels(system, assembled),
                                     assembly::harmonic_loading(system, assembled, request_.excitations));
-    if (found.plain && !numerics::is_positive_definite(found.plain->K)) return {{}, "free or unstable motions"};
+    if (found.plain && !numerics::is_positive_definite(found.plain->K))
+      return {{}, "rigid-body modes or unstable motions"};
     return found;
   };
   report_.family = plain(variant.system).reason;
@@ -95,7 +97,7 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
   FamilyOrNot found = DesignFamily::fitted(
       [&](const FamilyPoint& point) -> PlainOrNot {
         const auto system = system_at({point.x, point.y});
-        return system ? plain(*system) : PlainOrNot{{}, "designs that are no model"};
+        return system ? plain(*system) : PlainOrNot{{}, "designs without a valid model"};
       },
       {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
   family_ = std::move(found.family);
@@ -144,7 +146,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   const auto good = [](numerics::DesignStatus status) {
     return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone;
   };
-  if (beyond_band_) {  // peaks count wherever they lie, amplitudes in the band: rarely is the highest one outside
+  if (beyond_band_) {  // peaks count at all frequencies, amplitudes only in the band; the highest one is rarely outside
     const std::vector<std::size_t> again = highest_outside_band(found);
     std::vector<FamilyPoint> there;
     for (const std::size_t d : again) there.push_back(places[d]);

@@ -15,25 +15,26 @@
 
 namespace trivet::design {
 
-/// The designs of a case when two of its numbers change.
+/// Evaluates the designs that result when two numbers of a case change.
 class DesignEvaluation {
  public:
-  /// @throws foundation::NotComputable if the rules cannot be asked of this case
+  /// @throws foundation::NotComputable if the rules cannot be evaluated for this case
   DesignEvaluation(const project::Case& variant, const project::MapRequest& request)
       : DesignEvaluation(variant, request, EvaluationOptions()) {}
   DesignEvaluation(const project::Case& variant, const project::MapRequest& request, const EvaluationOptions& options);
 
   [[nodiscard]] const std::vector<MapRule>& rules() const { return rules_; }
 
-  /// Outcomes of designs 0 … count − 1, the same for any number of threads. What has none adds to the report.
+  /// Outcomes of designs 0 … count − 1, the same for any number of threads. Designs without one are added to the
+  /// report.
   [[nodiscard]] std::vector<DesignOutcome> evaluate(std::size_t count,
                                                     const std::function<DesignPoint(std::size_t)>& point,
                                                     const foundation::Progress& progress = {});
 
-  /// Is a model the design at this point: does it answer with the same Z(ω) and load?
+  /// Does a model have the same Z(ω) and load as the design at this point?
   [[nodiscard]] bool is_at(const model::System& system, const DesignPoint& point) const;
 
-  /// A model by response::peaks. @throws foundation::NotComputable, InvalidInput
+  /// A model judged by response::peaks. @throws foundation::NotComputable, InvalidInput
   [[nodiscard]] JudgedDesign judged(const model::System& system) const;
 
   [[nodiscard]] const EvaluationReport& report() const { return report_; }
@@ -51,7 +52,7 @@ class DesignEvaluation {
   void fit_family(const project::Case& variant);
   void plan_searches();
   [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
-  /// Of designs first … : outcomes in lanes; where they are not proven, one by one.
+  /// Outcomes of designs first … , computed in lanes; designs that are not proven there are recomputed separately.
   void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
   void note_missing(std::size_t index, const std::string& rule, const std::string& words);
 
@@ -64,12 +65,12 @@ class DesignEvaluation {
   RuleSet set_;
   std::optional<DesignFamily> family_;
   numerics::DesignPeakOptions
-      search_;                 // of the family: over all frequencies where peaks are asked for, else over the band
-  bool beyond_band_ = false;   // it sees amplitudes outside the band
-  bool counts_modes_ = false;  // natural frequencies may pass over the band of the amplitudes
-  std::mutex noting_;          // of the two below
+      search_;                 // for the family: over all frequencies if there are no-peak rules, else over the band
+  bool beyond_band_ = false;   // search_ also finds amplitudes outside the band
+  bool counts_modes_ = false;  // natural frequencies may cross the band of the amplitudes between designs
+  std::mutex noting_;          // guards the two below
   EvaluationReport report_;
-  std::vector<std::string> missing_kinds_;  // of report_.missing
+  std::vector<std::string> missing_kinds_;  // kinds of report_.missing
 };
 
 }  // namespace trivet::design

@@ -27,7 +27,7 @@ Eigen::VectorXd packed(const PlainDesign& design) {
   return all;
 }
 
-/// What each packed entry is measured by.
+/// Reference magnitude of each packed entry.
 Eigen::VectorXd scales(const PlainDesign& design) {
   const Eigen::Index n = design.load.size();
   PlainDesign scale = design;
@@ -39,7 +39,7 @@ Eigen::VectorXd scales(const PlainDesign& design) {
   return packed(scale);
 }
 
-/// Chebyshev points with both ends.
+/// Chebyshev nodes, both ends included.
 std::vector<double> nodes_between(double from, double to, int count) {
   std::vector<double> nodes;
   for (int k = 0; k < count; ++k)
@@ -50,7 +50,7 @@ std::vector<double> nodes_between(double from, double to, int count) {
   return nodes;
 }
 
-/// Largest difference between entries over what they are measured by; infinite where one is not a number.
+/// Largest difference between entries, divided by their scales; infinite if one is NaN.
 double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
   double worst = 0;
   for (Eigen::Index e = 0; e < exact.size(); ++e)
@@ -62,17 +62,17 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
   return worst;
 }
 
-/// Why two plain designs are not of one family; empty if they may be.
+/// Reason why two plain designs cannot be in one family; empty if they can.
 std::string unlike(const PlainDesign& a, const PlainDesign& b) {
   if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
   if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
-    return "answers whose own rows change from design to design (a force of an element that the numbers change, or a "
-           "point that they move)";
+    return "answers that are defined differently from design to design (a force of an element that the numbers change, "
+           "or a point that they move)";
   return "";
 }
 
-/// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which leaves no
-/// gaps.
+/// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which fills the area
+/// evenly.
 std::vector<FamilyPoint> check_points() {
   std::vector<FamilyPoint> shares;
   for (int j = 0; j < 5; ++j)
@@ -87,7 +87,7 @@ std::vector<FamilyPoint> check_points() {
   return shares;
 }
 
-/// A load whose components swing together, turned to be real.
+/// A load with all components in phase, rotated to be real.
 std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
   if (load.vanishes()) return Eigen::VectorXd::Zero(load.size());
   const Eigen::VectorXcd& value = load.terms().front().value;
@@ -104,7 +104,7 @@ std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
 PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                         const assembly::Loading& loading) {
   const numerics::DynamicMatrices& m = assembled.matrices;
-  if (assembled.frequency_dependent()) return {{}, "elements that depend on frequency in their own way"};
+  if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
   if (m.lossy()) return {{}, "loss factors"};
   if (!m.symmetric) return {{}, "matrices that are not symmetric"};
   if (static_cast<Eigen::Index>(numerics::massive_rows(m.A).size()) < m.size()) return {{}, "coordinates without mass"};
@@ -192,8 +192,8 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
   const auto not_met_along = [](const std::string& name) {
-    return fmt::format("matrices that polynomials on {} nodes do not meet within {:.0e} along {}", most_nodes_along_one,
-                       reproduced_within, name);
+    return fmt::format("matrices that polynomials on {} nodes do not reproduce within {:.0e} along {}",
+                       most_nodes_along_one, reproduced_within, name);
   };
   const auto declined = [&](const std::string& otherwise) -> FamilyOrNot {
     return {std::nullopt, reason.empty() ? otherwise : reason};
@@ -225,8 +225,9 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
     if (worst > reproduced_within)
-      return declined(fmt::format("matrices that the polynomials along {} and {} together do not meet within {:.0e}",
-                                  x.name, y.name, reproduced_within));
+      return declined(
+          fmt::format("matrices that the polynomials along {} and {} together do not reproduce within {:.0e}", x.name,
+                      y.name, reproduced_within));
     family.worst_ = std::max(family.worst_, worst);
   }
   return {std::move(family), ""};
@@ -237,7 +238,7 @@ numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) con
   const auto nx = static_cast<Eigen::Index>(x_.nodes.size()), ny = static_cast<Eigen::Index>(y_.nodes.size());
   numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle),
                             Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
-  for (Eigen::Index first = 0; first < count;) {  // runs along x share what belongs to y
+  for (Eigen::Index first = 0; first < count;) {  // points with the same y share its weights
     const double y = points[static_cast<std::size_t>(first)].y;
     Eigen::Index last = first;
     while (last < count && points[static_cast<std::size_t>(last)].y == y) ++last;

@@ -13,16 +13,16 @@
 
 namespace trivet::design {
 
-/// A design that poles and residues in lanes can judge: real symmetric constant matrices, one real constant load,
-/// answers that are real combinations of displacements and velocities.
+/// A design that can be judged by poles and residues in lanes: real symmetric constant matrices, one real constant
+/// load, answers that are real combinations of displacements and velocities.
 struct PlainDesign {
   Eigen::MatrixXd A, B, K;                 ///< n × n
   Eigen::VectorXd load;                    ///< n
   Eigen::MatrixXd rows, rows_on_velocity;  ///< answers × n
-  std::vector<int> derivative;             ///< of the answers
+  std::vector<int> derivative;             ///< order of the time derivative of each answer
 };
 
-/// The design in that form, or what stands against it, in words: "loss factors", "a moving ground" …
+/// The design in that form, or the reason why it has no such form: "loss factors", "a moving ground" …
 struct PlainOrNot {
   std::optional<PlainDesign> plain;
   std::string reason;
@@ -33,7 +33,7 @@ struct PlainOrNot {
 /// One of the two variables of a family.
 struct FamilyVariable {
   double from = 0, to = 1;
-  std::string name;  ///< for the words of a refusal
+  std::string name;  ///< for the text of the reason
 };
 
 struct FamilyPoint {
@@ -42,29 +42,29 @@ struct FamilyPoint {
 
 struct FamilyOrNot;
 
-/// Plain designs as smooth functions of two variables: polynomials through a few of them, of which further ones were
-/// found to be reproduced.
+/// Plain designs as smooth functions of two variables: polynomials through a few of them, checked against further
+/// designs.
 class DesignFamily {
  public:
-  /// Entries differ from those of a design of its own by at most this share of √(K_ii K_jj), and A, B, loads and rows
-  /// likewise.
+  /// Entries of K differ from those of a separately assembled design by at most this share of √(K_ii K_jj); the same
+  /// holds for A, B and the loads, each with its own scale.
   static constexpr double reproduced_within = 1e-12;
 
-  /// The design at a point; none ends the attempt with its reason.
+  /// The design at a point; if it is not plain, the attempt ends with its reason.
   using Source = std::function<PlainOrNot(const FamilyPoint&)>;
 
   /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25
-  /// points of a lattice up to the ends of the ranges and 16 between them must be. None, with the reason, if that does
-  /// not come about, or the answers' rows change.
+  /// points of a lattice up to the ends of the ranges and 16 points between them must be reproduced. Returns a reason
+  /// instead of a family if this fails or the rows of the answers change.
   [[nodiscard]] static FamilyOrNot fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
 
-  /// Matrices and loads at points.
+  /// Matrices and loads at the points.
   [[nodiscard]] numerics::Designs designs(std::span<const FamilyPoint> points) const;
 
   [[nodiscard]] const PlainDesign& first() const { return first_; }  ///< rows and derivatives hold for all
   [[nodiscard]] double worst_difference() const {
     return worst_;
-  }  ///< of the points that were checked, see reproduced_within
+  }  ///< over the points that were checked, see reproduced_within
   [[nodiscard]] std::size_t x_nodes() const { return x_.nodes.size(); }
   [[nodiscard]] std::size_t y_nodes() const { return y_.nodes.size(); }
 
@@ -72,7 +72,7 @@ class DesignFamily {
   DesignFamily() = default;
   [[nodiscard]] Eigen::VectorXd entries(const FamilyPoint& point) const;
 
-  /// Chebyshev points of one variable.
+  /// Chebyshev nodes of one variable.
   struct Along {
     bool logarithmic = false;
     std::vector<double> nodes;
@@ -82,13 +82,13 @@ class DesignFamily {
       const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable);
 
   Along x_, y_;
-  Eigen::MatrixXd values_;  ///< entries × (x nodes × y nodes), x running
+  Eigen::MatrixXd values_;  ///< entries × (x nodes × y nodes), x fastest
   PlainDesign first_;
   double worst_ = 0;
 };
 
-/// A family, or what stands against it, in words: those of the design that is not plain, or "… polynomials … do not
-/// meet … along …".
+/// A family, or the reason why there is none: that of the design that is not plain, or "… polynomials … do not
+/// reproduce …".
 struct FamilyOrNot {
   std::optional<DesignFamily> family;
   std::string reason;

@@ -9,12 +9,12 @@ namespace trivet::design {
 namespace {
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-/// Bytes of letters beyond ASCII count as letters.
+/// Bytes of non-ASCII characters count as letters.
 bool is_of_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || (static_cast<unsigned char>(c) & 0x80) != 0;
 }
 
-/// Where a number that begins at `i` ends: digits, a point, an exponent.
+/// End of the number that begins at `i`: digits, a point, an exponent.
 std::size_t end_of_number(const std::string& text, std::size_t i) {
   while (i < text.size() && (is_digit(text[i]) || (text[i] == '.' && i + 1 < text.size() && is_digit(text[i + 1]))))
     ++i;
@@ -48,10 +48,10 @@ std::string EvaluationReport::words() const {
   std::string text;
   if (proven + redone > 0)
     text = fmt::format("{} designs by poles and residues{}; {}", proven + redone,
-                       redone > 0 ? fmt::format(", {} of them redone by a slower solver", redone) : "", family);
+                       redone > 0 ? fmt::format(", {} of them recomputed by a slower solver", redone) : "", family);
   if (one_by_one > 0)
     text +=
-        fmt::format("{}{} designs assembled from the changed project and searched one by one{}",
+        fmt::format("{}{} designs assembled from the changed project and searched separately{}",
                     text.empty() ? "" : "; ", one_by_one, proven + redone > 0 || family.empty() ? "" : ": " + family);
   return text;
 }

@@ -9,11 +9,11 @@
 
 namespace trivet::design {
 
-/// One rule of a map in words.
+/// One rule of a map, as shown to the user.
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
   std::string answer;  ///< "aggregate.rz"
-  std::string unit;    ///< of the answer, SI
+  std::string unit;    ///< SI unit of the answer
   double allowed = 0;  ///< amplitude [SI], or relative prominence
   std::string words;   ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
 };
@@ -23,53 +23,53 @@ struct DesignPoint {
   double x = 0, y = 0;
 };
 
-/// All that a map keeps of a design.
+/// All that a map stores for a design.
 struct DesignOutcome {
   static constexpr std::uint8_t no_model = 255, not_computed = 254;
   static constexpr std::size_t most_rules = 250;
   float margin = 0;                ///< of the governing rule, 1 on its limit; 0 without a model
-  std::uint8_t governing = 0;      ///< the rule with the least margin, or one of the two above
-  std::uint8_t modes_in_band = 0;  ///< undamped natural frequencies in the band of the amplitudes, and
-  std::uint16_t modes_below = 0;   ///< below it; 0 where the band is open at an end or no amplitude has a limit
+  std::uint8_t governing = 0;      ///< the rule with the least margin, or `no_model` or `not_computed`
+  std::uint8_t modes_in_band = 0;  ///< undamped natural frequencies in the band of the amplitudes
+  std::uint16_t modes_below = 0;   ///< below that band; both 0 if the band has an open end or no amplitude has a limit
 
   [[nodiscard]] int modes_up_to() const { return modes_below + modes_in_band; }
   [[nodiscard]] bool known() const { return governing < not_computed; }
   [[nodiscard]] bool kept() const { return known() && margin >= 1; }
 };
 
-/// One kind of reason why designs have no outcome: messages that differ in their numbers only are one kind.
+/// One kind of reason why designs have no outcome: messages that differ only in their numbers are one kind.
 struct MissingReason {
-  std::string words;  ///< with the figures of the first such design
+  std::string words;  ///< with the numbers of the first such design
   std::size_t designs = 0;
   std::size_t first = 0;  ///< index of that design
 };
 
-/// One design with everything that was found.
+/// One design with all its results.
 struct JudgedDesign {
   RuleValues rules;
   Governing governing;
-  response::Peaks peaks;                            ///< of the answers that have rules
-  std::vector<double> natural_frequencies_squared;  ///< undamped [rad²/s²]; negative where a motion grows
+  response::Peaks peaks;                            ///< peaks of the answers that have rules
+  std::vector<double> natural_frequencies_squared;  ///< undamped [rad²/s²]; negative for an unstable motion
 };
 
-/// How designs were evaluated, for the reader.
+/// How designs were evaluated, for the user.
 struct EvaluationReport {
-  std::size_t proven = 0;  ///< designs judged by poles and residues, many at once
-  std::size_t redone = 0;  ///< designs whose poles or bounds were not good enough for that: by those of an eigensolver,
-                           ///< or on discs free of poles
-  std::size_t one_by_one = 0;  ///< designs assembled from the changed project and searched by themselves
-  std::string family;          ///< how the matrices of the first were found, or why there are none
+  std::size_t proven = 0;      ///< designs judged by poles and residues, many at once
+  std::size_t redone = 0;      ///< fallback designs, with poles or bounds not good enough for that: by the poles of an
+                               ///< eigensolver, or on discs free of poles
+  std::size_t one_by_one = 0;  ///< designs assembled from the changed project and searched separately
+  std::string family;          ///< how the matrices of the proven and redone designs were found, or why there are none
   std::vector<MissingReason> missing;
 
   [[nodiscard]] std::string words() const;
 };
 
-/// A message without the numbers in it: equal for messages of one kind. Digits inside a word ("mount2") are none.
+/// A message with its numbers replaced by "#": equal for messages of one kind. Digits in a word ("mount2") remain.
 [[nodiscard]] std::string without_numbers(const std::string& message);
 
 struct EvaluationOptions {
   int threads = 0;   ///< 0: as many as the machine has
-  bool fast = true;  ///< false: every design assembled and searched by itself
+  bool fast = true;  ///< false: every design is assembled and searched separately
 };
 
 }  // namespace trivet::design

@@ -12,7 +12,8 @@ namespace trivet::design {
 namespace {
 
 using foundation::infinity;
-constexpr double tie = 1e-6;  // of margins: far above the round-off of peaks, far below what a design can tell
+constexpr double tie =
+    1e-6;  // of margins: far above the round-off of peaks, far below differences that matter in a design
 
 }  // namespace
 
@@ -23,7 +24,7 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
   const auto consider = [&](double amplitude, double omega) {
     if (amplitude > largest.amplitude) largest = {amplitude, omega};
   };
-  // At rest a free motion has no steady amplitude; just above, the curve shows whether it feels that motion.
+  // At ω = 0 a rigid-body mode has no steady amplitude; just above, the curve shows whether it contains that mode.
   const double start = std::max(band.from, found.searched_from), end = std::isinf(band.to) ? start : band.to;
   const bool starts_late = start > band.from;
   const auto at =
@@ -44,12 +45,12 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
       consider(peak.amplitude, peak.angular_frequency);
   const response::CurveSummary& whole = found.curves[curve];
   if (std::isinf(band.to) && whole.highest_at >= found.searched_to)
-    consider(whole.highest, whole.highest_at);  // an acceleration that grows to its end
+    consider(whole.highest, whole.highest_at);  // an acceleration that grows up to the end of the search
   return largest;
 }
 
 double margin(const DesignRule& rule, double value) {
-  if (std::isnan(value)) return 0;  // nothing unknown is ever kept
+  if (std::isnan(value)) return 0;  // an unknown value never meets a limit
   const bool stands_out = rule.kind == DesignRule::Kind::no_peak && value > rule.allowed;
   const double reached = stands_out ? (1 + rule.allowed) / (1 + value) : value > 0 ? rule.allowed / value : infinity;
   return reached < 1 && reached >= 1 - on_the_limit ? 1 : reached;

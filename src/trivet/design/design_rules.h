@@ -8,20 +8,21 @@
 
 namespace trivet::design {
 
-/// Largest |y| over a band, and where.
+/// Largest |y| over a band, and its frequency.
 struct LargestAmplitude {
-  double amplitude = 0;          ///< infinite at an undamped resonance or towards a free motion
-  double angular_frequency = 0;  ///< [rad/s]; infinite where it is only approached
+  double amplitude = 0;          ///< infinite at an undamped resonance or towards a rigid-body mode
+  double angular_frequency = 0;  ///< [rad/s]; infinite if the amplitude is only approached
 };
 
-/// It stands at an end of the band or at an extremum inside. A band may reach to infinity.
-/// @param found  the peaks of all `channels`, of which `curve` is one
+/// Largest amplitude of one channel in a band: at an end of the band or at an extremum inside. A band may reach to
+/// infinity.
+/// @param found  the peaks of all `channels`; `curve` is the index of one of them
 [[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled,
                                                const std::vector<assembly::Channel>& channels,
                                                const assembly::Loading& loading, const response::Peaks& found,
                                                std::size_t curve, const response::Band& band);
 
-/// What a design has to keep.
+/// A rule that a feasible design meets.
 struct DesignRule {
   enum class Kind { amplitude, no_peak };
   Kind kind = Kind::amplitude;
@@ -29,13 +30,13 @@ struct DesignRule {
   double allowed = 0;  ///< amplitude [SI], or relative prominence
 };
 
-/// A value this near above its limit, as a share, stands on it and is kept: heights keep nine digits, and equal designs
-/// must not differ by round-off.
+/// A value that exceeds its limit by at most this share counts as on the limit and is feasible: heights have nine
+/// digits, and equal designs must not differ by round-off.
 inline constexpr double on_the_limit = 1e-9;
 
-/// How far a rule is kept, 1 on its limit, more where it is kept. Amplitude: allowed over value. No peak: allowed over
-/// relative prominence where that is below, and (1 + allowed) over (1 + relative prominence) above, the factor by which
-/// the peak must come down; infinite without a peak.
+/// Margin of a rule: 1 on its limit, above 1 if the rule is met. Amplitude: allowed over value. No peak: allowed over
+/// relative prominence if that is below, and (1 + allowed) over (1 + relative prominence) if it is above, the factor by
+/// which the peak must come down; infinite without a peak.
 [[nodiscard]] double margin(const DesignRule& rule, double value);
 
 /// Is an amplitude below its limit, or on it?
@@ -43,26 +44,26 @@ inline constexpr double on_the_limit = 1e-9;
 
 struct RuleSet {
   std::vector<DesignRule> rules;
-  response::Band band;           ///< of the amplitudes [rad/s]; may reach to infinity
+  response::Band band;           ///< band of the amplitudes [rad/s]; may reach to infinity
   double min_prominence = 1e-6;  ///< see PeakOptions
 };
 
 struct RuleValues {
   std::vector<double> values;  ///< of each rule: the largest amplitude in the band, or the largest relative prominence
                                ///< of a peak (0 without one)
-  std::vector<double> angular_frequencies;  ///< where [rad/s]; infinite where it is only approached, NaN without a peak
+  std::vector<double> angular_frequencies;  ///< [rad/s]; infinite if the value is only approached, NaN without a peak
 };
 
-/// What each rule limits.
+/// The values that the rules limit.
 [[nodiscard]] RuleValues rule_values(const assembly::Assembled& assembled,
                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
                                      const response::Peaks& found, const RuleSet& set);
 
-/// The first rule whose margin is the least within 1e-6 of it, so that round-off does not choose among equals; broken
-/// ones before kept ones.
+/// The first rule with a margin within 1e-6 of the least, so that round-off does not choose among equals; violated
+/// rules before met ones.
 struct Governing {
   std::size_t rule = 0;
-  double margin = 0;  ///< the least
+  double margin = 0;  ///< the least of all rules
   [[nodiscard]] bool kept() const { return margin >= 1; }
 };
 [[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);

@@ -17,7 +17,7 @@ std::vector<int> drawn(int points) {
   return nodes;
 }
 
-/// Straight between drawn nodes.
+/// Linear interpolation between drawn nodes.
 double share(double among_nodes, const std::vector<int>& nodes) {
   const double at = among_nodes * static_cast<double>(nodes.size() - 1);
   const std::size_t k = std::min(static_cast<std::size_t>(std::max(at, 0.0)), nodes.size() - 2);

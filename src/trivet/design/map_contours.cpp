@@ -9,13 +9,13 @@
 namespace trivet::design {
 namespace {
 
-/// From one edge of the grid to the next: a piece of a contour within a cell.
+/// A piece of a contour within a cell, from one edge of the grid to the next.
 struct Segment {
   std::size_t to = 0;
   bool on_frame = false;
 };
 
-/// The grid with one row of nodes outside around it, so that every region closes.
+/// The grid surrounded by one row of outside nodes, so that every region is closed.
 class Tracing {
  public:
   Tracing(const MapGrid& grid, const std::function<bool(std::size_t)>& inside) : grid_(grid), inside_(inside) {}
@@ -28,7 +28,7 @@ class Tracing {
     places_[key(edge.i, edge.j, edge.upwards)] = a;
   }
 
-  /// The cells on both sides of each crossed edge, and those along the frame.
+  /// Adds the cells on both sides of each crossed edge, and those along the frame.
   void walk_cells(const std::vector<CrossedEdge>& edges, const std::function<bool(int, int)>& connected) {
     std::vector<std::pair<int, int>> cells;  // row, column
     for (const CrossedEdge& e : edges) {
@@ -77,7 +77,7 @@ class Tracing {
         (upwards ? 1 : 0);
   }
 
-  /// The crossing of an edge; towards a node outside the grid it is the node inside.
+  /// The crossing of an edge; if the edge leads out of the grid, its node inside the grid.
   std::size_t vertex(int i, int j, bool upwards) {
     const std::size_t id = key(i, j, upwards);
     const int i2 = i + (upwards ? 0 : 1), j2 = j + (upwards ? 1 : 0);
@@ -91,7 +91,7 @@ class Tracing {
   void add_cell(int i, int j, const std::function<bool(int, int)>& connected) {
     const std::array<bool, 4> corner = {inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1)};
     const auto crossing = [&](int e) { return vertex(i + (e == 1 ? 1 : 0), j + (e == 2 ? 1 : 0), e == 1 || e == 3); };
-    std::vector<int> entering, leaving;  // edges where a walk around the cell enters the region, and where it leaves it
+    std::vector<int> entering, leaving;  // edges at which a turn around the cell enters and leaves the region
     for (int e = 0; e < 4; ++e) {
       const bool from = corner[static_cast<std::size_t>(e)], to = corner[static_cast<std::size_t>((e + 1) % 4)];
       if (!from && to) entering.push_back(e);
@@ -100,8 +100,9 @@ class Tracing {
     const bool frame = i < 0 || j < 0 || i + 1 >= grid_.nx || j + 1 >= grid_.ny;
     const bool through = entering.size() == 2 && !frame && connected(i, j);
     for (const int out : leaving) {
-      // With the region on its left the outline runs from where a counter-clockwise walk leaves it to where the walk
-      // entered it: before, for a corner cut off; after, where the two corners hang together.
+      // With the region on its left the outline runs from the edge at which a counter-clockwise turn leaves the region
+      // to one at which it enters: the edge before if a corner is cut off, the edge after if the two corners are
+      // connected.
       int best = entering.front();
       for (const int in : entering) {
         const int back = (out - in + 4) % 4;
@@ -115,7 +116,7 @@ class Tracing {
     const std::size_t n = ring.size();
     std::size_t start = 0;
     while (start < n && !on_frame[start]) ++start;
-    if (start == n) {  // nowhere on the frame
+    if (start == n) {  // no part on the frame
       lines.push_back(ring);
       lines.back().push_back(ring.front());
       return;

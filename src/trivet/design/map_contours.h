@@ -12,7 +12,7 @@ struct MapPlace {
 };
 using MapLine = std::vector<MapPlace>;
 
-/// Nodes at equal distances over both axes, row after row.
+/// Nodes at equal spacing along both axes, row by row.
 struct MapGrid {
   int nx = 2, ny = 2;
 
@@ -31,20 +31,20 @@ struct CrossedEdge {
   bool upwards = false;  ///< from (i, j) to (i, j + 1), otherwise to (i + 1, j)
 };
 
-/// All of them, row after row.
+/// All crossed edges, row by row.
 [[nodiscard]] std::vector<CrossedEdge> crossed_edges(const MapGrid& grid,
                                                      const std::function<bool(std::size_t)>& inside);
 
 /// Outline of a region.
 struct MapContours {
-  std::vector<MapLine> rings;  ///< closed, along the frame too, the region on their left: even–odd filling shows it
-  std::vector<MapLine> lines;  ///< the parts inside the frame; a closed line ends where it begins
+  std::vector<MapLine> rings;  ///< closed, also along the frame, the region on their left; to be filled even–odd
+  std::vector<MapLine> lines;  ///< the parts inside the frame; a closed line ends at its first point
   double area = 0;             ///< of the region, as a share of the map
 };
 
-/// By marching squares through the crossings of the edges.
-/// @param crossing   where the outline passes each of `crossed_edges`, 0 … 1 along the edge
-/// @param connected  in a cell with two inside corners across: do they hang together? By the index of its lower left
+/// Outline by marching squares through the crossings of the edges.
+/// @param crossing   position of the outline on each of `crossed_edges`, 0 … 1 along the edge
+/// @param connected  are the two diagonally opposite inside corners of a cell connected? By the index of its lower left
 /// node
 [[nodiscard]] MapContours contours(const MapGrid& grid, const std::function<bool(std::size_t)>& inside,
                                    const std::vector<CrossedEdge>& edges, const std::vector<double>& crossing,

@@ -9,7 +9,7 @@
 namespace trivet::design {
 namespace {
 
-/// Half a dozen round margins between 1 and the largest.
+/// Up to five round margins between 1 and the largest.
 std::vector<double> round_margins(double largest) {
   for (const auto& candidates : {std::vector{1.05, 1.1, 1.15, 1.2, 1.25},
                                  {1.1, 1.2, 1.3, 1.4, 1.5},
@@ -25,8 +25,7 @@ std::vector<double> round_margins(double largest) {
   return {};
 }
 
-/// Half a dozen round margins below the largest where none reaches 1: the coarsest steps of which four lie above the
-/// least.
+/// Up to six round margins below the largest if none reaches 1: the coarsest steps with at least four above the least.
 std::vector<double> round_margins_below(double largest, double least) {
   constexpr std::size_t enough = 4, most = 6;
   std::vector<double> every_tenth;
@@ -44,7 +43,7 @@ std::vector<double> round_margins_below(double largest, double least) {
     if (margins.size() >= enough) break;
   }
   const std::size_t stride =
-      std::max<std::size_t>(1, (margins.size() + most - 1) / most);  // tenths are many: spread over their range
+      std::max<std::size_t>(1, (margins.size() + most - 1) / most);  // spread the many tenths over their range
   std::vector<double> chosen;
   for (std::size_t k = 0; k < margins.size() && chosen.size() < most; k += stride) chosen.push_back(margins[k]);
   return chosen;
@@ -63,7 +62,7 @@ double length(const MapLine& line) {
   return sum;
 }
 
-/// The pieces of a line between places that are none; crumbs are left out.
+/// Adds the pieces of a line between undefined (NaN) places, except for very short ones.
 void add_pieces(const MapLine& line, const DrawnGrid& grid, std::vector<MapLine>& pieces) {
   constexpr double crumb = 0.05;  // of an axis
   MapLine piece;
@@ -78,7 +77,7 @@ void add_pieces(const MapLine& line, const DrawnGrid& grid, std::vector<MapLine>
   finish();
 }
 
-/// Do several of these margins lie between two others? Then their lines are closer to each other than the designs.
+/// Do several of these margins lie between `a` and `b`? Then their lines are closer to each other than the designs.
 bool crowded(const std::vector<double>& margins, double a, double b) {
   return std::count_if(margins.begin(), margins.end(), [&](double m) { return (m > a) != (m > b); }) > 1;
 }

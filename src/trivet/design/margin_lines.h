@@ -14,9 +14,9 @@ struct MarginLine {
   std::vector<MapLine> lines;
 };
 
-/// Lines of a few round margins between 1 and `largest`, or where that is below 1 of some below it, straight between
-/// drawn designs, for pictures. They end where a neighbour's margin has no bound, for nothing says where they run, and
-/// where two of them, or one and the boundary, pass between the same two designs: there they lie closer than these.
+/// Lines of a few round margins between 1 and `largest` (below `largest` if that is below 1), straight between drawn
+/// designs, for pictures. A line ends where the margin of a neighbour is unbounded, because its position is then
+/// unknown, and where two lines, or a line and the boundary, pass between the same two designs.
 [[nodiscard]] std::vector<MarginLine> margin_lines(const DrawnGrid& grid, const std::vector<DesignOutcome>& outcomes,
                                                    double largest);
 

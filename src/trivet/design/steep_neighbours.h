@@ -8,9 +8,9 @@
 
 namespace trivet::design {
 
-/// Pairs of neighbours that limits on amplitudes govern, with margins that differ more than tenfold: a resonance may
-/// lie between them and break a rule. The margin of a no-peak rule changes as much where a peak comes up, with no
-/// resonance between.
+/// Number of pairs of neighbours that are governed by limits on amplitudes and have margins that differ more than
+/// tenfold: a resonance between them may violate a rule. The margin of a no-peak rule changes as much when a peak
+/// appears, without a resonance between.
 [[nodiscard]] std::size_t steep_neighbours(const MapGrid& grid, const std::vector<MapRule>& rules,
                                            const std::vector<DesignOutcome>& outcomes);
 

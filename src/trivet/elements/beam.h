@@ -16,36 +16,36 @@ struct Section {
   double shear_factor_1 = 1, shear_factor_2 = 1;  ///< κ in κGA; infinity = Euler–Bernoulli
 };
 
-/// Shear factors by Cowper 1966 for Poisson's ratio E/2G − 1; the torsion constant of the rectangle is its series
-/// (1e-10).
+/// Shear factors by Cowper 1966 for Poisson's ratio E/2G − 1; the torsion constant of the rectangle is a series
+/// (accuracy 1e-10).
 [[nodiscard]] Section round_section(double diameter, const Metal& metal);
 [[nodiscard]] Section tube_section(double outer_diameter, double inner_diameter, const Metal& metal);
 [[nodiscard]] Section rectangular_section(double width_1, double width_2, const Metal& metal);
 
-/// Straight uniform Timoshenko beam along e3, N at 0, K at (0, 0, length), both clamped to the bodies they join.
+/// Straight uniform Timoshenko beam along e3, N at 0, K at (0, 0, length), both clamped to their bodies.
 struct Beam {
   Metal metal;
   Section section;
   double length = 0;  ///< [m]
 };
 
-/// Exact static 12×12.
+/// Exact static stiffness 12×12.
 [[nodiscard]] Matrix12 beam_stiffness(const Beam& beam);
 /// Consistent 12×12 mass matrix, with rotary inertia, of the static deflection shapes [kg, kg m, kg m²]. Natural
-/// frequencies of the beam itself come out high: docs/elements/beam.md says how many beams end to end a band needs.
+/// frequencies of the beam itself are too high: docs/elements/beam.md states how many beams in series a band needs.
 [[nodiscard]] Matrix12 beam_mass(const Beam& beam);
 [[nodiscard]] foundation::Problems check(const Beam& beam);
 
-/// Rod with a ball joint at each end, the reference points: it carries tension only along e3.
+/// Rod with a ball joint at each end, the reference points: its static force acts only along e3.
 struct Link {
   double axial_stiffness = 0;  ///< EA/L [N/m], ≥ 0
   double length = 0;           ///< [m], > 0
-  double tension = 0;  ///< static tension [N]; < 0 is compression. Stiffens or softens sideways by tension/length
+  double tension = 0;          ///< static tension [N]; < 0 is compression. Lateral stiffness tension/length
 };
 
-/// Tangent 12×12, arm (0, 0, length). With a tension it does not vanish for rotations: that is the turned preload.
+/// Tangent stiffness 12×12, arm (0, 0, length). With tension it is not 0 for rigid rotations, which rotate the preload.
 [[nodiscard]] Matrix12 link_stiffness(const Link& link);
-/// Forces on the two ends that hold the static tension [N, N m].
+/// Forces on the two ends in equilibrium with the static tension [N, N m].
 [[nodiscard]] spatial::Vector12 link_preload(const Link& link);
 [[nodiscard]] foundation::Problems check(const Link& link);
 

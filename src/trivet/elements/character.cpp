@@ -16,7 +16,7 @@ struct Principal {
   Eigen::Matrix3d axes;
 };
 
-/// Eigenvalues, rising, and right-handed axes.
+/// Eigenvalues, ascending, and right-handed axes.
 Principal principal(const Eigen::Matrix3d& matrix) {
   const numerics::SymmetricEigen<Eigen::Matrix3d> eigen =
       numerics::symmetric_eigen(Eigen::Matrix3d(0.5 * (matrix + matrix.transpose())));
@@ -26,13 +26,13 @@ Principal principal(const Eigen::Matrix3d& matrix) {
   return result;
 }
 
-/// The stiffness seen from the point at r from K.
+/// The stiffness at the point at r from K.
 Matrix6 at_point(const Matrix6& at_k, const Eigen::Vector3d& r) {
   const Matrix6 motion_of_k = spatial::rigid_motion(-r);
   return motion_of_k.transpose() * at_k * motion_of_k;
 }
 
-/// Entries over √(K_ii K_jj); rows of no stiffness of their own are left 0.
+/// Entries over √(K_ii K_jj); rows without diagonal stiffness are 0.
 Matrix6 scaled(const Matrix6& stiffness) {
   constexpr double none = 1e-13;  // of the largest of its kind: round-off
   const Vector6 diagonal = stiffness.diagonal();
@@ -49,7 +49,7 @@ double coupling(const Matrix6& stiffness) { return scaled(stiffness).topRightCor
 }  // namespace
 
 Character character(const Matrix12& stiffness) {
-  if (!stiffness.allFinite()) throw foundation::InvalidInput("stiffness of an element, every entry must be a number");
+  if (!stiffness.allFinite()) throw foundation::InvalidInput("stiffness of an element: every entry must be finite");
   const Matrix6 at_k = 0.5 * (stiffness.bottomRightCorner<6, 6>() + stiffness.bottomRightCorner<6, 6>().transpose());
   const Eigen::Matrix3d a = at_k.topLeftCorner<3, 3>(), b = at_k.topRightCorner<3, 3>();
   Character result;

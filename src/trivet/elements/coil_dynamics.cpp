@@ -22,7 +22,7 @@ std::vector<Eigen::Index> pivots(Seat seat_n, Seat seat_k) {
   return seat_k == Seat::pivoted ? std::vector<Eigen::Index>{9, 10} : std::vector<Eigen::Index>{};
 }
 
-/// Static or dynamic condensation of the motions `free`, whose rows and columns become zero.
+/// Static or dynamic condensation of the motions `free`; their rows and columns become zero.
 template <typename Matrix>
 Matrix released(const Matrix& d, const std::vector<Eigen::Index>& free) {
   if (free.empty()) return d;
@@ -34,8 +34,8 @@ Matrix released(const Matrix& d, const std::vector<Eigen::Index>& free) {
   return result;
 }
 
-/// Twelve by twelve at the seats, from the ends of the wire. Only the rod's blocks may be complex; they are carried by
-/// real levers.
+/// 12×12 at the seats from the blocks at the wire ends. The levers are real, so real and imaginary parts transform
+/// separately.
 Matrix12 at_seats(const SeatedCoil& coil, const Matrix6& own, const Matrix6& transfer) {
   const Eigen::DiagonalMatrix<double, 6> half_turn(1, -1, -1, 1, -1, -1);
   const Matrix6 own_k = half_turn * own * half_turn;
@@ -58,7 +58,7 @@ struct Clamped {
   int modes;
 };
 
-/// With both seats clamped, before any pivot is released; d is not finite exactly at a natural frequency.
+/// Stiffness with both seats clamped, before any pivot is released; d is not finite exactly at a natural frequency.
 Clamped clamped_at(const SeatedCoil& coil, double omega) {
   const double lambda = omega * omega;
   const RodStiffness<double> rod = rod_stiffness<double>(coil.rod, lambda, 1.0);
@@ -68,13 +68,12 @@ Clamped clamped_at(const SeatedCoil& coil, double omega) {
   return clamped;
 }
 
-/// Torsion of the straightened wire, clamped: of the order of the spring's surge [rad/s].
+/// Torsion of the straightened, clamped wire: order of magnitude of the spring's surge frequency [rad/s].
 double surge(const HelicalRod& rod) {
   return std::sqrt(1 / (rod.moment_flexibility(1) * rod.line_mass)) * rod.curvature.norm() / rod.length;
 }
 
-/// The same just beside a natural frequency that was hit to the last digit, where a pivot is zero and counts for
-/// nothing.
+/// The same, with ω shifted slightly if it is exactly a natural frequency, where a pivot is zero and is not counted.
 Clamped clamped_beside(const SeatedCoil& coil, double omega) {
   constexpr int most_nudges = 40;
   Clamped clamped = clamped_at(coil, omega);
@@ -84,7 +83,7 @@ Clamped clamped_beside(const SeatedCoil& coil, double omega) {
   return clamped;
 }
 
-/// Dead coils as a thin ring about the axis, from the seat at height 0 to `height` (negative at K).
+/// Mass matrix of the dead coils as a thin ring about the axis, from the seat at height 0 to `height` (negative at K).
 Matrix6 dead_mass(const CoilSpring& spring, double coils, double height) {
   const double radius = spring.mean_diameter / 2;
   const double mass = spring.density * wire_section(spring).area * 2 * std::numbers::pi * radius * coils;

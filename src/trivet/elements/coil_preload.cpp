@@ -24,13 +24,13 @@ double zero_of(const Function& f, double x0, double x1) {
   return x1;
 }
 
-/// Uniform helix under an axial tension: lead and radius of the sections, rise per metre of wire, moment that keeps it
-/// from turning.
+/// Uniform helix under an axial tension: lead and radius of the sections, rise per metre of wire, moment that prevents
+/// rotation.
 struct UniformState {
   double tension, lead, radius, rise, moment;
 };
 
-/// Equilibrium and law of the rod for a given tension. Turns per metre of wire stay; one unknown, the lead, is left.
+/// Equilibrium and law of the rod for a given tension. Turns per metre of wire are constant; the lead is the unknown.
 UniformState state_under(const HelicalRod& rod, const Helix& free, double tension) {
   const double turn_rate = rod.curvature.norm(), sine0 = std::sin(free.lead), cosine0 = std::cos(free.lead);
   const double shear = rod.force_flexibility(1), stretch = rod.force_flexibility(2);
@@ -48,7 +48,7 @@ UniformState state_under(const HelicalRod& rod, const Helix& free, double tensio
           hand * (c * bending(lead) + s * torsion(lead))};
 }
 
-/// Stiffness that a wrench at the end of a lever gives to rotations of its foot.
+/// Geometric stiffness for rotations of the foot of a lever with a force at its end.
 Matrix6 second_order(const Eigen::Vector3d& lever, const Eigen::Vector3d& force) {
   Matrix6 k = Matrix6::Zero();
   const Eigen::Matrix3d product = lever * force.transpose();
@@ -90,10 +90,10 @@ CompressedCoil compressed(const CoilSpring& spring, const Helix& free, const Uni
   return result;
 }
 
-/// From so many active coils on, the ends hardly disturb the uniform helix (agreement/coil_exact_rod_test).
+/// Number of active coils from which the ends hardly disturb the uniform helix (agreement/coil_exact_rod_test).
 constexpr double coils_of_a_uniform_helix = 4;
 
-/// Greatest compression: coils touch where the pitch comes down to the height of the wire.
+/// Largest compression: the coils touch when the pitch equals the height of the wire.
 double solid_compression(const CoilSpring& spring) {
   return spring.active_length - spring.active_coils * wire_height(spring);
 }
@@ -110,13 +110,13 @@ void require_open(const CoilSpring& spring, double compression) {
                                    millimetres(solid_compression(spring)));
 }
 
-/// The density plays no part in statics, but the rod is built with it.
+/// The density does not affect statics, but the rod needs a value.
 CoilSpring with_some_density(CoilSpring spring) {
   if (std::isnan(spring.density)) spring.density = 1;
   return spring;
 }
 
-/// State at a compression, its tangent not yet computed.
+/// State at a compression, without its tangent stiffness.
 CompressedCoil at_compression(const CoilSpring& given, double compression) {
   const CoilSpring spring = with_some_density(given);
   const Helix free = helix(spring);
@@ -192,7 +192,7 @@ foundation::Problems check_compression(const CoilSpring& spring, double compress
   const double solid = solid_compression(spring);
   if (!(compression <= solid)) {
     problems.error("compression", millimetres(compression), "the coils touch at " + millimetres(solid),
-                   "reduce the load or take a longer spring");
+                   "reduce the load or use a longer spring");
     return problems;
   }
   if (compression != 0 && spring.active_coils < coils_of_a_uniform_helix) {
@@ -200,22 +200,22 @@ foundation::Problems check_compression(const CoilSpring& spring, double compress
     coils << spring.active_coils << " active coils";
     problems.warning(
         "compression", coils.str(),
-        "the compressed state is that of a uniform helix, which a clamped spring of 4 coils or more follows within 2 %",
+        "the compressed state is that of a uniform helix, accurate to 2 % for a clamped spring of 4 coils or more",
         spring.active_coils < 2.5
-            ? "expect its force within 13 % and its lateral stiffness within 12 % of the unloaded one; measure it "
-              "where that matters"
-            : "expect its force within 3 % and its lateral stiffness within 4 % of the unloaded one");
+            ? "expect errors up to 13 % in its force, and in its lateral stiffness up to 12 % of the unloaded one; "
+              "measure it if that matters"
+            : "expect errors up to 3 % in its force, and in its lateral stiffness up to 4 % of the unloaded one");
   }
   const std::optional<Buckling> limit = buckling(spring, SeatsHeld::both);
   if (!limit || compression < near * limit->compression) return problems;
   if (compression >= limit->compression)
     problems.error("compression", millimetres(compression),
                    "with both seats held the spring buckles at " + millimetres(limit->compression),
-                   "guide the spring, or take a shorter or wider one");
+                   "guide the spring, or use a shorter or wider one");
   else
     problems.warning("compression", millimetres(compression),
                      "it is within 20 % of buckling at " + millimetres(limit->compression),
-                     "guide the spring, or take a shorter or wider one");
+                     "guide the spring, or use a shorter or wider one");
   return problems;
 }
 

@@ -15,8 +15,8 @@ using Complex = std::complex<double>;
 using Weight = std::function<Complex(Complex)>;
 
 /// (1/2πi) ∮ weight(λ) D(λ) dλ on a circle about a real centre; D is real on the real axis, so half the circle is
-/// enough. The trapezoidal rule is exact up to `ratio`^points, the larger of the two ratios of a pole's distance and
-/// the radius.
+/// enough. The trapezoidal rule has the error `ratio`^points, with the larger of the two ratios of a pole's distance
+/// and the radius.
 Matrix12 circle_integral(const SeatedCoil& coil, double centre, double radius, double ratio, const Weight& weight) {
   constexpr double accuracy = 1e-15;
   const int half = int(std::ceil(0.5 * std::log(accuracy) / std::log(ratio)));
@@ -28,10 +28,10 @@ Matrix12 circle_integral(const SeatedCoil& coil, double centre, double radius, d
   return sum / half;
 }
 
-/// Natural frequencies as close as this, relatively, are separated by algebra and not by circles.
+/// Eigenvalues λ closer than this, relatively, are separated by algebra and not by circles.
 constexpr double close = 1e-3;
 
-/// Eigenvalues first … last (excluded) of a group and the distance from it to whatever else is singular.
+/// Eigenvalues first … last (excluded) of a group and its distance to the nearest other eigenvalue, or to 0.
 struct Group {
   std::size_t first, last;
   double low, high, gap;
@@ -50,8 +50,8 @@ std::vector<Group> groups(const std::vector<double>& lambda, std::size_t wanted)
   return result;
 }
 
-/// Columns c_k of one group from Σ c_k c_kᵀ and Σ (λ_k − centre) c_k c_kᵀ; `scale` makes newtons and newton metres
-/// compare.
+/// Columns c_k of one group from Σ c_k c_kᵀ and Σ (λ_k − centre) c_k c_kᵀ; `scale` makes translations and rotations
+/// comparable.
 Eigen::Matrix<double, 12, Eigen::Dynamic> couplings(const SeatedCoil& coil, const Group& group,
                                                     const spatial::Vector12& scale) {
   const auto count = Eigen::Index(group.last - group.first);
@@ -83,7 +83,7 @@ std::vector<double> squared_frequencies(const SeatedCoil& coil, int count) {
   return lambda;
 }
 
-/// −dD/dλ at λ = 0, on a circle well inside the first pole.
+/// Static mass −dD/dλ at λ = 0, by a circle well inside the first pole.
 Matrix12 static_mass(const SeatedCoil& coil, double first_pole) {
   constexpr double inside = 0.125;
   const Matrix12 slope =

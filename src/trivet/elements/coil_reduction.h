@@ -7,9 +7,9 @@
 
 namespace trivet::elements {
 
-/// A coil spring with the mass of its wire, reduced as Craig and Bampton do: the seats' 12 motions and m natural modes
-/// with both seats held, each of modal mass 1. Undamped equations in (seats, modes): stiffness diag(K, ω_k²), mass [M,
-/// C; Cᵀ, I]. As D(ω) = K − ω²M − ω⁴ Σ c_k c_kᵀ/(ω_k² − ω²) this is exact for m → ∞.
+/// A coil spring with the mass of its wire, reduced by the Craig–Bampton method: 12 seat motions and m natural modes
+/// with both seats held, each with modal mass 1. Undamped equations in (seats, modes): stiffness diag(K, ω_k²), mass
+/// [M, C; Cᵀ, I]. As D(ω) = K − ω²M − ω⁴ Σ c_k c_kᵀ/(ω_k² − ω²) this is exact for m → ∞.
 struct ReducedCoil {
   Matrix12 stiffness;                   ///< K, static
   Matrix12 mass;                        ///< M, of the static shapes, dead coils included [kg, kg m, kg m²]

@@ -20,7 +20,7 @@ struct RectangularWire {
 using Wire = std::variant<RoundWire, RectangularWire>;
 
 enum class Hand { right, left };
-/// What the seat does to the end of the spring: all six motions, or no moment about e1 and e2 (torsion is still held).
+/// Constraint of a spring end by its seat: all six motions, or no moment about e1 and e2 (torsion is still held).
 enum class Seat { clamped, pivoted };
 
 /// A cylindrical coil spring between two seats. End N is at the origin, K at (0, 0, seat_distance); the wire starts at
@@ -28,25 +28,25 @@ enum class Seat { clamped, pivoted };
 struct CoilSpring {
   Wire wire;
   double mean_diameter = std::numeric_limits<double>::quiet_NaN();  ///< D, of the wire's centre line [m]
-  double active_coils = std::numeric_limits<double>::quiet_NaN();   ///< n, need not be whole
+  double active_coils = std::numeric_limits<double>::quiet_NaN();   ///< n, need not be an integer
   double active_length =
       std::numeric_limits<double>::quiet_NaN();  ///< free length of the active coils along the axis, n · pitch [m]
   Hand hand = Hand::right;
   double start_angle = 0;                                            ///< [rad]
   double youngs_modulus = std::numeric_limits<double>::quiet_NaN();  ///< [Pa]
   double shear_modulus = std::numeric_limits<double>::quiet_NaN();   ///< [Pa]
-  double density = std::numeric_limits<double>::quiet_NaN();  ///< [kg/m³]; needed as soon as the wire's mass counts
-  double loss_factor = 0;                                     ///< η of both moduli, E(1 + iη)
-  /// Timoshenko's shear factor; NaN takes Cowper's: 6(1+ν)/(7+6ν) round, 10(1+ν)/(12+11ν) rectangular.
+  double density = std::numeric_limits<double>::quiet_NaN();         ///< [kg/m³]; needed if the wire's mass is used
+  double loss_factor = 0;                                            ///< η of both moduli, E(1 + iη)
+  /// Timoshenko's shear factor; if NaN, Cowper's: 6(1+ν)/(7+6ν) round, 10(1+ν)/(12+11ν) rectangular.
   double shear_factor = std::numeric_limits<double>::quiet_NaN();
-  /// Closed coils at each end, rigid with the seat: they add mass, and the height of the wire per coil.
+  /// Closed coils at each end, rigidly attached to the seat: each adds mass, and the height of the wire.
   double dead_coils_n = 0;
   double dead_coils_k = 0;
   Seat seat_n = Seat::clamped;
   Seat seat_k = Seat::clamped;
 };
 
-/// Everything wrong with the spring, subjects named as the fields. `massive`: the density is needed.
+/// All problems of the spring, with the field names as subjects. `massive`: the density is needed.
 [[nodiscard]] foundation::Problems check(const CoilSpring& spring, bool massive = false);
 
 /// @throws InvalidInput with the first error of check().
@@ -54,7 +54,7 @@ void require_sound(const CoilSpring& spring, bool massive);
 
 /// Height of the wire along the axis [m].
 [[nodiscard]] double wire_height(const CoilSpring& spring);
-/// D/d, with the radial width of a rectangular wire.
+/// Spring index D/d, with the radial width of a rectangular wire.
 [[nodiscard]] double spring_index(const CoilSpring& spring);
 /// Distance between the two reference points, seat to seat: active length and dead coils [m].
 [[nodiscard]] double seat_distance(const CoilSpring& spring);

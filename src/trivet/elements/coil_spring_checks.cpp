@@ -18,7 +18,7 @@ std::string amount(double value, const char* unit = "") {
   return text.str();
 }
 
-/// Finite and > 0; NaN is a value not given.
+/// Error unless finite and > 0; NaN is a value not given.
 bool positive(Problems& problems, const char* subject, double value, const char* unit) {
   if (std::isfinite(value) && value > 0) return true;
   if (std::isnan(value))
@@ -28,7 +28,7 @@ bool positive(Problems& problems, const char* subject, double value, const char*
   return false;
 }
 
-/// A length of a part [m].
+/// Error unless the length [m] is one of a part.
 bool size(Problems& problems, const char* subject, double value) {
   if (!positive(problems, subject, value, "m")) return false;
   if (foundation::is_part_size(value)) return true;
@@ -57,7 +57,7 @@ bool check_sizes(Problems& problems, const CoilSpring& spring) {
   for (const auto& [subject, coils] :
        {std::pair{"dead_coils_n", spring.dead_coils_n}, {"dead_coils_k", spring.dead_coils_k}})
     if (coils > most_dead_coils)
-      problems.error(subject, amount(coils), "at most 1000, as of active coils", "check the number");
+      problems.error(subject, amount(coils), "at most 1000, as for active coils", "check the number");
   not_negative(problems, "dead_coils_n", spring.dead_coils_n, "");
   not_negative(problems, "dead_coils_k", spring.dead_coils_k, "");
   if (!std::isfinite(spring.start_angle))
@@ -72,7 +72,7 @@ void check_proportions(Problems& problems, const CoilSpring& spring) {
                height = wire_height(spring);
   const std::string as_index = amount(spring.mean_diameter, "m") + ", " + amount(index) + " times the wire";
   if (index < lowest_index)
-    problems.error("mean_diameter", as_index, "the index D/d must be ≥ 3, below it the wire is no slender rod",
+    problems.error("mean_diameter", as_index, "the index D/d must be ≥ 3, below it the wire is not a slender rod",
                    "check whether D or d is in the wrong unit");
   else if (index < usual_index || index > highest_index)
     problems.warning("mean_diameter", as_index, "EN 13906-1 holds for an index of 4 to 20",
@@ -80,12 +80,12 @@ void check_proportions(Problems& problems, const CoilSpring& spring) {
   if (pitch < height)
     problems.error("active_length", amount(spring.active_length, "m") + ", pitch " + amount(pitch, "m"),
                    "coils overlap: the pitch must be ≥ the height of the wire, " + amount(height, "m"),
-                   "lengthen the spring or take coils away");
+                   "lengthen the spring or reduce its coils");
   if (spring.active_coils < fewest_coils)
-    problems.error("active_coils", amount(spring.active_coils), "must be ≥ 0.25", "model so short an arc as a beam");
+    problems.error("active_coils", amount(spring.active_coils), "must be ≥ 0.25", "model such a short arc as a beam");
   else if (spring.active_coils > most_coils)
     problems.error("active_coils", amount(spring.active_coils), "at most 1000 are computed",
-                   "split so long a spring, or check the number");
+                   "split such a long spring, or check the number");
   else if (spring.active_coils < usual_coils)
     problems.warning("active_coils", amount(spring.active_coils), "EN 13906-1 holds from 2 active coils",
                      "the ends of a real spring will differ");

@@ -36,7 +36,7 @@ Harmonics harmonics(const Matrix6& flexibility) {
           pf * p, qf * q.transpose(), pf * q.transpose() + qf * p};
 }
 
-/// Flexibility of the whole wire at the middle of its axis, in axes whose first points to the middle of the wire:
+/// Flexibility of the whole wire at the middle of its axis, in axes with the first towards the middle of the wire:
 /// ∫ (I + zN)ᵀ f(φ) (I + zN) ds over φ from −b to b, with z = rise · φ. Odd terms vanish.
 Matrix6 flexibility_at_middle(const Helix& line, const HelicalRod& rod) {
   const Harmonics f = harmonics(line_flexibility(line, rod));

@@ -9,7 +9,7 @@
 namespace trivet::elements {
 namespace {
 
-/// Greatest stress over (torsion moment × short side/J) of a rectangle in St Venant torsion.
+/// Largest stress over (torsion moment × short side/J) of a rectangle in St Venant torsion.
 double rectangle_peak(double long_side, double short_side) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;
@@ -36,7 +36,7 @@ double nominal_shear_stress(const CoilSpring& spring, double axial_force) {
 double wahl_shear_stress(const CoilSpring& spring, double axial_force) {
   if (!std::holds_alternative<RoundWire>(spring.wire))
     throw foundation::InvalidInput(
-        "coil spring: Wahl's factor is for round wire; take nominal_shear_stress for a rectangular one");
+        "coil spring: Wahl's factor is for round wire; use nominal_shear_stress for a rectangular one");
   return wahl_factor(spring_index(spring)) * nominal_shear_stress(spring, axial_force);
 }
 

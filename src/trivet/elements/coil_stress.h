@@ -9,8 +9,8 @@ namespace trivet::elements {
 [[nodiscard]] double wahl_factor(double index);           ///< (4C − 1)/(4C − 4) + 0.615/C
 [[nodiscard]] double bergstraesser_factor(double index);  ///< (C + ½)/(C − ¾), that of EN 13906-1
 
-/// Torsional shear stress [Pa] of the wire under an axial force [N] of either sign, as if it were straight: 8 F D/(π
-/// d³) for round wire, the middle of the longer side for rectangular wire. Not negative.
+/// Torsional shear stress [Pa] of the wire under an axial force [N] of either sign, as for a straight wire: 8 F D/(π
+/// d³) for round wire, at the middle of the longer side for rectangular wire. Not negative.
 [[nodiscard]] double nominal_shear_stress(const CoilSpring& spring, double axial_force);
 
 /// The same times Wahl's factor, for fatigue.

@@ -30,7 +30,7 @@ void check_slenderness(foundation::Problems& problems, const std::string& key, d
   const double ratio = std::max(width, thickness) / std::min(width, thickness);
   if (ratio > foundation::most_slender)
     problems.error(
-        key, fmt::format("{:.6g} m beside {:.6g} m: a ratio of {:.3g}", thickness, width, ratio),
+        key, fmt::format("{:.6g} m compared with {:.6g} m: a ratio of {:.3g}", thickness, width, ratio),
         fmt::format("two lengths of one part differ by a factor of {:.0f} at most", foundation::most_slender),
         "check the unit and the power of ten");
 }
@@ -41,7 +41,7 @@ void check_factor(foundation::Problems& problems, double dynamic_factor) {
   if (!(dynamic_factor > 0) || !std::isfinite(dynamic_factor))
     problems.error("dynamic_factor", value, "it must be > 0", "1 is the static stiffness");
   else if (dynamic_factor < usual_from || dynamic_factor > usual_to)
-    problems.warning("dynamic_factor", value, "dynamic over static stiffness of rubber lies between 1 and 4",
+    problems.warning("dynamic_factor", value, "dynamic over static stiffness of rubber is between 1 and 4",
                      "check the number against a test");
 }
 
@@ -49,7 +49,7 @@ void check_shape_factor(foundation::Problems& problems, double shape_factor) {
   constexpr double lowest = 0.25, highest = 20;
   if (shape_factor < lowest || shape_factor > highest)
     problems.warning("thickness", fmt::format("the shape factor is {:.4g}", shape_factor),
-                     "the formulas were measured for shape factors from 0.25 to 20",
+                     "the formulas were checked for shape factors from 0.25 to 20",
                      "use a finite-element mount or check the dimensions");
 }
 

@@ -7,22 +7,22 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Findings that several elements share.
+/// Checks used by several elements.
 namespace trivet::elements {
 
-/// Error unless the length [m] is one of a part (foundation/part_size.h); returns whether it is.
+/// Error unless the length [m] is within the limits for parts (foundation/part_size.h); returns whether it is.
 bool check_length(foundation::Problems& problems, const std::string& key, double value);
 
-/// All of them, each reported for itself.
+/// The same for several lengths, each reported separately.
 bool check_lengths(foundation::Problems& problems, std::initializer_list<std::pair<const char*, double>> lengths);
 
-/// Error unless `width` and `thickness` [m] differ by a factor of foundation::most_slender at most, found at `key`.
+/// Error at `key` if `width` and `thickness` [m] differ by more than a factor of foundation::most_slender.
 void check_slenderness(foundation::Problems& problems, const std::string& key, double width, double thickness);
 
 /// The dynamic stiffening factor: error unless > 0, warning outside 1 … 4.
 void check_factor(foundation::Problems& problems, double dynamic_factor);
 
-/// Warning outside 0.25 … 20, the range of shape factors that the formulas were measured over.
+/// Warning outside 0.25 … 20, the range of shape factors over which the accuracy of the formulas was measured.
 void check_shape_factor(foundation::Problems& problems, double shape_factor);
 
 /// @throws InvalidInput with the first error of the list, if there is one

@@ -15,11 +15,11 @@ namespace {
 template <typename Scalar>
 using Square = Eigen::Matrix<Scalar, 6, 6>;
 
-/// States that are even and odd under the half turn about axis 1, as places in (u, θ, F, M): the rod's equations are
+/// States that are even and odd under the half turn about axis 1, as indices in (u, θ, F, M): the rod's equations are
 /// even' = B odd, odd' = C even, which leaves 6×6 instead of 12×12.
 constexpr std::array<int, 6> even_states = {0, 3, 7, 8, 10, 11};
 constexpr std::array<int, 6> odd_states = {1, 2, 4, 5, 6, 9};
-/// Displacements in the order of those lists, as places in (u, θ): two even, four odd.
+/// Displacements in the order of those lists, as indices in (u, θ): two even, four odd.
 constexpr std::array<int, 6> displacements = {0, 3, 1, 2, 4, 5};
 
 template <typename Scalar>
@@ -53,7 +53,7 @@ void add_preload(Eigen::Matrix<Scalar, 12, 12>& a, const Eigen::Matrix<Scalar, 3
   a.template block<3, 3>(9, 3) += f * stretch + Scalar(0.5) * (m * bend) - Scalar(0.5) * (f * r + r * f);
 }
 
-/// Rates of change along the rod with `unit` as length and EI₂/unit² as force.
+/// Rates of change along the rod with `unit` as unit of length and EI₂/unit² as unit of force.
 template <typename Scalar>
 Rates<Scalar> rates(const HelicalRod& rod, Scalar lambda, Scalar load, double unit) {
   using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
@@ -82,7 +82,7 @@ Rates<Scalar> rates(const HelicalRod& rod, Scalar lambda, Scalar load, double un
   return result;
 }
 
-/// Σ Xᵏ/(2k + first)! to k = 8, for ‖X‖ of about 1: the first term left out is below 1e-16.
+/// Σ Xᵏ/(2k + first)! to k = 11, for ‖X‖ of about 1: the first omitted term is below 1e-25.
 template <typename Scalar>
 Square<Scalar> series(const Square<Scalar>& x, const Square<Scalar>& x2, const Square<Scalar>& x3, int first) {
   std::array<Scalar, 12> c;
@@ -98,8 +98,7 @@ Square<Scalar> series(const Square<Scalar>& x, const Square<Scalar>& x2, const S
   return c[0] * one + c[1] * x + c[2] * x2 + x3 * sum;
 }
 
-/// L D Lᵀ of a small symmetric (not Hermitian) matrix, largest diagonal first; keeps L⁻¹-applied rows and counts
-/// negative pivots.
+/// L D Lᵀ of a small symmetric (not Hermitian) matrix, largest diagonal entry first; counts negative pivots.
 template <typename Scalar, int N>
 struct SymmetricFactors {
   Eigen::Matrix<Scalar, N, N> lower;
@@ -170,7 +169,7 @@ Halves<Scalar> segment(const Rates<Scalar>& rate, int squarings) {
   return {force_per_motion<Scalar>(even_even, odd_even), force_per_motion<Scalar>(even_odd, odd_odd)};
 }
 
-/// Two equal segments joined; returns the negative pivots of their common point.
+/// Joins two equal segments; returns the number of negative pivots of their common point.
 template <typename Scalar>
 int join(Halves<Scalar>& k) {
   const Square<Scalar> sum = k.alike + k.opposite, difference = Scalar(0.5) * (k.alike - k.opposite);
@@ -190,12 +189,12 @@ double largest_wave_number(const HelicalRod& rod, double lambda) {
 }
 
 /// Longest first segment, as wave number × length: below the lowest clamped natural frequency of a straight piece (π in
-/// shear and torsion), so that joining counts every one.
+/// shear and torsion), so that joining counts every natural frequency.
 constexpr double longest_wave = 2;
-/// And as curvature × length, 1.6 turns: too short to buckle. Shorter lets doubling lose digits of the lateral
-/// stiffness.
+/// The same as curvature × length, 1.6 turns: too short to buckle. With a shorter one, doubling loses digits of the
+/// lateral stiffness.
 constexpr double longest_arc = 10;
-/// Half-length at which the series starts, over 1/curvature and 1/wave number.
+/// Largest half-length for the series, over 1/curvature and 1/wave number.
 constexpr double series_reach = 0.5;
 
 int halvings(double ratio) { return ratio > 1 ? int(std::ceil(std::log2(ratio))) : 0; }

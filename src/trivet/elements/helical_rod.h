@@ -6,11 +6,11 @@
 
 #include "trivet/elements/coil_spring.h"
 
-/// The wire of a coil spring as a rod whose state has constant coefficients in the axes of its section: 1 towards the
-/// spring's axis, 2 binormal, 3 along the wire. Derivation: docs/elements/coil_spring.md.
+/// The wire of a coil spring as a rod with constant coefficients in the axes of its section: 1 towards the spring's
+/// axis, 2 binormal, 3 along the wire. Derivation: docs/elements/coil_spring.md.
 namespace trivet::elements {
 
-/// Line of the wire. The section axes at the angle φ turn rigidly about e3.
+/// Centre line of the wire. The section axes rotate rigidly about e3 with the angle φ.
 struct Helix {
   double radius = 0;       ///< [m]
   double lead = 0;         ///< angle of the section's axis 3 to the plane normal to e3 [rad]
@@ -20,7 +20,7 @@ struct Helix {
 };
 [[nodiscard]] Helix helix(const CoilSpring& spring);
 
-/// Section axes as columns, and place of the section from the axis point at its own height, at angle φ.
+/// Section axes as columns, and position of the section from the axis point at its own height, at angle φ.
 [[nodiscard]] Eigen::Matrix3d section_axes(const Helix& helix, double angle);
 [[nodiscard]] Eigen::Vector3d from_axis(const Helix& helix, double angle);
 
@@ -38,9 +38,9 @@ struct HelicalRod {
 };
 [[nodiscard]] HelicalRod helical_rod(const CoilSpring& spring);
 
-/// Dynamic stiffness between the ends of the rod, in section axes (u, θ): W_N = own q_N + transfer q_K. Turning the rod
-/// by π about axis 1 of its middle gives it back, so W_K = J own J q_K + transferᵀ q_N with J = diag(1, −1, −1, 1, −1,
-/// −1).
+/// Dynamic stiffness between the ends of the rod, in section axes (u, θ): W_N = own q_N + transfer q_K. A rotation by
+/// π about axis 1 of its middle maps the rod onto itself, so W_K = J own J q_K + transferᵀ q_N with J = diag(1, −1, −1,
+/// 1, −1, −1).
 template <typename Scalar>
 struct RodStiffness {
   Eigen::Matrix<Scalar, 6, 6> own;
@@ -48,7 +48,7 @@ struct RodStiffness {
   int clamped_modes = 0;  ///< natural frequencies below ω with both ends clamped; meaningful for real arguments
 };
 
-/// At λ = ω² with all moduli multiplied by `modulus` (1 + iη), both |finite|. Exact: series on a segment, then
+/// Stiffness at λ = ω² with all moduli multiplied by `modulus` (1 + iη), both finite. Exact: series on a segment, then
 /// doubling.
 template <typename Scalar>
 [[nodiscard]] RodStiffness<Scalar> rod_stiffness(const HelicalRod& rod, Scalar lambda, Scalar modulus);

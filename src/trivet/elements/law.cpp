@@ -8,7 +8,7 @@ namespace {
 
 using Matrix6x12 = Eigen::Matrix<double, 6, 12>;
 
-/// Motion of the K side relative to the N side, both carried rigidly to the point at the fraction `centre` of the arm.
+/// Motion of the K side relative to the N side, both rigidly extended to the point at the fraction `centre` of the arm.
 Matrix6x12 relative_motion(const Eigen::Vector3d& arm, double centre) {
   Matrix6x12 e;
   e << -spatial::rigid_motion(centre * arm), spatial::rigid_motion((centre - 1) * arm);

@@ -29,7 +29,7 @@ struct ProportionalDamping {
 struct LossFactor {
   double value = 0;
 };
-/// An explicit 12×12 viscous damping matrix [N s/m …]; the stiffness scale leaves it alone.
+/// An explicit 12×12 viscous damping matrix [N s/m …]; the stiffness scale does not change it.
 struct DampingMatrix {
   Matrix12 matrix = Matrix12::Zero();
 };
@@ -42,68 +42,67 @@ struct Inertia {
   Eigen::VectorXd angular_frequencies;  ///< of the internal modes at nominal stiffness [rad/s]
 };
 
-/// A dynamic stiffness D(ω) [N/m …] that is no quotient of polynomials: exact continua and measured tables. For complex
-/// ω, Re ω ≥ 0; a table takes the piece of its interpolation that holds at the real frequency `near`.
+/// A dynamic stiffness D(ω) [N/m …] that is not a rational function: exact continua and measured tables. For complex ω,
+/// Re ω ≥ 0; a table uses the interpolation piece at the real frequency `near`.
 struct FrequencyDependence {
   std::function<Matrix12c(std::complex<double> omega, double near)> stiffness;
-  bool elastic = true;  ///< without losses of its own: damping then enters as a complex modulus μ, D = μ D(ω/√μ)
-  double from = 0, to = std::numeric_limits<double>::infinity();  ///< where it is defined [rad/s]
-  std::vector<double> knots;  ///< where one piece of a table ends and the next begins [rad/s], ascending
+  bool elastic = true;  ///< without own losses: damping then enters as a complex modulus μ, D = μ D(ω/√μ)
+  double from = 0, to = std::numeric_limits<double>::infinity();  ///< range of definition [rad/s]
+  std::vector<double> knots;  ///< boundaries between the pieces of a table [rad/s], ascending
 };
 
-/// What an element does: nominal stiffness (at ω = 0), the factor on it, its damping, its own mass, and the wrench it
-/// carries at rest.
+/// Law of an element: nominal stiffness (at ω = 0), scale factor, damping, own mass, and static preload.
 struct Law {
   Matrix12 nominal_stiffness = Matrix12::Zero();
   double scale = 1;
   Damping damping;
   std::optional<Inertia> inertia;
   std::optional<FrequencyDependence> frequency_dependence;
-  std::optional<Vector12> preload;  ///< forces and moments on the ends N, K in the state about which it moves
+  std::optional<Vector12> preload;  ///< forces and moments on the ends N, K in the state about which it vibrates
 };
 
-/// At ω = 0.
+/// Stiffness at ω = 0, scaled.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
-/// The part of the damping that is viscous at the ends.
+/// Viscous damping matrix at the ends.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);
 [[nodiscard]] double loss_factor(const Law& law);
 
-/// Is D(ω) beyond what `matrices` can say exactly?
+/// Is D(ω) more than `matrices` can represent exactly?
 [[nodiscard]] bool is_frequency_dependent(const Law& law);
 
 /// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, then strains
-/// of Maxwell branches without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then the nearest system
-/// of this kind, for modes and starting values.
+/// of Maxwell branches without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then an approximation for
+/// modes and starting values.
 struct Matrices {
   Eigen::MatrixXd stiffness, damping, mass;
   double loss_factor = 0;
 };
 [[nodiscard]] Matrices matrices(const Law& law);
 
-/// D(ω), 12×12, internal coordinates condensed. omega [rad/s] may be complex, Re ω ≥ 0.
+/// Dynamic stiffness D(ω), 12×12, internal coordinates condensed. omega [rad/s] may be complex, Re ω ≥ 0.
 /// @throws foundation::NotComputable outside the range of a tabulated law
 [[nodiscard]] Matrix12c dynamic_stiffness(const Law& law, std::complex<double> omega, double near);
 [[nodiscard]] inline Matrix12c dynamic_stiffness(const Law& law, double omega) {
   return dynamic_stiffness(law, omega, omega);
 }
 
-/// The 12×12 that a 6×6 block of the K end (N fixed) implies by equilibrium: E C_KK Eᵀ, storing no energy in a rigid
+/// The 12×12 that follows by equilibrium from a 6×6 block of the K end (N fixed): E C_KK Eᵀ, with no energy in a rigid
 /// motion.
 [[nodiscard]] Matrix12 from_moved_end(const Matrix6& moved_end, const Eigen::Vector3d& arm);
 
-/// Three translational [N/m] and three rotational [N m/rad] constants acting between the ends at the point that lies
-/// the fraction `centre` of the arm from N (0 = N, 1 = K), both ends joined to it by rigid levers.
+/// Three translational [N/m] and three rotational [N m/rad] constants acting between the ends at the point at the
+/// fraction `centre` of the arm from N (0 = N, 1 = K), both ends rigidly attached to it.
 [[nodiscard]] Matrix12 constants_at_point(const Vector6& constants, const Eigen::Vector3d& arm, double centre);
 
 /// One constant along the unit vector `axis`, through the same point.
 [[nodiscard]] Matrix12 constant_along_line(double constant, const Eigen::Vector3d& axis, const Eigen::Vector3d& arm,
                                            double centre);
 
-/// The same element seen in N axes of its own: rows and columns of N turned by `n_from_k`.
+/// The same element with separate axes for N: rows and columns of N rotated by `n_from_k`.
 [[nodiscard]] Matrix12 in_end_axes(const Matrix12& in_axes_of_k, const Eigen::Matrix3d& n_from_k);
 
-/// Rigid motions of the two ends, 12×6: motion of K in the axes of K, and what N does with it in the axes of N, where
-/// `n_from_k` turns components in K's axes into N's.
+/// Rigid motions of the two ends, 12×6: motion of K in the axes of K, and the same motion of N in the axes of N;
+/// `n_from_k` transforms components from K's axes to N's.
 [[nodiscard]] Eigen::Matrix<double, 12, 6> rigid_motions(const Eigen::Vector3d& arm, const Eigen::Matrix3d& n_from_k);
 
 }  // namespace trivet::elements

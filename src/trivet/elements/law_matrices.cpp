@@ -14,10 +14,10 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A fractional law is imitated over this many decades to either side of its relaxation.
+/// A fractional law is approximated over this many decades to either side of its relaxation.
 constexpr double imitated_decades = 4;
 
-/// K = L S Lᵀ with as few columns as K has rank, S = ±1: strains that an element with stiffness K can store energy in.
+/// K = L S Lᵀ with rank(K) columns, S = ±1: strains that store energy in an element with stiffness K.
 struct Strains {
   Eigen::MatrixXd shape;
   Eigen::VectorXd sign;
@@ -39,7 +39,8 @@ Strains strains(const Eigen::MatrixXd& stiffness) {
   return {scale.asDiagonal() * vectors * values.cwiseAbs().cwiseSqrt().asDiagonal(), values.cwiseSign()};
 }
 
-/// Adds one Maxwell branch of `ratio` times the stiffness behind L, relaxing with `time`: g(z − Lᵀd) + gτ ż = 0.
+/// Adds one Maxwell branch with `ratio` times the stiffness L S Lᵀ and the relaxation time `time`: g(z − Lᵀd) + gτ ż =
+/// 0.
 void add_branch(const Strains& strain, double ratio, double time, Matrices& m) {
   const Eigen::Index old = m.stiffness.rows(), rank = strain.sign.size(), first = strain.shape.rows();
   for (Eigen::MatrixXd* matrix : {&m.stiffness, &m.damping, &m.mass}) {
@@ -63,7 +64,7 @@ RationalForm rational(const Viscoelastic& law) {
   return rational_form(law, 1, 2);  // exact on any band
 }
 
-/// The factor on every modulus of the element: scale, loss factor, proportional damping and relaxation together.
+/// Complex factor on all moduli of the element: scale, loss factor, proportional damping and relaxation together.
 Complex relative_stiffness(const Law& law, Complex omega) {
   const Complex i(0, 1);
   Complex factor = law.scale;
@@ -73,7 +74,7 @@ Complex relative_stiffness(const Law& law, Complex omega) {
   return factor * Complex(1, loss_factor(law));
 }
 
-/// −ω²M − ω⁴ Σ p pᵀ/(μω_k² − ω²): what the element's own mass adds when every modulus is μ times the nominal one.
+/// −ω²M − ω⁴ Σ p pᵀ/(μω_k² − ω²): contribution of the element's own mass if every modulus is μ times the nominal one.
 Matrix12c inertia_terms(const Inertia& inertia, Complex modulus, Complex omega) {
   const Complex square = omega * omega;
   Matrix12c terms = -square * inertia.mass.cast<Complex>();
@@ -127,8 +128,8 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
     const double slack = std::isfinite(given.to) ? 1e-9 * given.to : 0;
     if (near < given.from - slack || near > given.to + slack)
       throw foundation::NotComputable(fmt::format(
-          "its table gives no stiffness at {:.6g} Hz, only from {:.6g} to {:.6g} Hz; ask for a band inside, or extend "
-          "the table",
+          "its table has no stiffness at {:.6g} Hz, only from {:.6g} to {:.6g} Hz; choose a band inside, or extend the "
+          "table",
           near / (2 * std::numbers::pi), given.from / (2 * std::numbers::pi), given.to / (2 * std::numbers::pi)));
     result = given.elastic ? Matrix12c(modulus * given.stiffness(omega / std::sqrt(modulus), near))
                            : Matrix12c(law.scale * given.stiffness(omega, near));

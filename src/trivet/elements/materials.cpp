@@ -77,7 +77,7 @@ foundation::Problems check_hardness(double hardness) {
   foundation::Problems problems;
   const std::string value = fmt::format("hardness = {:.6g}", hardness);
   if (!(hardness > 0 && hardness < 100))
-    problems.error("hardness", value, "a hardness lies between 0 and 100 degrees", "give Shore A or IRHD degrees");
+    problems.error("hardness", value, "a hardness must be between 0 and 100 degrees", "give Shore A or IRHD degrees");
   else if (hardness < softest || hardness > hardest)
     problems.warning("hardness", value, "the relation to a modulus is tested for 30 … 80 degrees",
                      "give a measured shear modulus instead: G = \"0.8 MPa\"");
@@ -89,10 +89,10 @@ foundation::Problems check(const Rubber& rubber) {
   foundation::Problems problems;
   if (!(rubber.shear_modulus > 0) || !std::isfinite(rubber.shear_modulus))
     problems.error("shear_modulus", fmt::format("shear_modulus = {:.6g} Pa", rubber.shear_modulus), "it must be > 0",
-                   "rubber lies near 0.3 … 3 MPa");
+                   "rubber has about 0.3 … 3 MPa");
   if (!(rubber.bulk_modulus > 0))
     problems.error("bulk_modulus", fmt::format("bulk_modulus = {:.6g} Pa", rubber.bulk_modulus), "it must be > 0",
-                   "rubber lies near 1 … 3 GPa");
+                   "rubber has about 1 … 3 GPa");
   else if (rubber.bulk_modulus < lowest_bulk_ratio * rubber.shear_modulus)
     problems.warning("bulk_modulus",
                      fmt::format("bulk_modulus = {:.4g} Pa is {:.3g} of the shear modulus", rubber.bulk_modulus,

@@ -34,8 +34,9 @@ struct Rubber {
 [[nodiscard]] double poisson_ratio(const Rubber& rubber);
 
 /// Static small-strain Young's modulus [Pa] from Shore A or IRHD (equal within a few degrees from 30 to 80): Gent 1958,
-/// by the theory of indentation of the durometer, E = 0.0981(56 + 7.62336 H)/(0.137505(254 − 2.54 H)) MPa. A reading is
-/// worth ±2 … 5 degrees and compounds scatter by about ±20 %. G = E/3. @throws InvalidInput outside 0 < hardness < 100
+/// by the indentation theory of the durometer, E = 0.0981(56 + 7.62336 H)/(0.137505(254 − 2.54 H)) MPa. A reading has
+/// an error of ±2 … 5 degrees and compounds scatter by about ±20 %. G = E/3. @throws InvalidInput outside 0 < hardness
+/// < 100
 [[nodiscard]] double young_modulus_from_hardness(double hardness);
 /// Measured small-strain shear modulus [Pa] of carbon-black natural rubber, IRHD 30 … 75 (Lindley 1974), linear between
 /// the rows.

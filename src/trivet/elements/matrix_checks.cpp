@@ -11,8 +11,8 @@
 namespace trivet::elements {
 namespace {
 
-/// √K_ii, or of the largest entry beside it where K_ii is zero or the round-off of other entries: a strut along a skew
-/// axis leaves 1e-30 N m/rad of them. No element's lever is shorter than 1e-10 m.
+/// √K_ii, or √ of the largest entry of its row and column if K_ii is zero or round-off of other entries (1e-30 N m/rad
+/// for a strut along a skew axis). No element's lever is shorter than 1e-10 m.
 spatial::Vector12 entry_scale(const Matrix12& matrix) {
   constexpr double round_off = 1e-14, shortest_lever_squared = 1e-20;
   double translation = 0, rotation = 0;
@@ -29,8 +29,7 @@ spatial::Vector12 entry_scale(const Matrix12& matrix) {
   return scale;
 }
 
-/// Round-off of an entry (row i, coordinate or motion j) of a matrix whose large entries are translational stiffnesses
-/// carried over `arm`.
+/// Round-off of an entry (row i, coordinate or motion j) of a matrix with translational stiffnesses acting over `arm`.
 double entry_round_off(const Matrix12& matrix, double arm, int i, int j) {
   constexpr double count = 64;
   double translation = 0, rotation = 0;

@@ -14,7 +14,7 @@ class PiecewiseStiffness {
  public:
   explicit PiecewiseStiffness(const StiffnessTable& table);
 
-  /// By the piece that holds at the real `near` [rad/s]; that at an end holds beyond it too.
+  /// Value by the piece at the real frequency `near` [rad/s]; the end pieces also apply beyond the ends.
   [[nodiscard]] std::complex<double> at(std::complex<double> omega, double near) const;
 
  private:

@@ -11,21 +11,20 @@ using std::numbers::pi;
 
 double modulus_in_series(double a, double b) { return 1 / (1 / a + 1 / b); }
 
-/// I_{n+1}(x)/I_n(x) by its continued fraction, from below where it has converged.
+/// I_{n+1}(x)/I_n(x) by its continued fraction, evaluated from a depth at which it has converged.
 double bessel_ratio(int n, double x) {
   double ratio = 0;
   for (int k = n + 40 + static_cast<int>(x); k > n; --k) ratio = x / (2 * k + x * ratio);
   return ratio;
 }
 
-/// √(12G/K)/h [1/m]: pressure decays over 1/κ from a free edge.
+/// κ = √(12G/K)/h [1/m]: pressure decays over 1/κ from a free edge.
 double decay(const Rubber& rubber, double thickness) {
   return std::sqrt(12 * rubber.shear_modulus / rubber.bulk_modulus) / thickness;
 }
 
-/// 12G/h² times what `film` makes of κ: the film's Ec/(12G/h²) [m²]; below a decay of 1e-5 per length it is that of κ =
-/// 0.
-double scaled_bessel_product(int n, double lambda) {  // I_{n+2}/I_n over λ²
+/// I_{n+2}(λ)/I_n(λ) over λ²; below λ = 1e-6 its value at λ = 0.
+double scaled_bessel_product(int n, double lambda) {
   if (lambda < 1e-6) return 1.0 / (4 * (n + 1) * (n + 2));
   return bessel_ratio(n, lambda) * bessel_ratio(n + 1, lambda) / (lambda * lambda);
 }
@@ -35,7 +34,7 @@ double coth_share(double x) {
   return x < 0.1 ? 1.0 / 3 - x * x / 45 + 2 * std::pow(x, 4) / 945 : (x / std::tanh(x) - 1) / (x * x);
 }
 
-/// 1 − tanh(x)/x, and the like for a load that varies linearly: 1 − 3(x coth x − 1)/x².
+/// 1 − tanh(x)/x, and the same for a load that varies linearly: 1 − 3(x coth x − 1)/x².
 double even_share(double x) { return x < 1e-3 ? x * x / 3 * (1 - 0.4 * x * x) : 1 - std::tanh(x) / x; }
 double odd_share(double x) {
   return x < 0.1 ? x * x / 15 - 2 * std::pow(x, 4) / 315 + std::pow(x, 6) / 1575 : 1 - 3 * coth_share(x);
@@ -54,8 +53,8 @@ double sine_series(double a, double b, double kappa, Share share) {
   return sum;
 }
 
-/// ∇²f − κ²f = −1 (n = 0) or −r (n = 1, times cos φ) on a ring: by Bessel functions for κ > 0. Returns ∫ f rⁿ r dr over
-/// ∫ r^{2n} r dr.
+/// Solves ∇²f − κ²f = −1 (n = 0) or −r (n = 1, times cos φ) on a ring by Bessel functions for κ > 0. Returns ∫ f rⁿ r
+/// dr over ∫ r^{2n} r dr.
 double ring_mean(int n, double outer, double inner, double kappa) {
   const auto i = [&](int order, double r) { return std::cyl_bessel_i(order, kappa * r); };
   const auto k = [&](int order, double r) { return std::cyl_bessel_k(order, kappa * r); };
@@ -76,7 +75,7 @@ double incompressible_ring_mean(int n, double outer, double inner) {
 }
 
 double ring_film(int n, const Rubber& rubber, double outer, double inner, double thickness) {
-  constexpr double stiff = 1e-3;  // below, Bessel functions lose digits to cancellation and compressibility is < 1e-6
+  constexpr double stiff = 1e-3;  // below it Bessel functions lose digits, and compressibility is < 1e-6
   const double kappa = decay(rubber, thickness);
   const double mean =
       kappa * (outer - inner) < stiff ? incompressible_ring_mean(n, outer, inner) : ring_mean(n, outer, inner, kappa);

@@ -4,9 +4,9 @@
 #include "trivet/elements/materials.h"
 
 /// Apparent moduli of a thin rubber layer between rigid bonded plates: Ec in axial stiffness Ec A/h, Eb in tilting
-/// stiffness Eb I/h. The pressure solution takes the layer as a film that is squeezed sideways, ∇²p − 12G/(K h²) p =
-/// −12G/h² (strain), p = 0 at free edges: exact as h → 0, without the share of a squat layer's own stretching. K may be
-/// infinite. Lengths [m] > 0, results [Pa]. Sources and accuracy: docs/elements/rubber.md.
+/// stiffness Eb I/h. The pressure solution models the layer as a film squeezed sideways, ∇²p − 12G/(K h²) p = −12G/h²
+/// (strain), p = 0 at free edges: exact as h → 0, without the uniform stretching of a thicker layer. K may be infinite.
+/// Lengths [m] > 0, results [Pa]. Sources and accuracy: docs/elements/rubber.md.
 namespace trivet::elements {
 
 /// Loaded area over free area: solid or hollow disc (the hole's wall is free), rectangular block.

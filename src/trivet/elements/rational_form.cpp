@@ -28,8 +28,8 @@ std::vector<double> grid(const Band& band, int count) {
   return points;
 }
 
-/// Candidate times: three decades beyond the band at both ends, for the tails of the spectrum, and the time of the law
-/// itself.
+/// Candidate times: to three decades beyond the band at both ends, for the tails of the spectrum, and the time of the
+/// law itself.
 std::vector<double> candidate_times(const FractionalZener& law, const Band& band, double per_decade) {
   const Band wide{1e-3 / band.to, 1e3 / band.from};
   std::vector<double> times = grid(wide, static_cast<int>(std::ceil(per_decade * decades(wide))));

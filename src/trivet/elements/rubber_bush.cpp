@@ -20,8 +20,8 @@ double plane_ring(double poisson, double radius_ratio) {
       (stiffening * stiffening * std::log(radius_ratio) - (squared - 1) / (squared + 1));
 }
 
-/// Tilting of a slice per G ri² and length by transverse shear alone, ∫ |grad w + (h, h)|² r dr/π: inside the tilting
-/// pin w = −r, in-plane motion follows h = ln(ro/r)/ln(ro/ri), and w(r) makes the energy least. r in units of ri.
+/// Tilting stiffness of a slice per G ri² and length by transverse shear alone, ∫ |grad w + (h, h)|² r dr/π: at the
+/// tilting pin w = −r, in-plane motion is h = ln(ro/r)/ln(ro/ri), and w(r) minimises the energy. r in units of ri.
 double slice_tilt(double radius_ratio) {
   constexpr int steps = 64;
   const double log_ratio = std::log(radius_ratio), c = 1 / (2 * log_ratio);
@@ -37,12 +37,11 @@ double slice_tilt(double radius_ratio) {
   return pi * step / 3 * sum;
 }
 
-/// Over a length of 2x decay lengths: mean of a pressure that the free ends relieve, of an even and of a linear load.
+/// Mean over 2x decay lengths of a pressure that falls to 0 at the free ends, for a uniform and for a linear load.
 double even_mean(double x) { return x < 1e-3 ? x * x / 3 : 1 - std::tanh(x) / x; }
 double odd_mean(double x) { return x < 0.05 ? x * x / 15 : 1 - 3 * (x / std::tanh(x) - 1) / (x * x); }
 
-/// Pressure made by radial motion dies out along the axis over this length [m]: about the mean radius, less if
-/// compressible.
+/// Axial decay length [m] of the pressure due to radial motion: about the mean radius, less if compressible.
 double decay_length(const RubberBush& b) {
   const double mean = (b.inner_radius + b.outer_radius) / 2, wall = b.outer_radius - b.inner_radius;
   const double around = mean * (1 + 0.15 * wall / (2 * mean));
@@ -109,14 +108,14 @@ foundation::Problems check(const RubberBush& b) {
   check_slenderness(problems, "length", wall, b.length);
   if (ratio < thinnest || ratio > thickest)
     problems.warning("outer_radius", fmt::format("outer over inner radius = {:.4g}", ratio),
-                     "the formulas were measured for ratios from 1.1 to 5", "use a finite-element mount");
+                     "the formulas were checked for ratios from 1.1 to 5", "use a finite-element mount");
   if (b.length < shortest * wall)
     problems.error("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
                    "the formulas hold for bushes at least half as long as their wall is thick",
                    "use a finite-element mount");
   else if (b.length < short_length * wall)
     problems.warning("length", fmt::format("length = {:.6g} m is {:.3g} of the wall", b.length, b.length / wall),
-                     "below one wall thickness the formulas are good to 10 % only", "use a finite-element mount");
+                     "below one wall thickness the formulas are accurate to 10 % only", "use a finite-element mount");
   return problems;
 }
 

@@ -18,22 +18,23 @@ struct RubberBush {
   double dynamic_factor = 1;
 };
 
-/// 2πGL/ln(ro/ri) [N/m]: long bush, free ends neglected.
+/// Axial stiffness 2πGL/ln(ro/ri) [N/m]: long bush, free ends neglected.
 [[nodiscard]] double long_bush_axial(const RubberBush& bush);
-/// 4πGL/(1/ri² − 1/ro²) [N m/rad]: exact for any length.
+/// Torsional stiffness 4πGL/(1/ri² − 1/ro²) [N m/rad]: exact for any length.
 [[nodiscard]] double bush_torsion(const RubberBush& bush);
-/// Radial [N/m] of a slice in plane strain (very long bush) and in plane stress (very short); Adkins and Gent 1954 if K
-/// is infinite.
+/// Radial stiffness [N/m] of a slice in plane strain (very long bush) and in plane stress (very short); Adkins and Gent
+/// 1954 if K is infinite.
 [[nodiscard]] double long_bush_radial(const RubberBush& bush);
 [[nodiscard]] double short_bush_radial(const RubberBush& bush);
 
-/// At the centre: [N/m] and, for tilting the pin about a transverse axis and turning it about e3, [N m/rad].
+/// Stiffnesses at the centre: [N/m] and, for tilting the pin about a transverse axis and turning it about e3, [N
+/// m/rad].
 struct BushConstants {
   double radial = 0, axial = 0, tilt = 0, torsion = 0;
 };
 [[nodiscard]] BushConstants bush_constants(const RubberBush& bush);
 
-/// @throws InvalidInput where check() finds an error
+/// @throws InvalidInput if check() finds an error
 [[nodiscard]] Matrix12 rubber_bush(const RubberBush& bush);
 [[nodiscard]] foundation::Problems check(const RubberBush& bush);
 

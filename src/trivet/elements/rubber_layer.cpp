@@ -16,22 +16,22 @@ namespace {
 using std::numbers::pi;
 
 // Edge layers of a thin layer, in thicknesses, from plane-strain and axisymmetric finite elements
-// (docs/elements/rubber.md): the pressure falls to zero as if the edge lay this far inside, and an edge normal to the
-// shearing direction carries nothing over this width.
+// (docs/elements/rubber.md): the pressure falls to zero as if the edge were this far inside, and an edge normal to the
+// shearing direction carries no load over this width.
 constexpr double pressure_edge = 0.05;
 constexpr double shear_edge = 0.1153;
 
-/// 1 − e^{−S/scale}: how far a layer of shape factor S has come from tall to thin.
+/// Transition of a layer of shape factor S from tall (0) to thin (1): 1 − e^{−S/scale}.
 double thinness(double shape_factor, double scale) { return 1 - std::exp(-shape_factor / scale); }
 
-/// k = (G A/h)/(1 + edges + bending): bending flexibility h² A/(36 I) of a tall layer, held back by the plates when it
-/// is low.
+/// k = (G A/h)/(1 + edges + bending): bending flexibility h² A/(36 I) of a tall layer, reduced by the plates if it is
+/// low.
 double shear_flexibility(double edges, double bending, double slenderness, double hold) {
   return 1 + edges + bending * slenderness / (slenderness + hold);
 }
 
 /// Share of the uniform stretching, over 3G: 1 for a tall solid disc, 1.147 for a thin one, 4/3 and 1.53 for a strip,
-/// where the rubber cannot move along the strip. A ring is a strip bent round; a small hole adds to it.
+/// as rubber cannot move along the strip. A ring is a curved strip; a small hole increases the share.
 double ring_axial_share(double hole_ratio, double shape_factor) {
   const double thin = 0.527 + 0.0125 / (hole_ratio * hole_ratio), scale = 0.2 + 0.02 / (hole_ratio * hole_ratio);
   return 1 + thin * (1 - std::exp(-std::pow(shape_factor / scale, 1.2)));
@@ -70,14 +70,14 @@ Moduli ring_moduli(const RubberDisc& d) {
   return {axial, bending, bending};
 }
 
-/// 1 for a square or tall block, 4/3 for a strip (Gent and Meinecke 1970): how far the rubber is kept from moving along
-/// the longer side.
+/// Constraint of the rubber along the longer side: 1 for a square or tall block, 4/3 for a strip (Gent and Meinecke
+/// 1970).
 double strip_factor(double a, double b, double h) {
   return 4.0 / 3 - 2.0 / 3 * (a * b + h * h) / (a * a + b * b + 2 * h * h);
 }
 
-/// Share of the own stretching in the bending of a block over 3G, strains varying over the width `along`; the longer
-/// the other width, the more it is a strip. Corners add to it.
+/// Share of the stretching in the bending of a block, over 3G, strains varying over the width `along`; the longer the
+/// other width, the more the block is a strip. Corners increase the share.
 double block_bending_share(double along, double across, double h, double shape_factor) {
   const double squares = along * along + across * across, squareness = 2 * along * across / squares;
   const double tall = strip_factor(along, across, h), thin = 1.52 - 0.19 * squareness;
@@ -120,8 +120,8 @@ double block_shear_flexibility(double along, double across, double h) {
   return shear_flexibility(shear_edge * x, h * h / (3 * along * along * strip), x, 2.6 + 2.4 * (strip - 1));
 }
 
-/// Torsion of a block whose ends cannot warp: uniform torque with the warping χ(z) φ(x, y), φ = c₁xy + c₂x³y + c₃xy³ by
-/// Ritz. Between G I_p/h for a low block and G J/h for a tall one. Returns the factor on G/h [m⁴].
+/// Torsion constant of a block with ends that cannot warp, the factor on G/h [m⁴]: uniform torque with the warping χ(z)
+/// φ(x, y), φ = c₁xy + c₂x³y + c₃xy³, by Ritz. The stiffness is G I_p/h for a low block and G J/h for a tall one.
 double block_torsion_constant(const RubberBlock& b) {
   const double a = b.width_1 / 2, c = b.width_2 / 2;
   const auto integral = [&](int i, int j) {  // ∫ xⁱ yʲ over the section
@@ -196,7 +196,7 @@ foundation::Problems check(const RubberDisc& d) {
   const bool sized = check_lengths(problems, {{"radius", d.radius}, {"thickness", d.thickness}});
   check_factor(problems, d.dynamic_factor);
   if (sized) check_slenderness(problems, "thickness", d.radius, d.thickness);
-  if (!(d.radius > 0)) return problems;  // a hole has nothing to be compared with
+  if (!(d.radius > 0)) return problems;  // the hole cannot be compared with it
   if (!(d.hole_radius >= 0 && d.hole_radius < d.radius))
     problems.error("hole_radius", fmt::format("a radius of {:.6g} m", d.hole_radius),
                    fmt::format("it must be ≥ 0 and below the radius {:.6g} m", d.radius), "0 is a solid disc");
@@ -204,12 +204,12 @@ foundation::Problems check(const RubberDisc& d) {
     problems.error(
         "hole_radius",
         fmt::format("hole_radius = {:.6g} m is {:.3g} of the radius", d.hole_radius, d.hole_radius / d.radius),
-        "the formulas hold for holes from 0.1 of the radius", "leave the hole out or use a finite-element mount");
+        "the formulas hold for holes from 0.1 of the radius", "omit the hole or use a finite-element mount");
   else if (d.hole_radius > 0 && d.hole_radius < small_hole * d.radius)
     problems.warning(
         "hole_radius",
         fmt::format("hole_radius = {:.6g} m is {:.3g} of the radius", d.hole_radius, d.hole_radius / d.radius),
-        "below 0.2 of the radius the axial stiffness is good to 10 % only", "use a finite-element mount");
+        "below 0.2 of the radius the axial stiffness is accurate to 10 % only", "use a finite-element mount");
   if (sized && d.hole_radius >= 0 && d.hole_radius < d.radius)
     check_shape_factor(problems, disc_shape_factor(d.radius, d.hole_radius, d.thickness));
   return problems;

@@ -10,8 +10,8 @@
 /// docs/elements/rubber.md.
 namespace trivet::elements {
 
-/// `measured` corrects the pressure solution at the free edges by numbers found with finite elements: the default,
-/// within 1 … 4 %. `textbook`: Gent–Lindley compression, Gent–Meinecke tilting, shear G A/h; within 3 … 25 %.
+/// `measured` (default) corrects the pressure solution at the free edges by finite-element results: within 1 … 4 %.
+/// `textbook`: Gent–Lindley compression, Gent–Meinecke tilting, shear G A/h; within 3 … 25 %.
 enum class LayerFormulas { measured, textbook };
 
 /// Cylinder, with or without a central hole whose wall is free. Lengths [m]. dynamic_factor [1] = dynamic over static
@@ -36,14 +36,14 @@ struct RubberBlock {
 };
 
 /// Constants of a layer at its mid-height: shear and axial [N/m]; bending about e1 and e2 with the plates' centres held
-/// in shear-free position, torsion about e3 [N m/rad].
+/// in the shear-free position, torsion about e3 [N m/rad].
 struct LayerConstants {
   double shear_1 = 0, shear_2 = 0, axial = 0, bending_1 = 0, bending_2 = 0, torsion = 0;
 };
 [[nodiscard]] LayerConstants layer_constants(const RubberDisc& disc);
 [[nodiscard]] LayerConstants layer_constants(const RubberBlock& block);
 
-/// The 12×12 of one layer. @throws InvalidInput where check() finds an error
+/// Stiffness 12×12 of one layer. @throws InvalidInput if check() finds an error
 [[nodiscard]] Matrix12 rubber_disc(const RubberDisc& disc);
 [[nodiscard]] Matrix12 rubber_block(const RubberBlock& block);
 

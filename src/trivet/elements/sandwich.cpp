@@ -17,7 +17,7 @@ double layer_thickness(const Sandwich& s) {
   return std::visit([](const auto& layer) { return layer.thickness; }, s.layer);
 }
 
-/// Inverse of a 6×6 of newtons and newton metres, scaled by its diagonal; the mark says whether it is regular.
+/// Inverse of a 6×6 of newtons and newton metres, scaled by its diagonal; the flag shows whether it is regular.
 std::pair<Matrix6, bool> inverse(const Matrix6& matrix) {
   const Vector6 scale = matrix.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   if (!scale.allFinite()) return {Matrix6::Zero(), false};
@@ -34,7 +34,7 @@ Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen
         fmt::format("elements in series: {} spacers between {} parts, must be one fewer than the parts", spacers.size(),
                     parts.size()));
   Matrix6 flexibility = Matrix6::Zero();
-  Eigen::Vector3d to_end = Eigen::Vector3d::Zero();  // from K of the part at hand to the last K
+  Eigen::Vector3d to_end = Eigen::Vector3d::Zero();  // from K of the current part to the last K
   for (std::size_t i = parts.size(); i-- > 0;) {
     const auto [own, regular] = inverse(parts[i].stiffness.bottomRightCorner<6, 6>());
     if (!regular) throw foundation::InvalidInput(fmt::format("elements in series: part {} is free to move", i + 1));

@@ -14,10 +14,10 @@ struct SeriesPart {
   Eigen::Vector3d arm = Eigen::Vector3d::Zero();
 };
 
-/// The 12×12 of parts one behind the other, K of each joined rigidly to N of the next, from N of the first to K of the
-/// last: exact static condensation, by adding their flexibilities at the last end. Massless joints. A rigid spacer is
-/// an arm between two parts: `spacers[i]` leads from K of part i to N of part i + 1, one fewer than the parts. arm =
-/// all arms and spacers.
+/// The 12×12 of parts in series, K of each rigidly attached to N of the next, from N of the first to K of the last:
+/// exact static condensation, by adding their flexibilities at the last end. Massless joints. A rigid spacer is an arm
+/// between two parts: `spacers[i]` is the vector from K of part i to N of part i + 1, one fewer than the parts. arm =
+/// sum of all arms and spacers.
 /// @throws InvalidInput if there is no part, the counts do not match, or a part is free to move
 [[nodiscard]] Matrix12 in_series(const std::vector<SeriesPart>& parts, const std::vector<Eigen::Vector3d>& spacers);
 
@@ -30,7 +30,7 @@ struct Sandwich {
 };
 
 [[nodiscard]] double height(const Sandwich& sandwich);
-/// @throws InvalidInput where check() finds an error
+/// @throws InvalidInput if check() finds an error
 [[nodiscard]] Matrix12 sandwich(const Sandwich& sandwich);
 [[nodiscard]] foundation::Problems check(const Sandwich& sandwich);
 

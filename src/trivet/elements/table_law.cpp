@@ -77,7 +77,7 @@ void check_grid(foundation::Problems& problems, const std::string& subject, cons
   if (grid.size() == 1)
     problems.error(subject, fmt::format("a single {}", quantity),
                    "a table needs two or more of them, or none if the stiffness does not depend on it",
-                   "add a row or leave them out");
+                   "add a row or remove them");
   for (std::size_t i = 0; i < grid.size(); ++i)
     if (!(grid[i] >= 0) || !std::isfinite(grid[i]) || (i > 0 && grid[i] <= grid[i - 1])) {
       problems.error(subject, fmt::format("{} number {} is {:.6g}", quantity, i + 1, grid[i]),
@@ -114,7 +114,7 @@ foundation::Problems check(const StiffnessTable& t, const std::string& subject) 
   if (!problems.has_errors() && t.loss.minCoeff(&row, &column) < 0)
     problems.error(subject,
                    fmt::format("loss stiffness {:.6g} in row {}, column {}", t.loss(row, column), row + 1, column + 1),
-                   "it must be ≥ 0: a passive element takes energy", "check the sign of the phase");
+                   "it must be ≥ 0: a passive element dissipates energy", "check the sign of the phase");
   return problems;
 }
 
@@ -158,7 +158,7 @@ foundation::Problems check(const TableLaw& law) {
                    "0.5 is the middle");
   if (const FrequencyRange range = frequency_range(law); range.from > range.to)
     problems.error("",
-                   fmt::format("the tables share no frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz",
+                   fmt::format("the tables have no common frequency: one starts at {:.6g} Hz, one ends at {:.6g} Hz",
                                range.from / two_pi, range.to / two_pi),
                    "there must be a band that all directions cover", "extend the tables");
   return problems;

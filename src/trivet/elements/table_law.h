@@ -9,11 +9,11 @@
 #include "trivet/elements/law.h"
 #include "trivet/foundation/problems.h"
 
-/// Elements known only by tables of dynamic stiffness (air springs, wire-rope isolators, hydraulic mounts): k*(ω,
-/// amplitude) per direction, interpolated and never extrapolated. Causality of the data is not judged here.
+/// Elements given only by tables of dynamic stiffness (air springs, wire-rope isolators, hydraulic mounts): k*(ω,
+/// amplitude) per direction, interpolated and never extrapolated. Causality of the data is not checked here.
 namespace trivet::elements {
 
-/// How values between the frequencies of the table are found. The monotone cubic (Fritsch–Butland) has no overshoot.
+/// Interpolation between the frequencies of the table. The monotone cubic (Fritsch–Butland) has no overshoot.
 enum class Interpolation { linear, monotone_cubic };
 
 /// k' + i k'' of one direction over angular frequency [rad/s] and, if it matters, zero-to-peak amplitude of the
@@ -43,14 +43,15 @@ struct TableLaw {
 
 using ComplexMatrix12 = Eigen::Matrix<std::complex<double>, 12, 12>;
 
-/// The 12×12 at a frequency [rad/s] and at one amplitude per direction [m, rad]. @throws InvalidInput outside a table
+/// Dynamic stiffness 12×12 at a frequency [rad/s] and at one amplitude per direction [m, rad]. @throws InvalidInput
+/// outside a table
 [[nodiscard]] ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& arm,
                                                 double angular_frequency, const Vector6& amplitudes);
 
 /// Frequencies [rad/s] that all tables cover.
 struct FrequencyRange {
   double from = 0;
-  double to = 0;  ///< infinity where no table depends on frequency
+  double to = 0;  ///< infinity if no table depends on frequency
 };
 [[nodiscard]] FrequencyRange frequency_range(const TableLaw& law);
 [[nodiscard]] foundation::Problems check(const TableLaw& law);

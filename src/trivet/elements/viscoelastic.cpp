@@ -34,10 +34,11 @@ class Check {
     if (!(value > 0) || !std::isfinite(value))
       problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time must be > 0",
                       "give the time in seconds");
-    constexpr double shortest = 1e-12, longest = 1e9;  // atoms vibrate as fast; a machine stands 30 years
+    constexpr double shortest = 1e-12, longest = 1e9;  // period of atomic vibration; 30 years
     if (value > 0 && std::isfinite(value) && (value < shortest || value > longest))
-      problems_.error(key, fmt::format("{} = {:.6g} s", key, value), "a relaxation time lies between 1e-12 and 1e9 s",
-                      "check the unit; a spring without relaxation needs no such law");
+      problems_.error(key, fmt::format("{} = {:.6g} s", key, value),
+                      "a relaxation time must be between 1e-12 and 1e9 s",
+                      "check the unit; a spring without relaxation does not need this law");
   }
   void ratio(const std::string& key, double value) {
     if (!(value >= 0) || !std::isfinite(value))
@@ -52,7 +53,7 @@ class Check {
   void order(double value) {
     if (!(value > 0 && value <= 1))
       problems_.error("order", fmt::format("order = {:.6g}", value), "the fractional order must be in (0, 1]",
-                      "filled rubber lies near 0.3 … 0.7");
+                      "filled rubber has about 0.3 … 0.7");
   }
   void branches(const GeneralizedMaxwell& law) {
     constexpr std::size_t most = 100;  // a branch for each tenth of a decade over ten decades

@@ -12,11 +12,11 @@
 /// (long-term) stiffness. Signals e^{+iωt}, s = iω. Formulas, passivity and sources: docs/elements/viscoelastic.md.
 namespace trivet::elements {
 
-/// m = 1 + s τ: a dashpot beside the spring. time τ [s] > 0.
+/// m = 1 + s τ: a dashpot in parallel with the spring. time τ [s] > 0.
 struct KelvinVoigt {
   double time = 0;
 };
-/// m = 1 + g sτ/(1 + sτ): a Maxwell branch beside the spring. ratio g = k_branch/K ≥ 0, time τ [s] > 0.
+/// m = 1 + g sτ/(1 + sτ): a Maxwell branch in parallel with the spring. ratio g = k_branch/K ≥ 0, time τ [s] > 0.
 struct Zener {
   double ratio = 0;
   double time = 0;
@@ -34,8 +34,8 @@ struct FractionalZener {
 };
 using Viscoelastic = std::variant<KelvinVoigt, Zener, GeneralizedMaxwell, FractionalZener>;
 
-/// m at the angular frequency ω [rad/s], complex or real: analytic for Re ω > 0 (and everywhere but at its poles where
-/// the law is rational), the principal branch of (iωτ)^α, and 1 at ω = 0. Negative real ω give the conjugate.
+/// m at the angular frequency ω [rad/s], complex or real: analytic for Re ω > 0 (everywhere except at its poles if the
+/// law is rational), the principal branch of (iωτ)^α, and 1 at ω = 0. Negative real ω give the conjugate.
 [[nodiscard]] std::complex<double> relative_modulus(const Viscoelastic& law, std::complex<double> angular_frequency);
 
 /// m(s) = 1 + viscous_time · s + Σ ratios_i s times_i/(1 + s times_i), all numbers ≥ 0, so that it is passive; each
@@ -44,17 +44,17 @@ struct RationalForm {
   double viscous_time = 0;  ///< [s]
   std::vector<double> ratios;
   std::vector<double> times;  ///< [s]
-  double worst_error = 0;     ///< largest |m − m_law|/|m_law| over the band asked for; 0 where exact
+  double worst_error = 0;     ///< largest |m − m_law|/|m_law| over the requested band; 0 if exact
 };
 [[nodiscard]] std::complex<double> relative_modulus(const RationalForm& form, std::complex<double> angular_frequency);
 
-/// The law as a rational function: exact for all but the fractional law, which is fitted over [from, to] [rad/s], 0 <
-/// from < to, by as few terms per decade as bring worst_error below `accuracy`; a band or accuracy beyond the densest
-/// series is told by worst_error.
-/// @throws InvalidInput for an empty band or a law that check() refuses
+/// The law as a rational function: exact except for the fractional law, which is fitted over [from, to] [rad/s], 0 <
+/// from < to, with as few terms per decade as bring worst_error below `accuracy`; worst_error shows if even the densest
+/// series is not accurate enough.
+/// @throws InvalidInput for an empty band or a law that check() rejects
 [[nodiscard]] RationalForm rational_form(const Viscoelastic& law, double from, double to, double accuracy = 1e-3);
 
-/// What makes the law unphysical: it is passive and causal if every time is > 0, every ratio ≥ 0, the order in (0, 1].
+/// Errors of an unphysical law: it is passive and causal if every time is > 0, every ratio ≥ 0, the order in (0, 1].
 [[nodiscard]] foundation::Problems check(const Viscoelastic& law);
 
 /// "Kelvin–Voigt", "Zener", "generalized Maxwell", "fractional Zener".

@@ -21,14 +21,14 @@ std::optional<LabelledEntry> read_entry(std::string_view line, int number, FileP
   if (!value || !place[0] || !place[1] || !place[2] || !place[3]) {
     problems.error(number, "entry", in_quotes(line),
                    "an entry is row node, row component, column node, column component, finite number",
-                   "ask Abaqus for FORMAT=MATRIX INPUT, which names the nodes");
+                   "write it in Abaqus with FORMAT=MATRIX INPUT, which names the nodes");
     return std::nullopt;
   }
   for (const int i : {1, 3})
     if (*place[i] < 1 || *place[i] > 6) {
       problems.error(number, "component", std::to_string(*place[i]),
                      "components are 1 to 6 (translations, then rotations)",
-                     "leave temperatures, pressures and warping out of the model");
+                     "remove temperatures, pressures and warping from the model");
       return std::nullopt;
     }
   return LabelledEntry{{*place[0], *place[1]}, {*place[2], *place[3]}, {0, 0, *value, 0, number}};

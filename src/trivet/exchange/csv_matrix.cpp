@@ -47,7 +47,7 @@ NumberRows read_number_rows(std::string_view text, FileProblems& problems) {
     const auto row = cells_of(lines.line(), separator);
     if (first && is_heading(row)) {
       problems.warning(lines.number(), "heading", in_quotes(lines.line()),
-                       "a line without a number is no row of the matrix", "start it with # to say so");
+                       "a line without a number is not a row of the matrix", "start it with # as a comment");
       continue;
     }
     if (!rows.values.empty() && row.size() != rows.values.front().size())

@@ -8,8 +8,8 @@
 
 namespace trivet::exchange {
 
-/// A square matrix of real numbers, one row a line, with commas, semicolons, tabs or blanks between the numbers. Lines
-/// that start with # and blank lines count as nothing; a first line of words is a heading. No labels.
+/// Reads a square matrix of real numbers, one row per line, with commas, semicolons, tabs or blanks between the
+/// numbers. Lines that start with # and blank lines are skipped; a first line of words is a heading. No labels.
 [[nodiscard]] foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const std::string& source);
 
 }  // namespace trivet::exchange

@@ -15,14 +15,14 @@
 namespace trivet::exchange {
 namespace {
 
-/// Reciprocal condition of the scaled interior: below the first it is singular to round-off, below the second it costs
-/// digits.
+/// Limits of the reciprocal condition of the scaled interior: below the first it is singular to round-off, below the
+/// second the result loses digits.
 constexpr double singular_below = 64 * std::numeric_limits<double>::epsilon();
 constexpr double doubtful_below = 1e-10;
 
 struct Partition {
   std::vector<int> retained, condensed;
-  Eigen::Matrix<double, Eigen::Dynamic, 12> motion;  ///< of the retained rows per motion of the ends
+  Eigen::Matrix<double, Eigen::Dynamic, 12> motion;  ///< of the retained rows per unit motion of the ends
 };
 
 std::string row_name(const NamedMatrix& matrix, int row) {
@@ -31,7 +31,7 @@ std::string row_name(const NamedMatrix& matrix, int row) {
   return fmt::format("node {}, component {}", label.node, label.component);
 }
 
-/// All rows that are not retained; those without any entry are left out, which changes nothing.
+/// All rows that are not retained, except rows without entries, which do not affect the result.
 std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int>& retained,
                                 foundation::Problems& problems) {
   std::vector<bool> kept(static_cast<std::size_t>(matrix.values.rows()), false);
@@ -51,11 +51,11 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
   if (empty > 0)
     problems.warning("condensation",
                      fmt::format("{} rows hold only zeros, the first one is {}", empty, row_name(matrix, first_empty)),
-                     "nothing is joined to them", "they are left out");
+                     "they are not connected to the other rows", "they are ignored");
   return rows;
 }
 
-/// K_bb − K_bi K_ii⁻¹ K_ib, or none with a problem.
+/// K_bb − K_bi K_ii⁻¹ K_ib, or nullopt with an error.
 template <typename Dense>
 std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, const Partition& parts,
                                foundation::Problems& problems) {
@@ -71,15 +71,15 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   const double condition = pivot > singular_below ? factors.reciprocal_condition() : 0;
   const std::string weakest = row_name(matrix, parts.condensed[static_cast<std::size_t>(smallest_pivot)]);
   if (!(condition > singular_below)) {
-    problems.error("condensation", fmt::format("{} moves without any force", weakest),
-                   "what is condensed must be held by the ends",
-                   "hold or remove what hangs loose in the model, or name the ends that hold it");
+    problems.error("condensation", fmt::format("{} can move without force", weakest),
+                   "the condensed part must be supported by the ends",
+                   "support or remove loose parts of the model, or name the ends that support them");
     return std::nullopt;
   }
   if (condition < doubtful_below)
     problems.warning("condensation",
                      fmt::format("reciprocal condition {:.2g}, the weakest part is near {}", condition, weakest),
-                     "about as many digits are lost as it has zeros", "look for a part that is hardly held");
+                     "the result loses about one digit per power of ten", "look for a weakly supported part");
   const Dense right = scale.asDiagonal() * full(parts.condensed, parts.retained);
   const Dense solved = factors.solve(right);
   const Dense left = full(parts.retained, parts.condensed) * scale.asDiagonal();
@@ -116,7 +116,7 @@ Rows rows_by_label(const NamedMatrix& matrix) {
 
 bool has_labels(const NamedMatrix& matrix, foundation::Problems& problems) {
   if (!matrix.labels.empty()) return true;
-  problems.error("ends", "the file names no nodes", "ends are nodes of the file", "name twelve rows instead");
+  problems.error("ends", "the file has no node numbers", "ends are nodes of the file", "name twelve rows instead");
   return false;
 }
 
@@ -138,13 +138,13 @@ void add_end(const Rows& rows, const NodeEnd& end, const std::string& subject, s
       continue;
     }
     problems.error(subject, fmt::format("node {}: {}", wanted.node, components_of(rows, wanted.node)),
-                   fmt::format("component {} of it is needed", wanted.component),
+                   fmt::format("its component {} is needed", wanted.component),
                    "retain all six components of the end, or name all nodes of its plate with their coordinates");
     return;
   }
 }
 
-/// Rows of the nodes of a plate, and their motion u = u_P + θ × r as 6 columns.
+/// Adds the rows of the nodes of a plate, and their motion u = u_P + θ × r as 6 columns.
 void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject, int first_column, Partition& parts,
                foundation::Problems& problems) {
   if (end.nodes.empty()) problems.error(subject, "no nodes", "a plate has at least one", "name its nodes");
@@ -172,7 +172,7 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
   }
 }
 
-/// The retained rows are different ones.
+/// Error if a row is retained twice.
 void check_distinct(const NamedMatrix& matrix, std::vector<int> rows, foundation::Problems& problems) {
   std::sort(rows.begin(), rows.end());
   const auto twice = std::adjacent_find(rows.begin(), rows.end());

@@ -24,7 +24,7 @@ foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) 
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
-    return refused(path, "no such file", "check the path; it counts from the folder of the project file");
+    return refused(path, "no such file", "check the path; it is relative to the folder of the project file");
   if (std::filesystem::is_directory(status)) return refused(path, "this is a directory", "name the file inside it");
   if (!std::filesystem::is_regular_file(status))
     return refused(path, "this is a pipe or a device", "write it to a file first and name that");

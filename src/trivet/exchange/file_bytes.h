@@ -8,10 +8,10 @@
 
 namespace trivet::exchange {
 
-/// Largest matrix file that is read.
+/// Size limit of a matrix file [bytes].
 inline constexpr std::size_t largest_matrix_file = std::size_t{1} << 30;
 
-/// The bytes of a file; refuses directories, unreadable, empty and absurdly large ones.
+/// Content of a file; errors for directories and for unreadable, empty or too large files.
 [[nodiscard]] foundation::Expected<std::string> file_bytes(const std::filesystem::path& path);
 
 }  // namespace trivet::exchange

@@ -15,7 +15,7 @@ std::string place(const Entry& entry) { return fmt::format("entry ({}, {})", ent
 
 bool equal(const Entry& a, const Entry& b) { return a.real == b.real && a.imaginary == b.imaginary; }
 
-/// Entries of one triangle, both triangles folded onto the lower one; drops a repeated mirror image that says the same.
+/// One entry of each mirrored pair; equal mirror images are dropped.
 std::vector<Entry> folded(const std::vector<Entry>& sorted, FileProblems& problems) {
   std::vector<Entry> result;
   for (const Entry& entry : sorted) {
@@ -34,7 +34,7 @@ std::vector<Entry> folded(const std::vector<Entry>& sorted, FileProblems& proble
       problems.error(
           entry.line, place(entry),
           fmt::format("{:.9g}, but its mirror image in line {} is {:.9g}", entry.real, first.line, first.real),
-          "the file says that the matrix is symmetric", "correct the entry, or declare the matrix as general (square)");
+          "the file declares the matrix as symmetric", "correct the entry, or declare the matrix as general (square)");
     if (problems.enough()) break;
   }
   return result;
@@ -67,7 +67,7 @@ void check_labels(const std::vector<Label>& labels, int line, FileProblems& prob
   for (const Label& label : labels)
     if (!seen.insert(label).second && !problems.enough())
       problems.error(line, fmt::format("node {}, component {}", label.node, label.component), "named twice",
-                     "every row is another component", "correct the list of nodes");
+                     "every row is a different component", "correct the list of nodes");
 }
 
 std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles, bool is_complex,

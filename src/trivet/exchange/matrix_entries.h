@@ -9,7 +9,7 @@
 
 namespace trivet::exchange {
 
-/// One entry as a file gives it; row and column count from 0.
+/// One entry of a file; row and column count from 0.
 struct Entry {
   int row = 0;
   int column = 0;
@@ -18,24 +18,24 @@ struct Entry {
   int line = 0;
 };
 
-/// What a file leaves out: nothing, or one of the two triangles.
+/// Triangles that a file contains.
 enum class Triangles { both, one };
 
-/// Does any entry off the diagonal stand beside its mirror image? Then both triangles are written.
+/// Both triangles if the mirror image of any off-diagonal entry is present.
 [[nodiscard]] Triangles triangles_of(const std::vector<Entry>& entries);
 
-/// Two rows for the same component are a problem.
+/// Errors for components that occur in two rows.
 void check_labels(const std::vector<Label>& labels, int line, FileProblems& problems);
 
-/// The dense matrix of the entries. Entries given twice, and a triangle that contradicts the other one where one would
-/// do, are problems; then there is no result.
+/// Dense matrix of the entries. Entries given twice, and unequal mirror images if one triangle is enough, are errors;
+/// then the result is nullopt.
 [[nodiscard]] std::optional<NamedMatrix> assembled(std::vector<Entry> entries, int order, Triangles triangles,
                                                    bool is_complex, FileProblems& problems);
 
-/// A problem for a matrix that is not square, or of an order below 1 or above `largest_order`.
+/// Error if the matrix is not square, or its order is below 1 or above `largest_order`.
 void check_size(long long rows, long long columns, int line, FileProblems& problems);
 
-/// One entry as a file with node numbers gives it.
+/// One entry of a file with node numbers.
 struct LabelledEntry {
   Label row, column;
   Entry entry;  ///< its row and column are not set

@@ -57,9 +57,8 @@ foundation::Expected<NamedMatrix> read_matrix_file(const std::filesystem::path& 
   FileProblems problems(source);
   std::string known;
   for (const std::string& one : matrix_formats()) known += (known.empty() ? "" : ", ") + one;
-  problems.error(0, "format",
-                 options.format.empty() ? "the name of the file does not tell it" : in_quotes(options.format),
-                 "these are read: " + known, "name one of them");
+  problems.error(0, "format", options.format.empty() ? "the file name does not show it" : in_quotes(options.format),
+                 "known formats are " + known, "name one of them");
   return problems.refused();
 }
 

@@ -39,7 +39,7 @@ std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
                       is(4, {"symmetric"}) ? Triangles::one : Triangles::both};
 }
 
-/// The next line that is neither blank nor a comment.
+/// Moves to the next line that is neither blank nor a comment.
 bool next_data(Lines& lines) {
   while (lines.next())
     if (!trimmed(lines.line()).empty() && !lines.line().starts_with('%')) return true;
@@ -52,8 +52,8 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
   while (!problems.enough() && next_data(lines)) {
     const auto parts = words(lines.line());
     if (static_cast<long long>(entries.size()) >= count) {
-      problems.error(lines.number(), "entries", fmt::format("more than the {} announced", count),
-                     "the size line counts the entries", "correct the size line");
+      problems.error(lines.number(), "entries", fmt::format("more than the stated {}", count),
+                     "the size line states the number of entries", "correct the size line");
       return;
     }
     Entry entry{.line = lines.number()};
@@ -78,10 +78,10 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
   }
   if (!problems.any() && static_cast<long long>(entries.size()) < count)
     problems.error(lines.number(), "entries", fmt::format("the file ends after {} of {}", entries.size(), count),
-                   "the size line counts the entries", "was the file cut off?");
+                   "the size line states the number of entries", "was the file cut off?");
 }
 
-/// Values column by column; of a symmetric matrix from the diagonal down.
+/// Reads values column by column; for a symmetric matrix from the diagonal downwards.
 void read_array(Lines& lines, const MarketHeader& header, int order, std::vector<Entry>& entries,
                 FileProblems& problems) {
   int row = 0, column = 0;
@@ -89,7 +89,7 @@ void read_array(Lines& lines, const MarketHeader& header, int order, std::vector
   while (!problems.enough() && next_data(lines)) {
     if (column == order) {
       problems.error(lines.number(), "entries", fmt::format("more than a {0} × {0} matrix has", order),
-                     "the size line counts rows and columns", "correct the size line");
+                     "the size line states the number of rows and columns", "correct the size line");
       return;
     }
     const auto parts = words(lines.line());

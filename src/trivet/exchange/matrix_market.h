@@ -8,7 +8,7 @@
 
 namespace trivet::exchange {
 
-/// A Matrix Market text: coordinate or array, real, integer or complex, general or symmetric. No labels.
+/// Reads a Matrix Market text: coordinate or array, real, integer or complex, general or symmetric. No labels.
 /// [Boisvert, Pozo, Remington, The Matrix Market Exchange Formats, NISTIR 5935, 1996]
 [[nodiscard]] foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, const std::string& source);
 

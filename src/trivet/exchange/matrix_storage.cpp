@@ -57,7 +57,7 @@ foundation::Expected<NamedMatrix> read_matrix_storage(std::string_view text, con
     else entries.push_back({*row - 1, *column - 1, *value, 0, lines.number()});
   }
   if (!problems.any() && entries.empty())
-    problems.error(0, "entries", "none", "the matrix has some", "did the program that wrote it finish?");
+    problems.error(0, "entries", "none", "the matrix must have entries", "did the program that wrote it finish?");
   if (problems.any()) return problems.refused();
   auto matrix = assembled(std::move(entries), order, Triangles::one, false, problems);
   if (!matrix) return problems.refused();

@@ -7,10 +7,10 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Matrices that other programs wrote, in the units, axes and order of their files.
+/// Matrices from other programs, in the units, axes and order of their files.
 namespace trivet::exchange {
 
-/// Largest number of rows that is read; such a matrix fills 288 MB.
+/// Largest number of rows; such a matrix takes 288 MB.
 inline constexpr int largest_order = 6000;
 
 /// One degree of freedom of a finite-element model: 1, 2, 3 translations along and 4, 5, 6 rotations about x, y, z of a
@@ -21,11 +21,11 @@ struct Label {
   auto operator<=>(const Label&) const = default;
 };
 
-/// A square matrix and what its rows (and columns) are.
+/// A square matrix with the labels of its rows (and columns).
 struct NamedMatrix {
   Eigen::MatrixXd values;     ///< real part
   Eigen::MatrixXd imaginary;  ///< empty if the file is real
-  std::vector<Label> labels;  ///< one a row; empty if the format has none
+  std::vector<Label> labels;  ///< one per row; empty if the format has none
   foundation::Problems warnings;
 };
 

@@ -13,7 +13,7 @@
 namespace trivet::exchange {
 namespace {
 
-/// Fields of the header card, behind its name.
+/// Fields of the header card, after its name.
 enum HeaderField { name_field, zero_field, form_field, type_field, output_field, polar_field, header_fields };
 constexpr std::size_t first_entry = 4, fields_of_entry = 4;
 
@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const std::vector<Card>& cards) {
   return names;
 }
 
-/// The matrix that is meant, in small letters.
+/// Name of the requested matrix, in lower case.
 std::optional<std::string> chosen_name(const std::vector<std::string>& names, const std::string& wanted,
                                        FileProblems& problems) {
   std::string listed;
@@ -42,7 +42,7 @@ std::optional<std::string> chosen_name(const std::vector<std::string>& names, co
     if (listed.size() < 200) listed += (listed.empty() ? "" : ", ") + name;
   if (names.empty()) {
     problems.error(0, "DMIG", "no such card", "a DMIG matrix is a header card and one card per column",
-                   "ask the program for the matrices in a punch file");
+                   "write the matrices to a punch file in that program");
   } else if (wanted.empty() && names.size() > 1) {
     problems.error(0, "name", fmt::format("the file has {} matrices: {}", names.size(), listed),
                    "one of them is the stiffness", "name it");
@@ -81,7 +81,7 @@ std::optional<Label> label(const Field& point, const Field& component, FileProbl
   problems.error(point.line, "grid point",
                  fmt::format("{}, component {}", in_quotes(point.text), in_quotes(component.text)),
                  "a grid point is a number above 0, its component 1 to 6, or blank for a scalar point",
-                 "correct the card, and look at its columns");
+                 "correct the card, and check its columns");
   return std::nullopt;
 }
 
@@ -98,11 +98,10 @@ void read_column(const Card& card, const DmigHeader& header, std::vector<Labelle
     const auto second = field[3].text.empty() ? std::optional(0.0) : fortran_number(field[3].text);
     if (!first || !second) {
       problems.error(field->line, "entry", in_quotes(first ? field[3].text : field[2].text),
-                     "it must be a finite number", "correct the card, and look at its columns");
+                     "it must be a finite number", "correct the card, and check its columns");
     } else if (!header.is_complex && *second != 0) {
       problems.error(field->line, "entry", fmt::format("imaginary part {:.9g}", *second),
-                     "the header says that the matrix is real (TIN)",
-                     "correct the header card, and look at the columns");
+                     "the header declares the matrix as real (TIN)", "correct the header card, and check the columns");
     } else if (row) {
       const double phase = *second * std::numbers::pi / 180;
       entries.push_back({*row,
@@ -125,7 +124,7 @@ foundation::Expected<NamedMatrix> read_nastran_dmig(std::string_view given, cons
   std::erase_if(cards, [&](const Card& card) { return lower(card.fields[name_field].text) != *name; });
   if (!is_header(cards.front())) {
     problems.error(cards.front().line, "DMIG", "a column card of " + in_quotes(*name), "its header card comes first",
-                   "was the file cut?");
+                   "was the file cut off?");
     return problems.refused();
   }
   const auto header = read_header(cards.front(), problems);

@@ -8,8 +8,8 @@
 
 namespace trivet::exchange {
 
-/// A matrix of Nastran DMIG cards, out of bulk data or a punch file: small, large and free field; real and complex,
-/// polar too; square (IFO 1) and symmetric (6). Rows are sorted by grid point and component; a scalar point has
+/// Reads a matrix of Nastran DMIG cards from bulk data or a punch file: small, large and free field; real and complex,
+/// also polar; square (IFO 1) and symmetric (6). Rows are sorted by grid point and component; a scalar point has
 /// component 0.
 /// @param name  of the matrix, "KAAX" for instance; may be empty if the file has only one
 /// [MSC Nastran Quick Reference Guide, DMIG]

@@ -22,7 +22,7 @@ struct ArrayHeader {
   int order = 0;
 };
 
-/// The text behind 'key': in the dictionary of the header.
+/// Text after 'key': in the dictionary of the header.
 std::string_view value_of(std::string_view header, std::string_view key) {
   const std::size_t at = header.find("'" + std::string(key) + "'");
   if (at == std::string_view::npos) return {};
@@ -57,15 +57,15 @@ std::optional<ArrayHeader> read_header(std::string_view text, FileProblems& prob
   return problems.any() ? std::nullopt : std::optional(header);
 }
 
-/// The text of the header, cut off from the bytes; nothing is left of the bytes if it does not fit.
+/// Header text, removed from the front of the bytes; nullopt with an error if the file is invalid.
 std::optional<std::string_view> cut_header(std::string_view& bytes, FileProblems& problems) {
   const std::size_t length_at = magic.size() + 2;
   const int version = bytes.size() > magic.size() ? static_cast<unsigned char>(bytes[magic.size()]) : 0;
   if (!bytes.starts_with(magic) || version < 1 || version > 3) {
     const bool zipped = bytes.starts_with("PK");
-    problems.error(0, "header", zipped ? "an archive" : "no NumPy file of format 1, 2 or 3",
+    problems.error(0, "header", zipped ? "an archive" : "not a NumPy file of format 1, 2 or 3",
                    "a .npy file holds one array",
-                   zipped ? "take the array out of the .npz: numpy.save" : "write it with numpy.save");
+                   zipped ? "extract the array from the .npz: numpy.save" : "write it with numpy.save");
     return std::nullopt;
   }
   const std::size_t width = version == 1 ? 2 : 4;
@@ -74,8 +74,8 @@ std::optional<std::string_view> cut_header(std::string_view& bytes, FileProblems
     length |= std::size_t{static_cast<unsigned char>(bytes[length_at + i])} << (8 * i);
   const std::size_t start = length_at + width;
   if (bytes.size() < start || bytes.size() - start < length) {
-    problems.error(0, "header", fmt::format("{} bytes announced, the file has {}", length, bytes.size()),
-                   "the header stands before the numbers", "was the file cut off?");
+    problems.error(0, "header", fmt::format("{} bytes stated, the file has {}", length, bytes.size()),
+                   "the header comes before the numbers", "was the file cut off?");
     return std::nullopt;
   }
   const std::string_view header = bytes.substr(start, length);
@@ -113,7 +113,7 @@ foundation::Expected<NamedMatrix> read_numpy_array(std::string_view bytes, const
       if (problems.enough() || (std::isfinite(number[0]) && std::isfinite(number[1]))) continue;
       problems.error(0, fmt::format("entry ({}, {})", i + 1, j + 1),
                      fmt::format("{}", std::isfinite(number[0]) ? number[1] : number[0]), "every entry must be finite",
-                     "look for its cause where the file was made");
+                     "find the cause in the program that wrote the file");
     }
   if (problems.any()) return problems.refused();
   return matrix;

@@ -10,7 +10,7 @@
 
 namespace trivet::exchange {
 
-/// Walks over the lines of a text; line numbers count from 1, ends of line of either kind are cut off.
+/// Iterates over the lines of a text, numbered from 1; both kinds of line ends are removed.
 class Lines {
  public:
   explicit Lines(std::string_view text) : rest_(text) {}
@@ -27,19 +27,19 @@ class Lines {
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The parts between runs of blanks and tabs.
 [[nodiscard]] std::vector<std::string_view> words(std::string_view line);
-/// The trimmed parts between separators, empty ones kept; none of a blank line.
+/// The trimmed parts between separators, including empty ones; none for a blank line.
 [[nodiscard]] std::vector<std::string_view> cells(std::string_view line, char separator);
 [[nodiscard]] std::string lower(std::string_view text);
-/// At most 40 signs of a text, in quotes, for a message.
+/// At most 40 bytes of a text, in quotes, for a message.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// A finite number that fills the whole text.
+/// The number if the whole text is one finite number.
 [[nodiscard]] std::optional<double> number(std::string_view text);
-/// The same as Fortran writes it: 1.5D+03 and 1.5+3 too.
+/// The same in Fortran notation: also 1.5D+03 and 1.5+3.
 [[nodiscard]] std::optional<double> fortran_number(std::string_view text);
 [[nodiscard]] std::optional<int> whole_number(std::string_view text);
 
-/// What is wrong with one file. After a handful of errors the rest are echoes, and reading should stop.
+/// Problems of one file. After ten errors further ones are mostly consequences, and reading should stop.
 class FileProblems {
  public:
   explicit FileProblems(std::string source) : source_(std::move(source)) {}

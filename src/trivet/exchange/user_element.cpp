@@ -10,7 +10,7 @@
 namespace trivet::exchange {
 namespace {
 
-/// What the lines of the file say, before it is put together.
+/// Collects the content of the lines, then assembles the matrix.
 class UserElement {
  public:
   UserElement(std::string wanted, FileProblems& problems) : wanted_(std::move(wanted)), problems_(problems) {}
@@ -38,8 +38,8 @@ class UserElement {
       std::string others;
       for (const std::string& type : types_) others += (others.empty() ? "the file has " : ", ") + type;
       problems_.error(line_, "*MATRIX, TYPE=" + wanted_, fmt::format("{} numbers", values_.size()),
-                      fmt::format("{} components ask for {}", order, wanted),
-                      values_.empty() ? (others.empty() ? "ask for the matrix in the output request" : others)
+                      fmt::format("{} components need {}", order, wanted),
+                      values_.empty() ? (others.empty() ? "add the matrix to the output request" : others)
                                       : "was the file cut off?");
       return std::nullopt;
     }
@@ -54,7 +54,7 @@ class UserElement {
     result.labels = labels;
     if (nodes_.empty())
       problems_.warning(0, "nodes", "the file does not list them", "a comment ** ELEMENT NODES names them",
-                        "they are called 1, 2, … in their order");
+                        "they are numbered 1, 2, … in their order");
     result.warnings = problems_.all();
     return result;
   }
@@ -87,7 +87,7 @@ class UserElement {
       }
       if (elements_++ > 0)
         problems_.error(line_, "*USER ELEMENT", "a second one", "one element is read from a file",
-                        "put each into a file of its own");
+                        "put each into a separate file");
     } else if (parts.front() == "*matrix") {
       for (const std::string_view part : parts) {
         if (!part.starts_with("type")) continue;
@@ -98,8 +98,8 @@ class UserElement {
     }
   }
 
-  /// The first line lists the components of the first node; a later one begins with the place of the node from which a
-  /// new list holds.
+  /// The first line lists the components of the first node; a later line begins with the position of the node from
+  /// which its list applies.
   void take_components(std::string_view text) {
     std::vector<int> numbers;
     for (const std::string_view part : cells(text, ',')) {
@@ -112,7 +112,7 @@ class UserElement {
     const bool rises = lists_.empty() || place > lists_.back().place;
     if (numbers.empty() || numbers.size() > 6 || !known || !rises)
       problems_.error(line_, "components", in_quotes(text),
-                      "a line lists components 1 to 6, behind the place of a node that rises from line to line",
+                      "a line lists components 1 to 6, after the position of a node that increases from line to line",
                       "correct the line");
     else lists_.push_back({place, numbers});
   }

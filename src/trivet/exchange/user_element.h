@@ -9,8 +9,8 @@
 
 namespace trivet::exchange {
 
-/// A linear user element in the keywords of Abaqus: *USER ELEMENT, its nodes in a comment, its components, and the
-/// *MATRIX of that type (small letters): the lower triangle row by row, or all rows if it is unsymmetric.
+/// Reads a linear user element in Abaqus keywords: *USER ELEMENT, its nodes in a comment, its components, and the
+/// *MATRIX of this type (lower case): the lower triangle row by row, or all rows if it is unsymmetric.
 [[nodiscard]] foundation::Expected<NamedMatrix> read_user_element(std::string_view text, const std::string& type,
                                                                   FileProblems& problems);
 

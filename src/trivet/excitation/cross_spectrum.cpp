@@ -16,8 +16,7 @@ namespace trivet::excitation {
 namespace {
 
 using foundation::two_pi;
-constexpr int points_between_breakpoints =
-    32;  // a delay of the wrong size shows within a fraction of a period of e^{−iωτ}
+constexpr int points_between_breakpoints = 32;  // a wrong delay is visible within a fraction of a period of e^{−iωτ}
 constexpr double accepted_negative_eigenvalue = 1e-9;  // of a matrix with unit diagonal
 
 foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs, const std::string& subject) {
@@ -25,15 +24,15 @@ foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs,
   const Coherence& c = pair.coherence;
   if (pair.first >= inputs || pair.second >= inputs || pair.first == pair.second)
     problems.error(subject, fmt::format("inputs {} and {}", pair.first + 1, pair.second + 1),
-                   fmt::format("a pair joins two different ones of the {} inputs", inputs), "correct the pair");
+                   fmt::format("a pair has two different inputs out of {}", inputs), "correct the pair");
   if (!(c.at_zero >= 0 && c.at_zero <= 1))
     problems.error(subject, fmt::format("coherence {:.6g}", c.at_zero),
-                   "γ² is between 0 (unrelated) and 1 (one follows from the other)", "correct it");
+                   "γ² is between 0 (uncorrelated) and 1 (fully coherent)", "correct it");
   if (!(c.decay >= 0) || !std::isfinite(c.decay))
     problems.error(subject, fmt::format("decay {:.6g}", c.decay), "it must be ≥ 0", "coherence falls with distance");
   if (!(c.distance >= 0) || !std::isfinite(c.distance))
     problems.error(subject, fmt::format("distance {:.6g} m", c.distance), "it must be ≥ 0",
-                   "give its size; the delay has the sign");
+                   "give its magnitude; the sign is that of the delay");
   if (c.decay > 0 && (!(c.speed > 0) || !std::isfinite(c.speed)))
     problems.error(subject, fmt::format("speed {:.6g} m/s", c.speed), "a decay per wavelength needs a speed > 0",
                    "give the speed of the wave");
@@ -97,9 +96,8 @@ foundation::Problems check(const RandomInputs& inputs, const std::string& subjec
     if (lowest >= -accepted_negative_eigenvalue) continue;
     problems.error(
         subject, fmt::format("at {:.6g} Hz the matrix of coherences has the eigenvalue {:.3g}", omega / two_pi, lowest),
-        "cross-spectra of real signals are positive semidefinite: inputs that both follow a third are related to each "
-        "other, "
-        "and delays add up",
+        "cross-spectra of real signals are positive semidefinite: two inputs coherent with a third are coherent with "
+        "each other, and delays add up",
         "give the missing pairs, or lower the coherences");
     break;
   }

@@ -59,9 +59,10 @@ foundation::Problems check(const Engine& engine, const std::string& subject) {
   not_negative("rotating_mass", engine.rotating_mass, "kg");
   not_negative("counterweight", engine.counterweight, "kg m");
   if (engine.strokes != 2 && engine.strokes != 4)
-    problems.error(subject + ".strokes", fmt::format("{}", engine.strokes), "an engine has 2 or 4", "correct it");
+    problems.error(subject + ".strokes", fmt::format("{}", engine.strokes), "an engine has 2 or 4 strokes",
+                   "correct it");
   if (engine.cylinders.empty())
-    problems.error(subject, "no cylinder", "an engine has one or more", "name the cylinders");
+    problems.error(subject, "no cylinder", "an engine has at least one cylinder", "list the cylinders");
   for (std::size_t i = 0; i < engine.cylinders.size(); ++i) {
     const Cylinder& c = engine.cylinders[i];
     const std::string name = fmt::format("{}.cylinders[{}]", subject, i + 1);

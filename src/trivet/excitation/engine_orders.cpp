@@ -18,7 +18,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit(0, 1);
 
-/// Sums contributions and their sizes, so that what cancels is told from what is small.
+/// Sums contributions and their magnitudes, to distinguish cancelled entries from small ones.
 class Balance {
  public:
   void add(const ComplexVector6& contribution) {

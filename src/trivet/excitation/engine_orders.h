@@ -11,31 +11,31 @@ namespace trivet::excitation {
 
 using ComplexVector6 = Eigen::Matrix<std::complex<double>, 6, 1>;
 
-/// What a machine that turns at Ω does to its frame at one multiple of Ω: Re((Ω² per_speed_squared + fixed) e^{i order
-/// Ω t}), as force and moment about the origin of its frame.
+/// Excitation by a machine that turns at Ω, at one multiple of Ω: force and moment about the origin of its axes,
+/// Re((Ω² per_speed_squared + fixed) e^{i order Ω t}).
 struct Order {
   double order = 0;                                           ///< > 0
   ComplexVector6 per_speed_squared = ComplexVector6::Zero();  ///< [N/(rad/s)²], [N m/(rad/s)²]
   ComplexVector6 fixed = ComplexVector6::Zero();              ///< [N], [N m]
 };
 
-/// Forces and moments of the oscillating and rotating masses on the engine block, orders 1 … `highest`, and the moment
-/// about x that answers the inertia torque; θ = Ωt. The rod counts as two masses (its own inertia couple is left out),
-/// Ω as constant. Entries that cancel between the cylinders to round-off are exactly 0, and orders without any entry
-/// are left out.
+/// Forces and moments of the oscillating and rotating masses on the engine block, orders 1 … `highest`, and the
+/// reaction moment about x to the inertia torque; θ = Ωt. The rod is modelled as two masses (its inertia couple is
+/// neglected), Ω as constant. Entries that cancel between the cylinders to round-off are exactly 0, and orders without
+/// entries are omitted.
 /// @throws foundation::InvalidInput with the first error of `check`
 [[nodiscard]] std::vector<Order> inertia_orders(const Engine& engine, int highest);
 
-/// The moment about x with which the block answers the gas torque of all cylinders, each with its firing angle. Order 0
-/// is left out: it is the static moment −mean_torque.
+/// Reaction moment about x of the block to the gas torque of all cylinders, each with its firing angle. Order 0 is
+/// omitted: it is the static moment −mean_torque.
 /// @throws foundation::InvalidInput with the first error of `check`, for an unset firing angle, for orders that are
-/// negative, not finite, repeated or no harmonic of the cycle
+/// negative, not finite, repeated or not a harmonic of the cycle
 [[nodiscard]] std::vector<Order> gas_orders(const Engine& engine, const std::vector<TorqueHarmonic>& one_cylinder);
 
 /// Mean torque of all cylinders on the crank [N m].
 [[nodiscard]] double mean_torque(const Engine& engine, const std::vector<TorqueHarmonic>& one_cylinder);
 
-/// Both lists as one, ascending, equal orders added.
+/// Both lists merged, ascending, equal orders added.
 [[nodiscard]] std::vector<Order> joined(const std::vector<Order>& one, const std::vector<Order>& other);
 
 }  // namespace trivet::excitation

@@ -14,8 +14,8 @@ namespace {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
-constexpr double largest_gap = 30 * pi / 180;  // a closing line over more than that is not the trace that was meant
-constexpr double accepted_overlap = 1e-9;      // [rad] a last point given at the end of the cycle, in rounded degrees
+constexpr double largest_gap = 30 * pi / 180;  // a longer closing line means an incomplete trace
+constexpr double accepted_overlap = 1e-9;      // [rad] for a last point at the end of the cycle, in rounded degrees
 
 /// (1/cycle) ∫ p e^{−iνφ} dφ of the closed polygon, in closed form.
 Complex fourier_coefficient(const PressureTrace& trace, double cycle, double order) {
@@ -72,7 +72,7 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
   if (std::abs(gap) <= accepted_overlap && p.back() != p.front())
     problems.warning(subject,
                      fmt::format("{:.6g} Pa at the start of the cycle and {:.6g} Pa at its end", p.front(), p.back()),
-                     "a periodic pressure returns to its start; here it jumps", "average cycles, or mend the end");
+                     "a periodic pressure returns to its start; here it jumps", "average cycles, or correct the end");
   return problems;
 }
 

@@ -62,7 +62,7 @@ WeightingParameters parameters(Weighting weighting) {
     case Weighting::Wm:
       return {std::pow(10, -0.1), 100, velocity_corner, velocity_corner, 0.5, infinite, 1, infinite, 1, 1};
   }
-  throw foundation::InvalidInput("a frequency weighting that does not exist");
+  throw foundation::InvalidInput("unknown frequency weighting");
 }
 
 RationalTransfer rational_transfer(Weighting weighting) {
@@ -97,15 +97,15 @@ std::array<WeightedAxis, 6> comfort_axes(ContactPoint contact) {
     case ContactPoint::standing:
       return {{{Wd, 1}, {Wd, 1}, {Wk, 1}, {We, 0}, {We, 0}, {We, 0}}};
   }
-  throw foundation::InvalidInput("a contact point that does not exist");
+  throw foundation::InvalidInput("unknown contact point");
 }
 
 std::array<WeightedAxis, 3> health_axes() { return {{{Weighting::Wd, 1.4}, {Weighting::Wd, 1.4}, {Weighting::Wk, 1}}}; }
 
 double vibration_total_value(std::span<const double> accelerations, std::span<const double> factors) {
   if (accelerations.size() != factors.size())
-    throw foundation::InvalidInput(
-        fmt::format("{} accelerations and {} factors: each has one", accelerations.size(), factors.size()));
+    throw foundation::InvalidInput(fmt::format("{} accelerations and {} factors: each acceleration needs one factor",
+                                               accelerations.size(), factors.size()));
   double sum = 0;
   for (std::size_t i = 0; i < accelerations.size(); ++i) sum += std::pow(factors[i] * accelerations[i], 2);
   return std::sqrt(sum);

@@ -8,8 +8,8 @@
 
 namespace trivet::excitation {
 
-/// How strongly people feel acceleration, over frequency. [ISO 2631-1:1997 annex A; Wb: ISO 2631-4, Wm: ISO 2631-2;
-/// all: ISO 8041-1 table 3, printed in the Larson Davis HVM200 reference manual, table 3.1]
+/// Frequency weighting of acceleration for its effect on people. [ISO 2631-1:1997 annex A; Wb: ISO 2631-4, Wm: ISO
+/// 2631-2; all: ISO 8041-1 table 3, printed in the Larson Davis HVM200 reference manual, table 3.1]
 enum class Weighting {
   Wb,  ///< vertical, in trains
   Wc,  ///< fore-and-aft at a backrest
@@ -21,7 +21,7 @@ enum class Weighting {
   Wm   ///< all directions, in buildings
 };
 
-/// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity where a part is missing. Q₁ = Q₂ =
+/// Corner frequencies [Hz] and quality factors of H = H_h H_l H_t H_s; infinity if a part is missing. Q₁ = Q₂ =
 /// 1/√2.
 struct WeightingParameters {
   double f1, f2;          ///< band limit: high pass and low pass of second order
@@ -42,10 +42,10 @@ struct RationalTransfer {
 /// H(iω), ω ≥ 0 [rad/s]: the factor on an acceleration amplitude e^{+iωt}.
 [[nodiscard]] std::complex<double> transfer(Weighting weighting, double angular_frequency);
 
-/// Where vibration enters a person.
+/// Point at which vibration enters a person.
 enum class ContactPoint { seat_surface, backrest, feet, standing };
 
-/// Weighting and multiplying factor of one axis; k is in 1, for rotations in m/rad. k = 0: the axis is not judged.
+/// Weighting and multiplying factor of one axis; k is in 1, for rotations in m/rad. k = 0: the axis is not assessed.
 struct WeightedAxis {
   Weighting weighting = Weighting::Wk;
   double k = 0;
@@ -57,7 +57,7 @@ struct WeightedAxis {
 /// x, y, z of the seat surface, for health: 1.4, 1.4, 1. [ISO 2631-1:1997 section 7.2]
 [[nodiscard]] std::array<WeightedAxis, 3> health_axes();
 
-/// √Σ (k a)²: of weighted accelerations [m/s²] per axis, or of the total values of several points.
+/// Vibration total value √Σ (k a)² of weighted accelerations [m/s²] per axis, or of total values of several points.
 [[nodiscard]] double vibration_total_value(std::span<const double> weighted_accelerations,
                                            std::span<const double> factors);
 

@@ -41,7 +41,7 @@ foundation::Problems check(const ResponseSpectrum& spectrum, const std::string& 
                      "replace a period of zero by a short one, 0.01 s for instance");
     if (!(a[i] > 0) || !std::isfinite(a[i]))
       problems.error(subject, fmt::format("acceleration {:.6g} m/s² at {:.6g} Hz", a[i], w[i] / two_pi),
-                     "it must be finite and > 0: the spectrum is interpolated over logarithms", "correct the row");
+                     "it must be finite and > 0: the spectrum is interpolated logarithmically", "correct the row");
     if (i > 0 && w[i] <= w[i - 1])
       problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w[i] / two_pi, w[i - 1] / two_pi),
                      "frequencies (and periods) must increase", "sort the rows and remove repeats");
@@ -80,14 +80,13 @@ double complete_quadratic_combination(const Eigen::VectorXd& r, const Eigen::Vec
                                       const Eigen::VectorXd& zeta) {
   if (omega.size() != r.size() || zeta.size() != r.size())
     throw foundation::InvalidInput(
-        fmt::format("{} modal answers, {} frequencies and {} damping ratios: there must be as many of each", r.size(),
+        fmt::format("{} modal maxima, {} frequencies and {} damping ratios: their numbers must be equal", r.size(),
                     omega.size(), zeta.size()));
   double sum = 0;
   for (Eigen::Index i = 0; i < r.size(); ++i)
     for (Eigen::Index j = 0; j < r.size(); ++j)
       sum += r(i) * r(j) * modal_correlation(omega(i), omega(j), zeta(i), zeta(j));
-  return std::sqrt(
-      std::max(0.0, sum));  // the correlations are positive semidefinite; round-off of a cancelling sum is not
+  return std::sqrt(std::max(0.0, sum));  // positive semidefinite, except for round-off of a cancelling sum
 }
 
 }  // namespace trivet::excitation

@@ -10,7 +10,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// One piece of a duration, and what follows for ever. A duration lost in the round-off of `start` is refused.
+/// One piece with a duration, then the constant `afterwards`. Throws if the duration is lost in the round-off of the
+/// start.
 Signal one_piece(Piece piece, double duration, double afterwards) {
   require_positive(duration, "duration", "s");
   require_finite(piece.start, "start", "s");

@@ -3,17 +3,17 @@
 
 #include "trivet/excitation/signal.h"
 
-/// The usual steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw
+/// Common steps and pulses. `amplitude` is the peak value, of any unit and sign, times are in s. All throw
 /// foundation::InvalidInput for numbers that are not finite, and for durations that are not > 0.
 namespace trivet::excitation {
 
-/// 0, then `amplitude` for ever.
+/// 0 before `at`, then `amplitude`.
 [[nodiscard]] Signal step(double amplitude, double at = 0);
 
-/// Rises linearly within `rise` and stays.
+/// Rises linearly within `rise`, then constant.
 [[nodiscard]] Signal ramp(double amplitude, double rise, double at = 0);
 
-/// Rises as amplitude (1 − cos(πs/rise))/2 and stays: a step without corners.
+/// Rises as amplitude (1 − cos(πs/rise))/2, then constant: a step with continuous slope.
 [[nodiscard]] Signal rounded_step(double amplitude, double rise, double at = 0);
 
 [[nodiscard]] Signal rectangular(double amplitude, double duration, double start = 0);
@@ -21,7 +21,7 @@ namespace trivet::excitation {
 /// amplitude sin(πs/duration).
 [[nodiscard]] Signal half_sine(double amplitude, double duration, double start = 0);
 
-/// amplitude (1 − cos(2πs/duration))/2, the haversine or versed sine: without corners.
+/// amplitude (1 − cos(2πs/duration))/2, the haversine or versed sine, with continuous slope.
 [[nodiscard]] Signal versed_sine(double amplitude, double duration, double start = 0);
 
 /// Rises, holds and falls; each of the three times ≥ 0, their sum > 0.

@@ -5,8 +5,7 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Preconditions of this floor's functions: each throws foundation::InvalidInput that names thing, value with unit, and
-/// rule.
+/// Precondition checks of this module: each throws foundation::InvalidInput with quantity, value with unit, and rule.
 namespace trivet::excitation {
 
 void require_finite(double value, std::string_view thing, std::string_view unit);
@@ -16,7 +15,7 @@ void require_not_negative(double value, std::string_view thing, std::string_view
 /// 0 ≤ ζ < 1.
 void require_damping_ratio(double zeta);
 
-/// Refuses data with the message of its first error, if there is one.
+/// Throws foundation::InvalidInput with the first error, if there is one.
 void refuse_errors(const foundation::Problems& problems);
 
 }  // namespace trivet::excitation

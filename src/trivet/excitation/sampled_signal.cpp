@@ -17,7 +17,7 @@ void check_times(foundation::Problems& problems, const std::string& subject, con
     if (t[i] > t[i - 1]) continue;
     const bool repeated = t[i] == t[i - 1];
     problems.error(subject, fmt::format("row {}: time {:.9g} s after {:.9g} s", i + 1, t[i], t[i - 1]), times_increase,
-                   repeated ? "a jump needs two times, however close" : "sort the rows");
+                   repeated ? "for a jump, give two different times, however close" : "sort the rows");
     return;
   }
 }
@@ -45,13 +45,13 @@ foundation::Problems check(const Samples& samples, const std::string& subject) {
   if (u.front() != 0)
     problems.warning(subject, fmt::format("the first value is {:.6g}", u.front()),
                      "the signal is zero before it and jumps there",
-                     "begin with zero, or remove the mean, if no jump is meant");
+                     "begin with zero, or remove the mean, if no jump is intended");
   if (u.back() != 0) {
     const bool held = samples.afterwards == Samples::Afterwards::hold;
     problems.warning(subject, fmt::format("the last value is {:.6g}", u.back()),
                      held ? "the last value is held" : "the signal jumps to zero after it",
-                     held ? "end with zero, or ask for zero afterwards, if it should not last"
-                          : "end with zero if no jump is meant");
+                     held ? "end with zero, or choose zero afterwards, if it should not be held"
+                          : "end with zero if no jump is intended");
   }
   return problems;
 }
@@ -65,7 +65,7 @@ Signal from_samples(const Samples& samples) {
                              (samples.values[i + 1] - samples.values[i]) / (samples.times[i + 1] - samples.times[i])});
   signal.pieces.push_back(
       {samples.times.back(), samples.afterwards == Samples::Afterwards::hold ? samples.values.back() : 0});
-  require_valid(signal);  // two times so close that the rate overflows
+  require_valid(signal);  // throws if two times are so close that the rate overflows
   return signal;
 }
 

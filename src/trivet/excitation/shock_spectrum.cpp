@@ -12,12 +12,12 @@
 namespace trivet::excitation {
 namespace {
 
-/// Terms of a series over one radian: the next one is below (1 + √2)^28/28! = 2e-19 of the largest.
+/// Number of terms of a series over one radian: the next one is below (1 + √2)^28/28! = 2e-19 of the largest.
 constexpr std::size_t terms = 28;
 using Series = std::array<double, terms>;
 
-/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot reach outside are left alone:
-/// between its ends a function leaves their straight line by at most |f″|/8.
+/// Widens [smallest, largest] by the extrema of Σ c_k σᵏ on [0, 1]. Steps that cannot exceed the range are skipped:
+/// between its ends a function deviates from its chord by at most max |f″|/8.
 void widen(double& smallest, double& largest, const Series& c) {
   double end = 0, bound = 0;
   for (std::size_t k = 0; k < terms; ++k) {
@@ -43,30 +43,30 @@ struct Range {
   double smallest = 0, largest = 0;
 };
 
-/// One oscillator in the scaled time τ = ωt, y = ω²z and its rate dy/dτ, both of the unit of the base acceleration.
+/// One oscillator in the scaled time τ = ωt, y = ω²z and its rate dy/dτ, both in the unit of the base acceleration.
 constexpr double most_steps = 1e6;  ///< of one radian within one piece of a signal
 
 class Oscillator {
  public:
   Oscillator(double omega, double zeta) : omega_(omega), zeta_(zeta) {}
 
-  /// Moves on over a piece of the base acceleration and widens the range of the absolute acceleration.
+  /// Integrates over a piece of the base acceleration and widens the range of the absolute acceleration.
   void follow(const Piece& piece, double duration, Range& absolute) {
     const double steps = std::max(1.0, std::ceil(duration * std::max(omega_, piece.kappa)));
     if (steps > most_steps)
       throw foundation::NotComputable(
-          "shock spectrum: an oscillator turns more than a million radians within one piece of the signal; lower the "
-          "upper end of the band");
+          "shock spectrum: an oscillator goes through more than a million radians within one piece of the signal; "
+          "lower the upper end of the band");
     const double h = duration / steps;
     for (double i = 0; i < steps; ++i) advance(base_series(piece, i * h, h), h, absolute);
   }
 
-  /// The free motion about a constant base acceleration, until no later extremum can be larger: at most one period.
+  /// Free vibration under a constant base acceleration, until no later extremum can be larger: at most one period.
   void ring_out(double base, Range& absolute) {
     const Series constant{base};
     const double period = 2 * std::numbers::pi / std::sqrt((1 - zeta_) * (1 + zeta_));
     for (double tau = 0; tau < period + 1; ++tau) {
-      const double amplitude = std::hypot(y_ + base, rate_);  // its energy only falls
+      const double amplitude = std::hypot(y_ + base, rate_);  // its energy never increases
       const double reach = (1 + 2 * zeta_) * amplitude;
       if (base + reach <= absolute.largest && base - reach >= absolute.smallest &&
           -base + amplitude <= relative_.largest && -base - amplitude >= relative_.smallest)
@@ -118,7 +118,7 @@ std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<
   for (const double omega : angular_frequencies) require_positive(omega, "natural frequency", "rad/s");
   if (!base.pieces.empty() && (base.pieces.back().rate != 0 || base.pieces.back().curvature != 0))
     throw foundation::InvalidInput(
-        "the last piece of the base acceleration changes for ever, and so does the response: let it end constant");
+        "the last piece of the base acceleration never becomes constant, nor does the response: let it end constant");
   std::vector<ShockResponse> spectrum;
   for (const double omega : angular_frequencies) {
     Oscillator oscillator(omega, zeta);

@@ -14,7 +14,7 @@ namespace trivet::excitation {
 namespace {
 
 /// C_n(s) = sⁿ Σ_k (−κ²s²)ᵏ/(n + 2k)!, n = 0 … 4 (Stumpff functions): cos κs, sin κs/κ, (1 − cos κs)/κ² and so on,
-/// C′_{n+1} = C_n. Powers of s where κ = 0. The recurrence loses digits for small κs, where the series takes over.
+/// C′_{n+1} = C_n. Powers of s if κ = 0. The recurrence loses digits for small κs, so the series is used there.
 std::array<double, 5> stumpff(double kappa, double s) {
   const double x = kappa * kappa * s * s;
   std::array<double, 5> c{};
@@ -84,7 +84,7 @@ SignalIntegrals integrals_on(const Piece& p, double s) {
 Signal delayed(Signal signal, double delay) {
   require_finite(delay, "delay", "s");
   for (Piece& piece : signal.pieces) piece.start += delay;
-  require_valid(signal);  // a delay so long that short pieces vanish in round-off is refused
+  require_valid(signal);  // throws if the delay is so long that short pieces vanish in round-off
   return signal;
 }
 

@@ -23,7 +23,7 @@ double density_of(const SpectrumPiece& p, double omega) {
   return factor * p.density_from * std::pow(omega / p.from, p.exponent());
 }
 
-/// ∫ (ω/reference)^p dω from a to b. Near p = −1 it goes over into the logarithm without a step.
+/// ∫ (ω/reference)^p dω from a to b. At p = −1 it changes continuously to the logarithm.
 double power_integral(double p, double reference, double a, double b) {
   if (a == 0) return b * std::pow(b / reference, p) / (p + 1);
   const double span = std::log(b / a), x = (p + 1) * span;
@@ -106,7 +106,7 @@ Spectrum flat_spectrum(double density, double from, double to) {
   require_positive(density, "spectral density", "unit² s/rad");
   if (!(from >= 0 && from < to) || !std::isfinite(to))
     throw foundation::InvalidInput(
-        fmt::format("band {:.6g} … {:.6g} Hz: it must begin at 0 or above and end later", from / two_pi, to / two_pi));
+        fmt::format("band {:.6g} … {:.6g} Hz: it must begin at 0 or above and end higher", from / two_pi, to / two_pi));
   return {{SpectrumPiece{from, to, density, density, true}}};
 }
 
@@ -136,16 +136,17 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
     if (i > 0 && f[i] <= f[i - 1])
       problems.error(subject, fmt::format("{}: {:.6g} Hz after {:.6g} Hz", row, f[i], f[i - 1]),
                      "frequencies must increase",
-                     f[i] == f[i - 1] ? "a jump needs two frequencies, however close" : "sort the rows");
+                     f[i] == f[i - 1] ? "for a jump, give two frequencies, however close" : "sort the rows");
   }
   if (!problems.has_errors() && std::all_of(s.begin(), s.end(), [](double x) { return x == 0; }))
-    problems.error(subject, "every density is 0", "a spectrum excites somewhere", "look at the unit of the table");
+    problems.error(subject, "every density is 0", "a spectrum has a density > 0 somewhere",
+                   "check the unit of the table");
   if (problems.has_errors() || !logarithmic) return problems;
   for (std::size_t i = 1; i < s.size(); ++i)
     if ((s[i] == 0) != (s[i - 1] == 0))
       problems.warning(subject, fmt::format("density 0 at {:.6g} Hz", s[i] == 0 ? f[i] : f[i - 1]),
-                       "a logarithm has no zero: from the neighbour to it the density is interpolated linearly",
-                       "give a small density if that is not meant");
+                       "0 has no logarithm: from its neighbour to it the density is interpolated linearly",
+                       "give a small density if that is not intended");
   return problems;
 }
 

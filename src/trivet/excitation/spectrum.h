@@ -14,10 +14,10 @@ struct SpectrumPiece {
   double from = 0, to = 0;  ///< [rad/s], 0 ≤ from < to; a power law has from > 0
   double density_from = 0;  ///< at `from`, without the factor
   double density_to = 0;    ///< at `to`, without the factor
-  bool linear = false;      ///< a power law otherwise; then both densities are > 0
-  int factor = 0;           ///< even power of ω that differentiation brought
+  bool linear = false;      ///< if false, a power law with both densities > 0
+  int factor = 0;           ///< even power of ω from differentiation
 
-  /// p of density_from (ω/from)^p. Power laws only.
+  /// Exponent p of density_from (ω/from)^p. Power laws only.
   [[nodiscard]] double exponent() const;
 };
 
@@ -30,32 +30,31 @@ struct Spectrum {
   [[nodiscard]] double to() const { return pieces.empty() ? 0 : pieces.back().to; }
 };
 
-/// S(ω) [unit²/(rad/s)]; at a joint of two pieces that of the upper one, at the very end that of the last.
+/// Density S(ω) [unit²/(rad/s)]; at a joint of two pieces that of the upper one, at the upper end that of the last.
 [[nodiscard]] double density(const Spectrum& spectrum, double angular_frequency);
 
 /// All ends of pieces [rad/s], ascending, each once. Between them S is smooth.
 [[nodiscard]] std::vector<double> breakpoints(const Spectrum& spectrum);
 
-/// ∫S dω from one frequency to another [unit²], in closed form.
+/// Mean square ∫S dω from one frequency to another [unit²], in closed form.
 [[nodiscard]] double mean_square(const Spectrum& spectrum, double from, double to);
 [[nodiscard]] double mean_square(const Spectrum& spectrum);
 [[nodiscard]] double rms(const Spectrum& spectrum);
 
 /// The spectrum of the n-th derivative: S ω^{2n}; n < 0 integrates.
-/// @throws foundation::InvalidInput for n < 0 if the spectrum begins at ω = 0, where no finite mean square is left
+/// @throws foundation::InvalidInput for n < 0 if the spectrum begins at ω = 0: the mean square would be infinite
 [[nodiscard]] Spectrum differentiated(Spectrum spectrum, int times);
 
-/// factor² · S: of a signal times `factor`.
+/// Spectrum factor² · S of a signal times `factor`.
 [[nodiscard]] Spectrum of_scaled_signal(Spectrum spectrum, double factor);
 
-/// The same density everywhere in a band, 0 ≤ from < to [rad/s]; density > 0 [unit²/(rad/s)].
+/// Constant density in a band, 0 ≤ from < to [rad/s]; density > 0 [unit²/(rad/s)].
 [[nodiscard]] Spectrum flat_spectrum(double density, double from, double to);
 
 /// A table of a spectral density over frequency in Hz, [unit²/Hz].
 struct SpectrumTable {
   enum class Interpolation {
-    logarithmic,  ///< straight lines over log f and log S; a piece with a zero at one end is a straight line over f and
-                  ///< S instead
+    logarithmic,  ///< straight lines over log f and log S; over f and S in a piece with a zero at one end
     linear        ///< straight lines over f and S
   };
   std::vector<double> frequencies_hz;
@@ -63,9 +62,9 @@ struct SpectrumTable {
   Interpolation interpolation = Interpolation::logarithmic;
 };
 
-/// Errors: unequal counts, fewer than two rows, not finite, negative density, negative frequency or zero with
-/// logarithmic interpolation, frequencies that do not increase, nothing but zeros. Warning: a piece with a zero at one
-/// end that is therefore linear.
+/// Errors: unequal counts, fewer than two rows, numbers not finite, negative density, negative frequency or zero with
+/// logarithmic interpolation, frequencies that do not increase, only zeros. Warning: a piece with a zero at one end,
+/// which is therefore linear.
 [[nodiscard]] foundation::Problems check(const SpectrumTable& table, const std::string& subject);
 
 /// @throws foundation::InvalidInput with the first error of `check`

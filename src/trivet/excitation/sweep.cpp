@@ -12,10 +12,9 @@
 namespace trivet::excitation {
 namespace {
 
-constexpr double most_parabolas = 6e6;  // 240 MB of pieces, and as many steps in time
+constexpr double most_parabolas = 6e6;  // 240 MB of pieces, and as many time steps
 
-/// Two parabolas of length g through values and rates at both ends miss a function by at most (2/81) |u‴| g³ between
-/// them.
+/// Largest error of two parabolas of length g through values and rates at both ends: (2/81) |u‴| g³.
 constexpr double two_parabolas_error = 2.0 / 81;
 
 void require_valid_sweep(const Sweep& s) {
@@ -52,7 +51,7 @@ double local_amplitude(const Sweep& sweep, double s) {
   return std::abs(sweep.amplitude) * ratio * ratio;
 }
 
-/// Two parabolas over [s, s + 2g] that take over value and rate at both ends.
+/// Two parabolas over [s, s + 2g] with the value and rate of the sweep at both ends.
 std::pair<Piece, Piece> two_parabolas(const Sweep& sweep, double s, double g) {
   const SignalState a = sweep_state(sweep, s), b = sweep_state(sweep, s + 2 * g);
   const double middle_rate = (b.value - a.value) / g - (a.rate + b.rate) / 2;
@@ -60,7 +59,7 @@ std::pair<Piece, Piece> two_parabolas(const Sweep& sweep, double s, double g) {
   return {first, {sweep.start + s + g, state_on(first, g).value, middle_rate, (b.rate - middle_rate) / g}};
 }
 
-/// Largest difference of the two from the sweep, looked for where a cubic has its two largest.
+/// Largest difference between the two and the sweep, at the two points where it is largest for a cubic.
 double error_of(const Sweep& sweep, const std::pair<Piece, Piece>& pair, double s, double g) {
   return std::max(std::abs(state_on(pair.first, g * 2 / 3).value - sweep_state(sweep, s + g * 2 / 3).value),
                   std::abs(state_on(pair.second, g / 3).value - sweep_state(sweep, s + g * 4 / 3).value));
@@ -89,7 +88,7 @@ Signal sweep_signal(const Sweep& sweep, double tolerance) {
   const double radians_per_piece = std::cbrt(0.9 * tolerance / two_parabolas_error);
   if (const double count = phase_of(sweep, sweep.duration).angle / radians_per_piece; count > most_parabolas)
     throw foundation::NotComputable(fmt::format(
-        "a sweep of {:.3g} cycles takes {:.2g} parabolas at a tolerance of {:.1g}; the most is {:.1g}",
+        "a sweep of {:.3g} cycles needs {:.2g} parabolas at a tolerance of {:.1g}; the limit is {:.1g}",
         (phase_of(sweep, sweep.duration).angle - sweep.phase) / 6.283185307179586, count, tolerance, most_parabolas));
   Signal signal;
   for (double s = 0; s < sweep.duration;) {
@@ -105,7 +104,7 @@ Signal sweep_signal(const Sweep& sweep, double tolerance) {
            0.9 * tolerance * std::max(local_amplitude(sweep, s), local_amplitude(sweep, s + 2 * g)))
       if (pair = two_parabolas(sweep, s, g = evenly(0.7 * g)); !(g > shortest))
         throw foundation::NotComputable(fmt::format(
-            "a sweep is not followed by parabolas at {:.4g} s of its duration: look at its frequencies and amplitude",
+            "parabolas do not approximate a sweep at {:.4g} s of its duration: check its frequencies and amplitude",
             s));
     signal.pieces.push_back(pair.first);
     signal.pieces.push_back(pair.second);

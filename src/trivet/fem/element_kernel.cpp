@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mixed displacement–pressure elements, total Lagrangian: Π(u, p) = ∫ W(F) + p (J − 1) − p²/(2κ) dV. A pressure of the
-// element's own is p = κ Σ ψ M⁻¹ ∫ψ (J − 1), so that κ Gᵀ M⁻¹ G with G = ∫ψ ∂J/∂u joins the tangent and no pressure
+// Mixed displacement–pressure elements, total Lagrangian: Π(u, p) = ∫ W(F) + p (J − 1) − p²/(2κ) dV. A pressure local
+// to the element is p = κ Σ ψ M⁻¹ ∫ψ (J − 1): it adds κ Gᵀ M⁻¹ G with G = ∫ψ ∂J/∂u to the tangent, and no pressure
 // unknown remains.
 #include "trivet/fem/element_kernel.h"
 
@@ -40,7 +40,7 @@ Eigen::Matrix<double, Modes, 1> pressure_functions(int point, const Eigen::Vecto
   else return Eigen::Vector4d(1, from_centre.x() / size, from_centre.y() / size, from_centre.z() / size);
 }
 
-/// One element: geometry at its points, deformation there, and the integrals of J − 1 against the pressure functions.
+/// One element: geometry and deformation at its points, and the integrals of J − 1 times the pressure functions.
 template <typename Element, int Modes>
 struct Kernel {
   static constexpr int N = Element::nodes, P = Element::points;
@@ -84,7 +84,7 @@ struct Kernel {
     mass += weighted * functions[at].transpose();
   }
 
-  /// Everything but the dependence of the pressure on the displacement.
+  /// Adds force and tangent without the dependence of the pressure on the displacement.
   void add_solid(const Material& material, const Eigen::Matrix<double, Modes, 1>& pressure, bool deformed,
                  ElementSystem& system) const {
     std::array<StressAndTangent, P> law;
@@ -131,7 +131,7 @@ ElementSystem condensed_pressure(const Eigen::Matrix3Xd& nodes, const Material& 
   return system;
 }
 
-/// Taylor–Hood: the pressures of the corners stay unknowns, p-rows ∫ψ (J − 1) − M p/κ.
+/// Taylor–Hood: the pressures of the corners remain unknowns, p-rows ∫ψ (J − 1) − M p/κ.
 ElementSystem continuous_pressure(const Eigen::Matrix3Xd& nodes, const Material& material,
                                   const Eigen::Matrix3Xd* displacement, const Eigen::Vector4d& pressure) {
   const Eigen::Matrix<double, 3, 10> x = nodes, u = displacement ? *displacement : Eigen::Matrix3Xd::Zero(3, 10);

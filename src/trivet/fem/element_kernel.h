@@ -14,7 +14,7 @@ namespace trivet::fem {
 struct ElementSystem {
   Eigen::MatrixXd tangent;
   Eigen::VectorXd force;
-  bool inverted = false;  ///< the map of the element, or its deformation, has a determinant ≤ 0 somewhere
+  bool inverted = false;  ///< the Jacobian determinant of the element or of its deformation is ≤ 0 somewhere
 };
 
 /// @param displacement, pressure  of the element's nodes and corners; nullptr means the undeformed element
@@ -22,7 +22,7 @@ struct ElementSystem {
                                            const Material& material, const Eigen::Matrix3Xd* displacement,
                                            const Eigen::Vector4d* pressure);
 
-/// Volume [m³] and the smallest determinant of the element's map over its integration points.
+/// Volume [m³] and the smallest Jacobian determinant over the integration points of an element.
 struct ElementVolume {
   double volume = 0, smallest_determinant = 0;
 };

@@ -23,8 +23,8 @@ Material linear_elastic(double young_modulus, double poisson_ratio) {
     throw foundation::InvalidInput(fmt::format("young_modulus = {} Pa; it must be > 0", young_modulus));
   if (!(poisson_ratio > -1 && poisson_ratio < 0.5))
     throw foundation::InvalidInput(
-        fmt::format("poisson_ratio = {}; it must lie in (-1, 0.5): give a rubber its bulk modulus, or 0.4995 (about "
-                    "1000 times the shear modulus)",
+        fmt::format("poisson_ratio = {}; it must be in (-1, 0.5); for rubber, give the bulk modulus, or 0.4995 (bulk "
+                    "modulus about 1000 times the shear modulus)",
                     poisson_ratio));
   return neo_hookean(young_modulus / (2 * (1 + poisson_ratio)), young_modulus / (3 * (1 - 2 * poisson_ratio)));
 }
@@ -51,7 +51,7 @@ foundation::Problems check(const Material& material) {
   foundation::Problems problems;
   const double g = shear_modulus(material), k = material.bulk_modulus;
   if (!std::isfinite(g + k + material.c20 + material.c30)) {
-    problems.error("material", "a constant that is no finite number", "all material constants must be finite",
+    problems.error("material", "a constant is not a finite number", "all material constants must be finite",
                    "give numbers in Pa");
     return problems;
   }
@@ -64,7 +64,8 @@ foundation::Problems check(const Material& material) {
     problems.error("bulk_modulus",
                    fmt::format("{} Pa, {:.1e} times the shear modulus (Poisson's ratio {:.9f})", k, k / g,
                                poisson_ratio(material)),
-                   "at most 1e8 times the shear modulus, or double precision is lost", "rubber has about 2 GPa");
+                   "it must be at most 1e8 times the shear modulus, otherwise double precision is lost",
+                   "rubber has about 2 GPa");
   return problems;
 }
 

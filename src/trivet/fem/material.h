@@ -16,7 +16,7 @@ struct Material {
 };
 
 /// Young's modulus E [Pa] > 0 and Poisson's ratio −1 < ν < 0.5; at large strain a neo-Hookean solid.
-/// @throws InvalidInput outside this range, with the way to give an incompressible rubber
+/// @throws InvalidInput outside this range; the message explains how to describe an incompressible rubber
 [[nodiscard]] Material linear_elastic(double young_modulus, double poisson_ratio);
 /// Shear and bulk modulus [Pa], both > 0.
 [[nodiscard]] Material neo_hookean(double shear_modulus, double bulk_modulus);
@@ -26,8 +26,8 @@ struct Material {
 [[nodiscard]] inline double shear_modulus(const Material& material) { return 2 * (material.c10 + material.c01); }
 [[nodiscard]] double poisson_ratio(const Material& material);
 
-/// What is wrong with these constants: finite numbers, G > 0, κ > 0, Poisson's ratio in (−1, 0.5) and not so near to
-/// 0.5 that double precision is lost (κ/G ≤ 1e8).
+/// Checks the constants: finite numbers, G > 0, κ > 0, Poisson's ratio in (−1, 0.5) and not so close to 0.5 that double
+/// precision is lost (κ/G ≤ 1e8).
 [[nodiscard]] foundation::Problems check(const Material& material);
 
 }  // namespace trivet::fem

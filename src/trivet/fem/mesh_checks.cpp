@@ -19,12 +19,12 @@ std::string place(const Eigen::Vector3d& x) { return fmt::format("({:.4g}, {:.4g
 bool check_shape(const Mesh& mesh, Problems& problems) {
   const Eigen::Index expected = mesh.kind == Mesh::Kind::hex27 ? 27 : 10;
   if (mesh.elements.cols() == 0 || mesh.nodes.cols() == 0) {
-    problems.error("mesh", "no elements", "a solid needs elements", "check that the shape or file holds a solid");
+    problems.error("mesh", "no elements", "a solid needs elements", "check that the shape or file contains a solid");
     return false;
   }
   if (mesh.elements.rows() != expected) {
     problems.error("mesh", fmt::format("{} nodes per element", mesh.elements.rows()),
-                   fmt::format("this kind of element has {}", expected), "mesh with second-order elements");
+                   fmt::format("this element type has {}", expected), "mesh with second-order elements");
     return false;
   }
   const auto outside = [&](int node) { return node < 0 || node >= mesh.nodes.cols(); };
@@ -32,10 +32,10 @@ bool check_shape(const Mesh& mesh, Problems& problems) {
       std::any_of(mesh.plate_n.begin(), mesh.plate_n.end(), outside) ||
       std::any_of(mesh.plate_k.begin(), mesh.plate_k.end(), outside);
   if (wrong_node)
-    problems.error("mesh", "a node number without node", fmt::format("node numbers are 0 … {}", mesh.nodes.cols() - 1),
-                   "check the mesh file");
+    problems.error("mesh", "a node number that does not exist",
+                   fmt::format("node numbers are 0 … {}", mesh.nodes.cols() - 1), "check the mesh file");
   if (!mesh.nodes.allFinite())
-    problems.error("mesh", "a coordinate that is no finite number", "coordinates are finite, in m",
+    problems.error("mesh", "a coordinate is not a finite number", "coordinates must be finite, in m",
                    "check the mesh file");
   return !problems.has_errors();
 }
@@ -62,10 +62,10 @@ void check_materials(const Mesh& mesh, const std::vector<Material>& materials, P
 void check_plates(const Mesh& mesh, Problems& problems) {
   if (mesh.plate_n.empty())
     problems.error("plate_n", "no nodes", "plate N must be bonded to a face of the solid",
-                   "check which face is named, and where it lies");
+                   "check which face is selected, and its position");
   if (mesh.plate_k.empty())
     problems.error("plate_k", "no nodes", "plate K must be bonded to a face of the solid",
-                   "check which face is named, and where it lies");
+                   "check which face is selected, and its position");
   std::vector<char> on_n(static_cast<std::size_t>(mesh.nodes.cols()), 0);
   for (const int node : mesh.plate_n) on_n[static_cast<std::size_t>(node)] = 1;
   int shared = 0, example = 0;
@@ -76,8 +76,8 @@ void check_plates(const Mesh& mesh, Problems& problems) {
     }
   if (shared > 0)
     problems.error("plate_k",
-                   fmt::format("{} nodes belong to plate N too, one at {}", shared, place(mesh.nodes.col(example))),
-                   "the plates have no point in common", "name faces that do not touch");
+                   fmt::format("{} nodes also belong to plate N, one at {}", shared, place(mesh.nodes.col(example))),
+                   "the plates must have no common point", "select faces that do not touch");
 }
 
 void check_elements(const Mesh& mesh, Problems& problems) {
@@ -96,18 +96,18 @@ void check_elements(const Mesh& mesh, Problems& problems) {
   }
   if (inverted == 0) return;
   if (!(volume > 0)) {
-    problems.error("mesh", fmt::format("a volume of {:.3g} m³", volume), "a solid has a volume > 0",
+    problems.error("mesh", fmt::format("a volume of {:.3g} m³", volume), "a solid must have a volume > 0",
                    "check the dimensions and the orientation of the elements");
     return;
   }
   problems.error("mesh",
-                 fmt::format("{} of {} elements are flat or turned inside out, element {} at {}", inverted,
+                 fmt::format("{} of {} elements are flat or inverted, e.g. element {} at {}", inverted,
                              mesh.elements.cols(), example, place(mesh.nodes.col(mesh.elements(0, example)))),
-                 "the map of every element has a positive determinant",
-                 "mesh finer where the surface is curved, or remove slivers from the shape");
+                 "the Jacobian determinant of every element must be positive",
+                 "refine the mesh at curved surfaces, or remove slivers from the shape");
 }
 
-/// Pieces of the solid, as the smallest node number reached from each node.
+/// Connected pieces of the solid: for each node the smallest node number of its piece.
 std::vector<int> pieces(const Mesh& mesh) {
   std::vector<int> parent(static_cast<std::size_t>(mesh.nodes.cols()));
   std::iota(parent.begin(), parent.end(), 0);
@@ -138,20 +138,20 @@ void check_pieces(const Mesh& mesh, Problems& problems) {
       problems.error("mesh",
                      fmt::format("node {} at {} belongs to no element", node,
                                  place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
-                     "every node belongs to an element", "leave out points that only serve the drawing");
+                     "every node must belong to an element", "remove points that only serve the drawing");
       return;
     }
     if (piece[node] != static_cast<int>(node)) continue;
     joined = joined || bonds[node] == 3;
     if (bonds[node] == 0)
       problems.error("mesh",
-                     fmt::format("the piece with the point {} hangs on no plate",
+                     fmt::format("the piece with the point {} is not bonded to a plate",
                                  place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
-                     "every piece of the solid is joined to a plate",
+                     "every piece of the solid must be bonded to a plate",
                      "join the solids of the file, so that they share their faces");
   }
   if (!joined && !mesh.plate_n.empty() && !mesh.plate_k.empty())
-    problems.error("mesh", "no piece reaches from plate N to plate K", "the solid joins its plates",
+    problems.error("mesh", "no piece connects plate N with plate K", "the solid must connect its plates",
                    "join the solids of the file, so that they share their faces");
 }
 

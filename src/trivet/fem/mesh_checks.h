@@ -9,9 +9,9 @@
 
 namespace trivet::fem {
 
-/// All that keeps a mesh from being condensed: node numbers, numbers that are not finite, plates without nodes or with
-/// common nodes, elements without material, elements turned inside out, no volume, pieces that hang on no plate or on
-/// one only, unsound materials. An error names one offender by number (from 0) and place.
+/// All reasons why a mesh cannot be condensed: wrong node numbers, non-finite coordinates, plates without nodes or with
+/// common nodes, elements without material, inverted elements, no volume, pieces on no plate, no piece that connects
+/// the plates, invalid materials. An error gives one example by number (from 0) and position.
 [[nodiscard]] foundation::Problems check_mesh(const Mesh& mesh, const std::vector<Material>& materials);
 
 /// @throws InvalidInput with the first error of `check_mesh`

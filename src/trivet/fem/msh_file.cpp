@@ -13,11 +13,11 @@ namespace {
 
 using foundation::Problems;
 
-constexpr int triangle_6 = 9, tetrahedron_10 = 11;  // gmsh's numbers of its kinds of elements
+constexpr int triangle_6 = 9, tetrahedron_10 = 11;  // gmsh's element type numbers
 
 struct Malformed {};
 
-/// Numbers and words of a text, one after another.
+/// Reads numbers and words of a text in sequence.
 class Reader {
  public:
   explicit Reader(const std::string& text) : next_(text.data()), end_(text.data() + text.size()) {}
@@ -39,7 +39,7 @@ class Reader {
   }
   std::size_t count() {
     const auto value = number<std::size_t>();
-    if (value > static_cast<std::size_t>(end_ - next_)) throw Malformed{};  // not even one letter each
+    if (value > static_cast<std::size_t>(end_ - next_)) throw Malformed{};  // less than one character each
     return value;
   }
   void skip_line() {
@@ -109,8 +109,8 @@ foundation::Expected<MshFile> read_msh(const std::filesystem::path& file) {
     return parse(text);
   } catch (const Malformed&) {
     Problems problems;
-    problems.error("mesh", fmt::format("{} of {} bytes is no mesh", file.filename().string(), text.size()),
-                   "a text file in gmsh's format 2.2 is wanted", "look whether the disk is full");
+    problems.error("mesh", fmt::format("{} of {} bytes is not a mesh", file.filename().string(), text.size()),
+                   "it must be a text file in gmsh's format 2.2", "check whether the disk is full");
     return tl::unexpected(problems);
   }
 }

@@ -10,8 +10,8 @@
 namespace trivet::fem {
 
 /// Second-order triangles and tetrahedra of a text file in gmsh's format 2.2, with gmsh's numbers of the faces and
-/// solids that they mesh. Nodes are numbered from 0 as they stand in the file; those that no element uses are kept.
-/// Other kinds of elements are passed over.
+/// solids that they mesh. Nodes are numbered from 0 in file order; unused nodes are kept. Other element types are
+/// skipped.
 struct MshFile {
   Eigen::Matrix3Xd nodes;      ///< in the file's unit
   Eigen::MatrixXi triangles;   ///< 6 × count

@@ -10,7 +10,7 @@ namespace {
 constexpr Eigen::Index block_size =
     48;  ///< wide enough for the matrix product, narrow enough for the unblocked factorization
 constexpr double round_off =
-    16 * std::numeric_limits<double>::epsilon();  ///< of a pivot, against its diagonal before elimination
+    16 * std::numeric_limits<double>::epsilon();  ///< of a pivot, relative to its diagonal before elimination
 
 }  // namespace
 

@@ -16,7 +16,8 @@ struct Pivots {
 /// needs.
 Pivots eliminate_leading(Eigen::MatrixXd& matrix, Eigen::Index count);
 
-/// The eliminated unknowns from the others, in place: `values` holds the others behind the first `multipliers.cols()`.
+/// Computes the eliminated unknowns from the others, in place: `values` holds the others after the first
+/// `multipliers.cols()`.
 void recover_leading(const Eigen::MatrixXd& multipliers, Eigen::VectorXd& values);
 
 /// Adds a symmetric matrix to the lower triangle of another, row and column i at place[i].

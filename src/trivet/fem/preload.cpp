@@ -25,13 +25,13 @@ Eigen::Matrix3d rotation(const Eigen::Vector3d& vector) {
   return angle > 0 ? spatial::rotation_about(vector, angle) : Eigen::Matrix3d::Identity();
 }
 
-/// Where plate K is, in the axes of the mesh, and the state of the solid with it.
+/// State of the solid and rotation of plate K, in the axes of the mesh.
 struct Equilibrium {
   Solid::State state;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 };
 
-/// The part of the load between two balanced states, by Newton's method on free nodes and plate together.
+/// One load step between two equilibrium states, by Newton's method on free nodes and plate together.
 class Newton {
  public:
   Newton(const Mesh& mesh, Solid& solid, const ElementFrame& frame, const Preload& preload,
@@ -44,14 +44,15 @@ class Newton {
         progress_(progress),
         record_(record) {}
 
-  /// Goes from the balanced state `at` by the part `part` of the load to the whole part `target`; false if that fails.
+  /// Advances from the equilibrium state `at` by the load fraction `part` to the fraction `target`; false if this
+  /// fails.
   bool advance(Equilibrium& at, double part, double target, Solid::Linearised& linearised) {
     Equilibrium trial = at;
     Solid::Linearised now = linearised;
     Vector6 imposed = Vector6::Zero();
     for (int i = 0; i < 6; ++i)
       if (!preload_.is_load[static_cast<std::size_t>(i)]) imposed(i) = part * preload_.value(i);
-    // The factors in the solid may be those of a failed attempt: begin with the balanced state.
+    // The factors in the solid may be those of a failed attempt: start from the equilibrium state.
     now = solid_.linearise(trial.state, true, foundation::thread_count(options_.condensation.threads), progress_);
     double before = 1e300;
     for (int iteration = 0; iteration < options_.most_iterations; ++iteration) {
@@ -109,7 +110,7 @@ class Newton {
     }
   }
 
-  /// Forces on free nodes and lacking load of the plate, over the forces on the plates.
+  /// Residual forces on free nodes and missing load of the plate, relative to the forces on the plates.
   [[nodiscard]] double unbalance(const Solid::Linearised& now, double target) const {
     const Vector6 lacking = load(target) - spatial::both_blocks(frame_.axes).transpose() * now.wrench.tail<6>();
     const double size = (mesh_.nodes.rowwise().maxCoeff() - mesh_.nodes.rowwise().minCoeff()).norm();
@@ -172,9 +173,8 @@ PreloadedStiffness preloaded_stiffness(const Mesh& mesh, const std::vector<Mater
   result.converged = result.reached >= 1 - 1e-12;
   if (!result.converged)
     result.why_not = fmt::format(
-        "no balance beyond {:.1f} % of the preload: the solid buckles, its elements turn inside out, or the mesh is "
-        "too coarse for "
-        "the strains; take a smaller preload or a finer mesh",
+        "no equilibrium beyond {:.1f} % of the preload: the solid buckles, its elements invert, or the mesh is too "
+        "coarse for the strains; use a smaller preload or a finer mesh",
         100 * result.reached);
   describe(at, linearised, frame, result);
   return result;

@@ -23,7 +23,7 @@ struct Tet10 {
   static Eigen::Matrix<double, 10, 1> values(int point);
   static double weight(int point);
   static Eigen::Vector4d barycentric(int point);
-  /// The two corners beside each of the six mid-edge nodes 4 … 9.
+  /// The two corners adjacent to each of the six mid-edge nodes 4 … 9.
   static const std::array<std::array<int, 2>, 6>& edges();
 };
 

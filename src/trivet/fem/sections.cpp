@@ -24,8 +24,8 @@ std::array<int, 9> lattice(auto node) {
   return quad;
 }
 
-/// Factor on the radius of nodes on a circle, so that `around` parabolic arcs keep its polar moment of area, on which
-/// torsion hangs.
+/// Factor on the radius of nodes on a circle, so that `around` parabolic arcs keep the polar moment of area, which
+/// determines the torsional stiffness.
 double radius_factor(int around) {
   const double half = std::numbers::pi / around, sagitta = 1 - std::cos(half);
   double moment = 0;  // ∫ r² (x dy − y dx) over half an arc, Gauss–Legendre

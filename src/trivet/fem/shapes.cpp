@@ -15,11 +15,11 @@
 namespace trivet::fem {
 namespace {
 
-/// Size of the smallest element at a bonded rim, over the smallest dimension of the rubber there, at level 1. With
-/// 1/level² the error of the singular edge falls at least as fast as that of the inside.
+/// Smallest element at a bonded rim / smallest dimension of the rubber there, at level 1. With 1/level² the error at
+/// the singular edge decreases at least as fast as the error inside.
 constexpr double rim_fraction = 0.3;
 
-/// Hexahedra of one shape: some million unknowns, minutes of work and a few gigabytes.
+/// Limit for one shape: about a million unknowns, minutes of computing time and a few gigabytes.
 constexpr double most_hexahedra = 40'000;
 
 double rim_size(int level) { return rim_fraction / (level * level); }
@@ -41,23 +41,24 @@ double thinnest_rubber(const std::vector<Layer>& layers) {
   return thinnest;
 }
 
-/// Counted before the mesh is made.
+/// Checks the number of elements before the mesh is made.
 void require_room(double quads, double intervals) {
   if (quads * intervals > most_hexahedra)
     throw foundation::InvalidInput(
-        fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are computed: "
-                    "lower mesh_level, take fewer layers, or use the closed formulas",
+        fmt::format("{:.3g} finite elements ({} over the section, {} over the height); at most {:.0f} are allowed: "
+                    "lower mesh_level, use fewer layers, or use the closed formulas",
                     quads * intervals, quads, intervals, most_hexahedra));
 }
 
-/// Elements from the middle to a free edge `distance` away: more where the rubber is thin, so that sizes grow by at
-/// most about 2.
+/// Number of elements from the middle to a free edge at `distance`: more for thin rubber, so that sizes grow by a
+/// factor of at most about 2.
 int toward_edge(int level, double distance, double thickness) {
   return level + static_cast<int>(std::ceil(0.5 * level * std::log2(std::max(1.0, 0.5 * distance / thickness))));
 }
 
-/// Rubber this thin against its half width works by its pressure, a parabola across and constant over the thickness:
-/// elements go there, and one quadratic element or two over half the thickness carry the parabola of the flow.
+/// In rubber this thin relative to its half width the pressure dominates: a parabola across the width, constant over
+/// the thickness. The elements are placed across the width; one or two quadratic elements over half the thickness
+/// represent the parabola of the flow.
 bool is_thin(double half_width, double thickness) { return half_width > 4 * thickness; }
 
 struct Levels {

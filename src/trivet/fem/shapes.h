@@ -23,7 +23,7 @@ struct Disc {
   double diameter = 0;  ///< [m] > 0
   std::vector<Layer> layers;
 };
-/// Block with sides along e1 and e2, centred on e3, plates as of a disc.
+/// Block with sides along e1 and e2, centred on e3, plates as for a disc.
 struct Block {
   double width = 0, depth = 0;  ///< along e1 and e2 [m] > 0
   std::vector<Layer> layers;
@@ -38,8 +38,8 @@ using Shape = std::variant<Disc, Block, Bush>;
 /// Rubber layers of equal thickness (material 0) with metal plates between them (material 1).
 [[nodiscard]] std::vector<Layer> sandwich_layers(int rubber_count, double rubber_thickness, double metal_thickness);
 
-/// Graded mesh of hexahedra; the number of elements grows about as level³. `level` ≥ 1; 3 meets the bonded cylinder
-/// within 0.1 %.
+/// Graded mesh of hexahedra; the number of elements grows about as level³. `level` ≥ 1; level 3 reproduces the bonded
+/// cylinder within 0.1 %.
 /// @throws InvalidInput for dimensions that are not > 0 or an inner diameter that is not below the outer
 [[nodiscard]] Mesh mesh(const Shape& shape, int level);
 
@@ -48,7 +48,7 @@ using Shape = std::variant<Disc, Block, Bush>;
 
 inline constexpr int default_level = 3;
 
-/// Stiffness of a shape on a mesh of this level, its error estimated from the next coarser one.
+/// Stiffness of a shape on a mesh of this level, the error is estimated from the next coarser one.
 [[nodiscard]] SolidStiffness condense(const Shape& shape, const std::vector<Material>& materials,
                                       int level = default_level, const CondensationOptions& options = {},
                                       const foundation::Progress& progress = {});

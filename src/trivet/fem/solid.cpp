@@ -25,7 +25,7 @@ Eigen::Matrix3Xd centres(const Mesh& mesh) {
 
 }  // namespace
 
-/// What the elements leave behind for sums that must not depend on the order of the threads.
+/// Results of the elements for sums that must not depend on the order of the threads.
 struct Solid::Gathered {
   Eigen::MatrixXd forces;  ///< one column per element
   std::vector<char> inverted;
@@ -130,7 +130,7 @@ Solid::Linearised Solid::linearise(const State& state, bool recoverable, int thr
         mesh_.nodes.col(node) + state.displacement.col(node) - (at == 0 ? state.point_n : state.point_k);
     result.wrench.segment<3>(at) += force;
     result.wrench.segment<3>(at + 3) += lever.cross(force);
-    // Second order of a rotation φ: f · ½ φ × (φ × r), without which turned preload appears as false moments.
+    // Second-order term of a rotation φ: f · ½ φ × (φ × r). Without it a rotated preload appears as false moments.
     result.tangent.block<3, 3>(at + 3, at + 3) +=
         0.5 * (force * lever.transpose() + lever * force.transpose()) - force.dot(lever) * Eigen::Matrix3d::Identity();
   }

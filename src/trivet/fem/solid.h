@@ -13,12 +13,13 @@
 namespace trivet::fem {
 
 /// A meshed solid with its materials and plates, ready to be linearised about any state. The plates move by (u_N, θ_N,
-/// u_K, θ_K) of their present reference points, in the axes of the mesh.
+/// u_K, θ_K) of their current reference points, in the axes of the mesh.
 class Solid {
  public:
   Solid(const Mesh& mesh, const std::vector<Material>& materials, TetPressure tet_pressure);
 
-  /// Deformed state: displacement of every node [m], pressure unknowns [Pa], reference points of the plates now [m].
+  /// Deformed state: displacement of every node [m], pressure unknowns [Pa], current reference points of the plates
+  /// [m].
   struct State {
     Eigen::Matrix3Xd displacement;
     Eigen::VectorXd unknown_pressures;  ///< by number of unknown; displacement entries unused
@@ -26,20 +27,20 @@ class Solid {
   };
   [[nodiscard]] State rest(const Eigen::Vector3d& point_n, const Eigen::Vector3d& point_k) const;
 
-  /// Tangent and internal forces of a state, condensed on the plates.
+  /// Tangent and internal forces of a state, condensed to the plates.
   struct Linearised {
     spatial::Matrix12 tangent;  ///< second-order rotation terms of the plates included
     spatial::Vector12
-        reaction;  ///< wrench of the plates on the solid, as if the free nodes were in balance after one Newton step
-    spatial::Vector12 wrench;  ///< wrench of the plates on the solid in this very state
-    double unbalance = 0;      ///< root of the summed squares of the forces left on free nodes [N]
-    int negative_pivots = 0;   ///< beyond those that belong to pressures
+        reaction;  ///< wrench of the plates on the solid, with the free nodes in equilibrium after one Newton step
+    spatial::Vector12 wrench;  ///< wrench of the plates on the solid in this state
+    double unbalance = 0;      ///< norm of the residual forces on free nodes [N]
+    int negative_pivots = 0;   ///< not counting those of the pressures
     bool inverted = false, singular = false;
   };
   [[nodiscard]] Linearised linearise(const State& state, bool recoverable, int threads,
                                      const foundation::Progress& progress);
 
-  /// Newton correction of the free unknowns for a small motion of the plates; after a recoverable linearisation.
+  /// Newton correction of the free unknowns for a small motion of the plates; needs a recoverable linearisation.
   [[nodiscard]] Eigen::VectorXd correction(const spatial::Vector12& plate_motion) const;
   void add_to_free(const Eigen::VectorXd& correction, State& state) const;
 
@@ -58,7 +59,7 @@ class Solid {
   std::unique_ptr<Substructuring> substructuring_;
 };
 
-/// A 12×12 in the axes of the mesh, seen in those of the element (columns of `axes`).
+/// A 12×12 matrix in the axes of the mesh, transformed to those of the element (columns of `axes`).
 [[nodiscard]] spatial::Matrix12 in_element_axes(const spatial::Matrix12& matrix, const Eigen::Matrix3d& axes);
 
 /// @throws InvalidInput if the condensation of the solid needs more memory than the options allow

@@ -20,7 +20,7 @@ namespace {
 using foundation::Problems;
 
 constexpr double millimetre = 1e-3;
-constexpr double same_place = 1e-6;  // of the solid's diagonal: coordinates of STEP files carry more digits than that
+constexpr double same_place = 1e-6;  // of the solid's diagonal: coordinates of STEP files have more digits than that
 constexpr double same_volume = 1e-6;
 constexpr std::size_t faces_told = 12;
 
@@ -82,7 +82,7 @@ std::map<int, Eigen::Matrix3Xd> points_by_face(const MshFile& mesh, double unit)
   return points;
 }
 
-/// Tells of a point whether it fulfils a selection.
+/// True if a face fulfils a selection.
 struct Fulfils {
   const StepFaces& all;
   double tolerance;
@@ -112,8 +112,8 @@ std::string words(const FaceSelection& selection, const StepFaces& all) {
   struct Words {
     const StepFaces& all;
     std::string operator()(const FurthestFaces& s) const {
-      return fmt::format("no plane face normal to ({:.4g}, {:.4g}, {:.4g}) at the solid's end there", s.direction.x(),
-                         s.direction.y(), s.direction.z());
+      return fmt::format("no plane face normal to ({:.4g}, {:.4g}, {:.4g}) at the end of the solid in this direction",
+                         s.direction.x(), s.direction.y(), s.direction.z());
     }
     std::string operator()(const FacesInBox& s) const {
       return fmt::format("no face between ({:.4g}, {:.4g}, {:.4g}) m and ({:.4g}, {:.4g}, {:.4g}) m", s.low.x(),
@@ -127,7 +127,7 @@ std::string words(const FaceSelection& selection, const StepFaces& all) {
         if (std::none_of(all.faces.begin(), all.faces.end(),
                          [&](const StepFace& face) { return face.number == number; }))
           return fmt::format("no face {}", number);
-      return "no face is named";
+      return "no face is selected";
     }
   };
   return std::visit(Words{all}, selection);
@@ -172,7 +172,7 @@ foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, do
   if (!(scale > 0) || !std::isfinite(scale))
     throw foundation::InvalidInput(fmt::format("scale = {}; must be > 0", scale));
   const foundation::TemporaryFolder folder;
-  // Joining keeps the solids and their order unless they overlap; the volumes before and after tell.
+  // Joining keeps the solids and their order unless they overlap; the volumes before and after show this.
   const std::string script = std::string(volumes_script) + joining_script + volumes_script + faces_script;
   const auto done = solids::run_gmsh(
       {.step_file = file, .folder = folder.path(), .script = script, .task = "reading STEP"}, progress);
@@ -181,7 +181,7 @@ foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, do
   std::ifstream stream(folder.path() / "faces.txt");
   const std::vector<double> apart = read_volumes(stream), joined = read_volumes(stream);
   if (apart.empty())
-    return refused("file", fmt::format("{}: holds no solid", file.string()), "a mount is a solid body",
+    return refused("file", fmt::format("{}: contains no solid", file.string()), "a mount must be a solid body",
                    "export the part as a solid body");
   if (!same(apart, joined))
     return refused(
@@ -219,8 +219,8 @@ foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& a
     if (std::visit([&](const auto& wanted) { return fulfils(wanted, all.faces[i]); }, selection)) chosen.push_back(i);
   if (chosen.empty() || !all_numbers_exist(selection, all))
     return refused(subject, words(selection, all),
-                   fmt::format("a plate is bonded to faces of the solid: {}", list_of(all)),
-                   "name its faces by number, box, cylinder or direction");
+                   fmt::format("a plate must be bonded to faces of the solid: {}", list_of(all)),
+                   "select its faces by number, box, cylinder or direction");
   return chosen;
 }
 

@@ -26,23 +26,23 @@ struct StepFaces {
   double volume = 0;  ///< [m³] of all solids, exact
 };
 
-/// Faces of all solids of a STEP file after solids that touch have been joined (their common face is one face). `scale`
-/// multiplies all lengths. Problems: what solids::run_gmsh finds; solids that overlap.
+/// Faces of all solids of a STEP file; solids that touch are joined first, so that their common face is one face.
+/// `scale` multiplies all lengths. Problems: those of solids::run_gmsh; solids that overlap.
 [[nodiscard]] foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, double scale = 1,
                                                          const foundation::Progress& progress = {});
 
-/// The lines for gmsh that join touching solids. Numbers of faces are those after it.
+/// gmsh script that joins touching solids. Face numbers are those after joining.
 extern const char* const joining_script;
 
-/// The plane faces that lie furthest along `direction` and normal to it: the usual seat.
+/// The plane faces normal to `direction` that are furthest along it: the usual seat.
 struct FurthestFaces {
   Eigen::Vector3d direction;
 };
-/// All faces that lie wholly between two corners [m].
+/// All faces completely inside the box between two corners [m].
 struct FacesInBox {
   Eigen::Vector3d low, high;
 };
-/// All faces that lie on a circular cylinder: a sleeve.
+/// All faces on a circular cylinder: a sleeve.
 struct FacesOnCylinder {
   double radius;  ///< [m] > 0
   Eigen::Vector3d point = Eigen::Vector3d::Zero(), axis = Eigen::Vector3d::UnitZ();
@@ -52,8 +52,8 @@ struct FacesByNumber {
 };
 using FaceSelection = std::variant<FurthestFaces, FacesInBox, FacesOnCylinder, FacesByNumber>;
 
-/// The faces that a selection names, as indices into `faces`. None, or a number that is not there, is a problem with
-/// the subject `subject`, which lists the faces there are.
+/// Indices into `faces` of the selected faces. No face, or a number that does not exist, is a problem with the subject
+/// `subject`; it lists the existing faces.
 [[nodiscard]] foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& all,
                                                                             const FaceSelection& selection,
                                                                             const std::string& subject);

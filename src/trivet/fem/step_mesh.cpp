@@ -19,8 +19,9 @@ namespace {
 using foundation::Problems;
 
 constexpr double one_millimetre = 1e-3;
-constexpr double most_elements = 1e6;  // some 4 million unknowns: more than a direct solver holds in a few gigabytes
-constexpr double volume_of_element = 0.118;  // regular tetrahedron, over its cubed edge
+constexpr double most_elements =
+    1e6;  // about 4 million unknowns: more than a direct solver can hold in a few gigabytes
+constexpr double volume_of_element = 0.118;  // regular tetrahedron / edge³
 
 Problems problems_of(const StepMeshOptions& options) {
   Problems problems;
@@ -46,8 +47,8 @@ std::string numbers(const std::vector<StepFace>& faces) {
   return list;
 }
 
-/// Twelve elements around a full turn of any curved surface, or second-order elements turn over there. The size grows
-/// from the outer rims of the bonded faces of each plate (edges inside one plate are no rims).
+/// Twelve elements around a full turn of any curved surface; with fewer, second-order elements invert there. The size
+/// grows from the outer rims of the bonded faces of each plate (edges inside one plate do not count).
 std::string script(const StepMesh& step, const StepMeshOptions& options) {
   const double unit = one_millimetre * options.scale;
   const double size = options.size / unit,
@@ -135,17 +136,18 @@ void check_count(const StepFaces& all, const StepMeshOptions& options, Problems&
   const double count = all.volume / (volume_of_element * std::pow(options.size, 3));
   if (count > most_elements)
     problems.error(
-        "size", fmt::format("{:.4g} m, for {:.4g} m³ some {:.2g} elements", options.size, all.volume, count),
-        fmt::format("at most some {:.2g} elements can be computed", most_elements),
-        fmt::format("take a size above {:.3g} m", std::cbrt(all.volume / (volume_of_element * most_elements))));
+        "size",
+        fmt::format("{:.4g} m; a volume of {:.4g} m³ needs about {:.2g} elements", options.size, all.volume, count),
+        fmt::format("at most about {:.2g} elements can be computed", most_elements),
+        fmt::format("use a size above {:.3g} m", std::cbrt(all.volume / (volume_of_element * most_elements))));
 }
 
 void check_apart(const StepMesh& step, Problems& problems) {
   for (const StepFace& n : step.faces_n)
     for (const StepFace& k : step.faces_k)
       if (n.number == k.number)
-        problems.error("plate_k", fmt::format("face {} is bonded to plate N too", k.number),
-                       "a face belongs to one plate", "name other faces");
+        problems.error("plate_k", fmt::format("face {} is also bonded to plate N", k.number),
+                       "a face must belong to one plate only", "select other faces");
 }
 
 }  // namespace

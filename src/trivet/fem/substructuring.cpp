@@ -11,7 +11,7 @@
 namespace trivet::fem {
 namespace {
 
-constexpr int smallest_part = 4;  ///< elements: below, joining costs more than it saves
+constexpr int smallest_part = 4;  ///< elements: for smaller parts, joining costs more than it saves
 
 }  // namespace
 
@@ -207,7 +207,7 @@ Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_
 Eigen::VectorXd Substructuring::recover(const Eigen::VectorXd& retained) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(first_retained_ + retained_count_);
   all.tail(retained_count_) = retained;
-  for (const Part& part : parts_) {  // parents stand before their children
+  for (const Part& part : parts_) {  // parents come before their children
     Eigen::VectorXd own(static_cast<Eigen::Index>(part.unknowns.size()));
     for (Eigen::Index i = 0; i < own.size(); ++i) own(i) = all(part.unknowns[static_cast<std::size_t>(i)]);
     recover_leading(part.factors, own);

@@ -9,14 +9,14 @@
 
 namespace trivet::fem {
 
-/// Static condensation of a symmetric system of many elements on its retained unknowns, by recursive substructuring:
-/// the solid is halved again and again, each part is condensed on its boundary, and boundaries are joined pairwise.
-/// Exact in exact arithmetic. The pivots need not be positive, only nonzero, in any order: positive definite and
-/// quasi-definite (mixed) systems.
+/// Static condensation of a symmetric system of many elements to its retained unknowns, by recursive substructuring:
+/// the solid is halved repeatedly, each part is condensed to its boundary, and boundaries are joined in pairs. Exact in
+/// exact arithmetic. The pivots must be nonzero, of any sign in any order: positive definite and quasi-definite (mixed)
+/// systems.
 class Substructuring {
  public:
   /// @param element_unknowns  per element the numbers of its unknowns; those ≥ `first_retained` are retained
-  /// @param centres  per element a point [m], which decides how the solid is halved
+  /// @param centres  per element a point [m] for halving the solid
   Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained,
                  int retained_count);
 
@@ -29,14 +29,14 @@ class Substructuring {
   struct Condensed {
     Eigen::MatrixXd matrix;   ///< on the retained unknowns
     int negative_pivots = 0;  ///< negative eigenvalues of the condensed part (Sylvester)
-    bool singular = false;    ///< a pivot vanished: part of the solid is not held
+    bool singular = false;    ///< a pivot vanished: part of the solid is unrestrained
   };
   /// @param recoverable  keep the factors, so that `recover` can give the condensed unknowns
-  /// The answer does not depend on `threads`.
+  /// The result does not depend on `threads`.
   [[nodiscard]] Condensed condense(const ElementMatrix& element_matrix, bool recoverable, int threads,
                                    const foundation::Progress& progress);
 
-  /// All unknowns from the retained ones, after a recoverable condensation of a system without load on the others.
+  /// All unknowns from the retained ones, after a recoverable condensation of a system without loads on the others.
   [[nodiscard]] Eigen::VectorXd recover(const Eigen::VectorXd& retained) const;
 
  private:
@@ -46,7 +46,7 @@ class Substructuring {
     std::vector<int> unknowns = {};           ///< those to be condensed here, then the boundary, each ascending
     int condensed = 0;
     std::vector<int> place_in_parent = {};  ///< of the boundary unknowns
-    double operations = 0;                  ///< with all parts below
+    double operations = 0;                  ///< including all parts below
     Eigen::MatrixXd factors = {};           ///< first `condensed` columns of the eliminated front
   };
   struct Run;
@@ -61,7 +61,7 @@ class Substructuring {
   std::vector<std::vector<int>> element_unknowns_;
   int first_retained_, retained_count_;
   std::vector<int> order_;                     ///< elements, part by part
-  std::vector<int> first_touch_, last_touch_;  ///< per unknown: range of places in order_ of the elements that have it
+  std::vector<int> first_touch_, last_touch_;  ///< per unknown: range in order_ of the elements that contain it
   std::vector<Part> parts_;
   double operations_ = 0;
 };

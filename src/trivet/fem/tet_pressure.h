@@ -3,8 +3,8 @@
 
 namespace trivet::fem {
 
-/// How a tetrahedron carries its pressure: constant and condensed (approaches most stiffnesses from below on graded
-/// meshes), or linear and continuous (from above). Hexahedra always carry a linear pressure of their own, condensed.
+/// Pressure of a tetrahedron: constant and condensed (most stiffnesses converge from below on graded meshes), or linear
+/// and continuous (from above). Hexahedra always have their own linear pressure, condensed.
 enum class TetPressure { constant, continuous };
 
 }  // namespace trivet::fem

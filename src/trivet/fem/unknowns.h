@@ -8,7 +8,7 @@
 
 namespace trivet::fem {
 
-/// Numbers of the unknowns of a mesh between rigid plates: three displacements of each free node and, where pressures
+/// Numbers of the unknowns of a mesh between rigid plates: three displacements of each free node and, if pressures
 /// are continuous, one pressure per corner node and material (the pressure jumps where materials meet).
 struct Unknowns {
   static constexpr int on_plate_n = -1, on_plate_k = -2;

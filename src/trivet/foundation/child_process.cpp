@@ -24,8 +24,8 @@ namespace trivet::foundation {
 namespace {
 
 constexpr std::size_t output_kept = 256 * 1024;
-constexpr double most_output = 100e6;   // [bytes]; gmsh prints some kilobytes, at its most talkative a line per element
-constexpr int poll_milliseconds = 100;  // ten reports of progress a second
+constexpr double most_output = 100e6;   // [bytes]; gmsh prints a few kilobytes, at most one line per element
+constexpr int poll_milliseconds = 100;  // ten progress reports per second
 constexpr int ending_milliseconds = 2;  // between the end of the output and the end of the program
 
 void require(int error, const std::string& what) {
@@ -61,7 +61,7 @@ std::vector<std::string> merged_environment(const std::vector<std::string>& adde
   return merged;
 }
 
-/// A program with its arguments and environment.
+/// Starts a program with its arguments and environment.
 std::unique_ptr<GuardedProgram> start(const Command& command, int output) {
   std::vector<std::string> arguments{command.program.string()};
   arguments.insert(arguments.end(), command.arguments.begin(), command.arguments.end());
@@ -71,7 +71,7 @@ std::unique_ptr<GuardedProgram> start(const Command& command, int output) {
                                           command.folder.empty() ? nullptr : command.folder.c_str(), output);
 }
 
-/// Appends what can be read at once. Bytes read; 0 at the end of the output, below 0 if there is nothing yet.
+/// Appends the available output. Returns the bytes read; 0 at the end of the output, < 0 if none is available yet.
 ssize_t read_some(int descriptor, std::string& output) {
   std::array<char, 16384> block;
   const ssize_t count = read(descriptor, block.data(), block.size());
@@ -101,7 +101,7 @@ CommandOutcome run(const Command& command, const Progress& progress) {
   int ends[2];
   require(pipe2(ends, O_CLOEXEC | O_NONBLOCK) == 0 ? 0 : errno, "pipe");
   Descriptor reading{ends[0]}, writing{ends[1]};
-  fcntl(writing.number, F_SETFL, 0);  // the program may expect that it can always write
+  fcntl(writing.number, F_SETFL, 0);  // blocking: the program may expect that it can always write
   const std::unique_ptr<GuardedProgram> program = start(command, writing.number);
   writing.close();
 

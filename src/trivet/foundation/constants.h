@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-/// Constants that formulas of several floors share.
+/// Constants used in several modules.
 namespace trivet::foundation {
 
 inline constexpr double two_pi = 2 * std::numbers::pi;  ///< one turn [rad]

@@ -8,8 +8,8 @@
 
 namespace trivet::foundation {
 
-/// Writes a whole new file; what already has its name, a link too, is an error.
-/// @param shown  what a message calls it  @throws std::runtime_error with the reason (a full disk, for instance)
+/// Writes a new file; an existing entry of this name, even a link, is an error.
+/// @param shown  path in the message  @throws std::runtime_error with the reason (a full disk, for instance)
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
                     const std::filesystem::path& shown);
 

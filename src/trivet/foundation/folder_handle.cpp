@@ -47,7 +47,7 @@ FolderHandle::Kind FolderHandle::kind(const std::string& name) const {
 }
 
 std::vector<std::string> FolderHandle::names() const {
-  const int again = openat(descriptor_, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // a reading position of its own
+  const int again = openat(descriptor_, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);  // separate reading position
   DIR* const stream = again >= 0 ? fdopendir(again) : nullptr;
   if (!stream) {
     const int reason = errno;

@@ -18,7 +18,7 @@
 namespace trivet::foundation {
 namespace {
 
-constexpr int group_poll_milliseconds = 10;  // where the kernel has no file descriptors of processes
+constexpr int group_poll_milliseconds = 10;  // if the kernel has no file descriptors of processes
 
 void require(bool success, const char* what) {
   if (!success) throw std::system_error(errno, std::generic_category(), what);
@@ -31,14 +31,14 @@ struct Program {
   const char* folder;
 };
 
-/// What the guard keeps open. Everything else would keep pipes of other threads alive; `ends_of_owner` must close in
-/// any case, or the guard would not see the end of its owner.
+/// Descriptors that the guard keeps open, and `ends_of_owner`, which it must close to detect the end of its owner. All
+/// others are closed too, because they would keep pipes of other threads open.
 struct Descriptors {
   int output, report, lifeline;
   std::array<int, 2> ends_of_owner;
 };
 
-// From here to `guard` only functions that are safe between fork and exec in a process with threads (man 7
+// From here to `guard`, only functions that are safe between fork and exec in a process with threads are allowed (man 7
 // signal-safety).
 
 void close_others(const Descriptors& kept) {
@@ -54,7 +54,7 @@ void close_others(const Descriptors& kept) {
   }
   closed = syscall(SYS_close_range, from, ~0u, 0) == 0 && closed;
   if (closed) return;
-  constexpr int most_descriptors = 4096;  // kernels before 5.9, and sandboxes that do not know the call
+  constexpr int most_descriptors = 4096;  // for kernels before 5.9 and sandboxes without the call
   for (int descriptor = 0; descriptor < most_descriptors; ++descriptor)
     if (!std::binary_search(sorted.begin(), sorted.end(), descriptor)) close(descriptor);
 }
@@ -62,8 +62,8 @@ void close_others(const Descriptors& kept) {
 [[noreturn]] void become(const Program& program, const Descriptors& open_ones, pid_t guard) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != guard) _exit(127);  // it was killed before the line above
-  // Above the standard ones, which may have been closed when we were started.
+  if (getppid() != guard) _exit(127);  // the guard was killed before the line above
+  // Numbers above the standard descriptors, which may have been closed when we were started.
   const int output = fcntl(open_ones.output, F_DUPFD_CLOEXEC, 3), report = fcntl(open_ones.report, F_DUPFD_CLOEXEC, 3);
   close(0);
   bool ready =
@@ -81,7 +81,7 @@ void close_others(const Descriptors& kept) {
   _exit(127);
 }
 
-/// Waits for the end of the program, or of its owner. The program is not yet reaped, so that its number stays its own.
+/// Waits for the end of the program or of its owner. Does not reap the program, so that its number is not reused.
 void wait_for_either(pid_t program, int lifeline) {
   const int handle = static_cast<int>(syscall(SYS_pidfd_open, program, 0));
   for (;;) {
@@ -95,7 +95,7 @@ void wait_for_either(pid_t program, int lifeline) {
 }
 
 [[noreturn]] void guard(const Program& program, const Descriptors& open_ones) {
-  setpgid(0, 0);             // what is sent to our group (Ctrl-C, a time limit) must not end the guard first
+  setpgid(0, 0);             // a signal to our group (Ctrl-C, a time limit) must not end the guard first
   signal(SIGCHLD, SIG_DFL);  // if it was ignored, the kernel would reap the program and its exit code would be lost
   close_others(open_ones);
   const pid_t own = getpid();
@@ -104,7 +104,7 @@ void wait_for_either(pid_t program, int lifeline) {
   ProgramEnd end{.start_error = child < 0 ? errno : 0};
   close(open_ones.output);
   if (child > 0) {
-    setpgid(child, child);  // here too: whichever of the two comes first
+    setpgid(child, child);  // also here: whichever process runs first
     wait_for_either(child, open_ones.lifeline);
     kill(-child, SIGKILL);
     kill(child, SIGKILL);
@@ -115,7 +115,7 @@ void wait_for_either(pid_t program, int lifeline) {
   _exit(0);
 }
 
-/// No signal may reach the guard: it must outlive us for as long as it takes to end the program.
+/// Blocks all signals to the guard: it must outlive us until it has killed the program.
 class BlockedSignals {
  public:
   BlockedSignals() {
@@ -172,7 +172,7 @@ bool GuardedProgram::has_ended(ProgramEnd& end) {
   ProgramEnd found;
   const ssize_t count = read(report_, &found, sizeof found);
   if (count < 0 && (errno == EAGAIN || errno == EINTR)) return false;
-  // Without a word the guard itself was killed, and the kernel has ended the program.
+  // Without a report the guard itself was killed, and the kernel has killed the program.
   end = count == static_cast<ssize_t>(sizeof found) ? found : ProgramEnd{.status = SIGKILL};
   return true;
 }

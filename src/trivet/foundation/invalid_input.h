@@ -5,13 +5,13 @@
 
 namespace trivet::foundation {
 
-/// A caller broke a documented precondition.
+/// A caller violated a documented precondition.
 class InvalidInput : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;
 };
 
-/// The mathematics gives no answer to a single question that was asked (a singular stiffness, for instance).
+/// A single requested result does not exist mathematically (a singular stiffness, for instance).
 class NotComputable : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

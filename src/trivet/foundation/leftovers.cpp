@@ -14,8 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A thread that still writes can add a file between the removal of the others and that of their folder; then it is
-/// removed again.
+/// Attempts: a thread that is still writing can add a file between the removal of the files and that of their folder.
 constexpr int most_removals = 1000;
 constexpr long pause_nanoseconds = 1'000'000;
 
@@ -84,13 +83,13 @@ bool remove_marked_folder(const fs::path& folder) noexcept {
       fs::remove(folder, error);
     }
     return !fs::exists(fs::symlink_status(folder, error));
-  } catch (const std::exception&) {  // no memory for a path
+  } catch (const std::exception&) {  // out of memory for a path
     return false;
   }
 }
 
 void remove_leftovers() noexcept {
-  registry().mutex.lock();  // for ever: what is removed here must not be made again
+  registry().mutex.lock();  // never unlocked: what is removed here must not be created again
   for (const auto& program : registry().programs) close(program.lifeline);
   for (const auto& program : registry().programs) wait_for(program.guard);
   for (auto folder = registry().folders.rbegin(); folder != registry().folders.rend(); ++folder)

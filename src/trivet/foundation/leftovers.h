@@ -7,7 +7,7 @@
 
 namespace trivet::foundation {
 
-/// A folder that must not outlive the process: registered as long as the object lives.
+/// A folder that must not outlive the process: registered as long as the object exists.
 class RegisteredFolder {
  public:
   enum class Removal { with_contents, if_empty };
@@ -27,12 +27,12 @@ class RegisteredFolder {
   std::list<Folder>::iterator place_;
 };
 
-/// A program that must not outlive the process. Its guard (guarded_program.h) ends it and all that it started when the
+/// A program that must not outlive the process. Its guard (guarded_program.h) kills it and all that it started when the
 /// lifeline is closed.
 class RegisteredProgram {
  public:
   /// @param guard     process number of the guard, our child
-  /// @param lifeline  file descriptor, owned from now on
+  /// @param lifeline  file descriptor; the object takes ownership
   RegisteredProgram(int guard, int lifeline);
   /// Closes the lifeline and waits for the guard.
   ~RegisteredProgram();
@@ -47,7 +47,7 @@ class RegisteredProgram {
   std::list<Program>::iterator place_;
 };
 
-/// While it lives, `remove_leftovers` waits: around steps that must not be cut in two. Nested ones are allowed. Keep it
+/// While it exists, `remove_leftovers` waits: for steps that must not be interrupted. May be nested. Keep the steps
 /// short.
 class Undisturbed {
  public:
@@ -57,16 +57,15 @@ class Undisturbed {
   std::unique_lock<std::recursive_mutex> lock_;
 };
 
-/// Ends every registered program and removes every registered folder, so that the process can end at once, in the
-/// middle of its work. A thread that would register or release something afterwards waits for ever; the caller ends the
-/// process.
+/// Kills all registered programs and removes all registered folders, so that the process can end immediately. A thread
+/// that registers or releases one afterwards waits for ever; the caller must end the process.
 void remove_leftovers() noexcept;
 
-/// Name of the file that marks a folder of ours (TemporaryFolder): its owner holds a lock on it.
+/// Name of the file that marks our folders (TemporaryFolder): the owner holds a lock on it.
 inline constexpr const char* owner_mark = ".owned-by-trivet";
 
-/// Removes a folder; the owner's mark goes last, so that a removal that was cut short can be completed by a later run.
-/// Links are removed, not followed. @returns whether nothing is left
+/// Removes a folder, the owner's mark last, so that a later run can complete an interrupted removal. Links are removed,
+/// not followed. @returns whether the folder is gone
 bool remove_marked_folder(const std::filesystem::path& folder) noexcept;
 
 }  // namespace trivet::foundation

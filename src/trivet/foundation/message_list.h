@@ -8,16 +8,16 @@
 
 namespace trivet::foundation {
 
-/// Problems that are listed at once: one mistake can touch thousands of lines, and the first hundred show it.
+/// Most problems in one list: one mistake can affect thousands of lines, and the first hundred show it.
 inline constexpr std::size_t most_messages = 100;
 
-/// The problems that are listed: all, or the first `most_messages`, errors before warnings.
+/// Problems to list: all, or the first `most_messages`, errors before warnings.
 [[nodiscard]] Problems listed(const Problems& problems);
 
 /// "… and 11197 more (11000 errors, 197 warnings); correct what is listed and check again"; empty if all are listed.
 [[nodiscard]] std::string rest_of_list(const Problems& problems);
 
-/// One line for each problem listed, and one for the number of the others.
+/// One line for each listed problem, and one with the number of the others.
 [[nodiscard]] std::string message_list(const Problems& problems);
 
 }  // namespace trivet::foundation

@@ -47,7 +47,7 @@ void for_each_piece(std::size_t count, const PieceOptions& options,
     try {
       for (std::size_t k = 1; k < workers; ++k) others.emplace_back(work_through, false);
     } catch (const std::system_error&) {
-      // No more threads are to be had: those that there are do the work.
+      // No more threads are available: the existing ones do the work.
     }
     work_through(true);
   }

@@ -9,19 +9,19 @@
 
 namespace trivet::foundation {
 
-/// `wanted`, or as many as the machine has if that is 0.
+/// Number of threads: `wanted`, or that of the machine if `wanted` is 0.
 [[nodiscard]] int thread_count(int wanted);
 
 struct PieceOptions {
-  std::size_t size = 1;        ///< of a piece; never derived from the threads, so that results do not depend on them
-  int threads = 0;             ///< 0: as many as the machine has
-  Progress progress = {};      ///< called on the calling thread alone
-  std::string_view task = "";  ///< what it reports
+  std::size_t size = 1;        ///< of a piece; independent of the number of threads, so that results are too
+  int threads = 0;             ///< 0: number of threads of the machine
+  Progress progress = {};      ///< called only on the calling thread
+  std::string_view task = "";  ///< name of the task in progress reports
 };
 
 /// Calls work(first, last) for all pieces [first, last) of [0, count), on several threads, each piece once, in any
-/// order. Whoever writes only what belongs to its piece gives the same bytes for 1 or 16 threads. The first exception
-/// stops the others and is thrown on.
+/// order. If each call writes only the results of its piece, they are identical for 1 or 16 threads. The first
+/// exception stops the other threads and is rethrown.
 void for_each_piece(std::size_t count, const PieceOptions& options,
                     const std::function<void(std::size_t first, std::size_t last)>& work);
 

@@ -9,11 +9,11 @@
 namespace trivet::foundation {
 namespace {
 
-/// One character, or one byte that begins none.
+/// One character, or one byte that does not begin a character.
 struct Character {
   std::uint32_t code = 0;
   std::size_t bytes = 1;
-  bool sound = true;  ///< of UTF-8
+  bool sound = true;  ///< valid UTF-8
 };
 
 std::uint32_t byte(std::string_view text, std::size_t at) { return static_cast<unsigned char>(text[at]); }
@@ -37,8 +37,8 @@ Character character_at(std::string_view text, std::size_t at) {
   return {code, bytes};
 }
 
-/// Control characters of both sets, separators of lines, marks that turn the direction of writing, and what XML does
-/// not admit.
+/// Control characters of both sets, line separators, marks that change the writing direction, and characters that XML
+/// does not allow.
 bool is_control(std::uint32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F ||
       (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069) || code == 0xFEFF || code == 0xFFFE ||
@@ -75,7 +75,7 @@ std::string on_one_line(std::string_view text) {
 std::optional<std::string> unprintable(std::string_view text, bool one_line) {
   for (std::size_t at = 0; at < text.size();) {
     const Character c = character_at(text, at);
-    if (!c.sound) return fmt::format("the byte {:02X}, which is no UTF-8", byte(text, at));
+    if (!c.sound) return fmt::format("the byte {:02X}, which is not UTF-8", byte(text, at));
     const bool of_lines = c.code == '\n' || c.code == '\r' || c.code == '\t';
     if (is_control(c.code) && (one_line || !of_lines)) return fmt::format("the control character U+{:04X}", c.code);
     at += c.bytes;

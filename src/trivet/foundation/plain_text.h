@@ -6,27 +6,28 @@
 #include <string>
 #include <string_view>
 
-/// Text from outside that goes to terminals, tables and pictures.
+/// External text for terminals, tables and pictures.
 namespace trivet::foundation {
 
-/// The longest name or text that a message repeats [bytes].
+/// Largest length of a name or text quoted in a message [bytes].
 inline constexpr std::size_t longest_shown = 60;
 
 /// The beginning of a text, at most `longest` bytes, not cut within a character of UTF-8.
 [[nodiscard]] std::string shortened(std::string_view text, std::size_t longest = longest_shown);
 
-/// The same in double quotes, with "…" if something is missing.
+/// The same in double quotes, with "…" if it was cut.
 [[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = longest_shown);
 
 /// The text as one printable line of UTF-8: control characters as \x1b or \u202e, a line break as \n, bytes that are
 /// not UTF-8 as \xe9.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
-/// Words for the first character that no name may hold: a control character, one that turns the direction of writing,
-/// or a byte that is not UTF-8; nothing if the text is printable. Line breaks and tabs count only if `one_line`.
+/// Description of the first character not allowed in names: a control character, one that changes the writing
+/// direction, or a byte that is not UTF-8; nullopt if the text is printable. Line breaks and tabs count only if
+/// `one_line`.
 [[nodiscard]] std::optional<std::string> unprintable(std::string_view text, bool one_line = true);
 
-/// A name as a part of a dotted path of a project file: in quotes unless it is of letters, digits, _ and - alone.
+/// A name as part of a dotted path in a project file: in quotes unless it has only letters, digits, _ and -.
 [[nodiscard]] std::string path_key(std::string_view name);
 
 }  // namespace trivet::foundation

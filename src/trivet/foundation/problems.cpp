@@ -13,7 +13,7 @@
 namespace trivet::foundation {
 namespace {
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn a into b.
+/// Number of insertions, deletions, replacements and swaps of neighbours that turn a into b.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, last(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -84,7 +84,7 @@ void Problems::sort_by_origin() {
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest_compared = 64;  // a longer key is not a typing error
-  constexpr std::size_t most_compared = 2000;   // of a model with more names a guess would cost seconds for every slip
+  constexpr std::size_t most_compared = 2000;   // with more names, a suggestion would take seconds per typing error
   if (candidates.size() > most_compared) return {};
   if (name.size() > longest_compared) return {};
   std::string best;

@@ -8,25 +8,25 @@
 
 namespace trivet::foundation {
 
-/// Where in a text something was written. Line and column count from 1; 0 means unknown.
+/// Place in a source text. Line and column count from 1; 0 means unknown.
 struct Origin {
   std::string source;
   int line = 0;
   int column = 0;
 };
 
-/// "genset.toml:12"; the file alone where the line is unknown.
+/// "genset.toml:12"; only the file if the line is unknown.
 [[nodiscard]] std::string place(const Origin& origin);
 
 enum class Severity { error, warning };
 
-/// One thing wrong with data from outside.
+/// One problem of the input data.
 struct Problem {
   Severity severity = Severity::error;
   Origin origin;
-  std::string subject;  ///< the thing, as a path: "elements.front spring.stiffness"
-  std::string finding;  ///< what value was found
-  std::string rule;     ///< which rule it breaks
+  std::string subject;  ///< affected item, as a path: "elements.front spring.stiffness"
+  std::string finding;  ///< value found
+  std::string rule;     ///< rule that it violates
   std::string remedy;   ///< what to do
 };
 

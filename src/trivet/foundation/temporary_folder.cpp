@@ -41,8 +41,8 @@ bool is_such_a_name(const std::string& name) {
       name.find_first_not_of(letters, temporary_name_start.size()) == std::string::npos;
 }
 
-/// Opens the mark inside a folder that is no link; `must_be_ours`: and belongs to this user. -1 with errno if there is
-/// none.
+/// Opens the mark inside a folder that is not a link and, if `must_be_ours`, belongs to this user. Returns -1 with
+/// errno on failure.
 int open_mark(const fs::path& folder, int flags, bool must_be_ours) {
   const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (opened < 0) return -1;
@@ -55,7 +55,7 @@ int open_mark(const fs::path& folder, int flags, bool must_be_ours) {
   return mark;
 }
 
-/// Somebody who cleans up may have taken a folder for abandoned before its owner had the lock.
+/// Another process may have removed the folder as abandoned before its owner had the lock.
 bool still_there(int mark) {
   struct stat status;
   return fstat(mark, &status) == 0 && status.st_nlink > 0;
@@ -64,7 +64,7 @@ bool still_there(int mark) {
 void remove_if_abandoned(const fs::path& folder) {
   const int mark = open_mark(folder, 0, true);
   if (mark < 0) {
-    if (errno == ENOENT) rmdir(folder.c_str());  // killed before it made its mark: empty, or it is not ours
+    if (errno == ENOENT) rmdir(folder.c_str());  // killed before it made its mark; removes only an empty folder
     return;
   }
   struct stat status;
@@ -73,20 +73,20 @@ void remove_if_abandoned(const fs::path& folder) {
   close(mark);
 }
 
-/// Makes the folder and its mark. -1 if that has to be tried again under another name.
+/// Creates the folder and its mark. Returns -1 if another name must be tried.
 int make(const fs::path& folder) {
   if (mkdir(folder.c_str(), 0700) != 0) {
     if (errno == EEXIST) return -1;
     throw std::system_error(errno, std::generic_category(), folder.parent_path().string());
   }
-  const int mark = open_mark(folder, O_CREAT | O_EXCL, false);  // some file systems give it to another user
+  const int mark = open_mark(folder, O_CREAT | O_EXCL, false);  // some file systems assign it to another user
   if (mark < 0) {
     if (errno == ENOENT) return -1;
     const int reason = errno;
     rmdir(folder.c_str());
     throw std::system_error(reason, std::generic_category(), folder.parent_path().string());
   }
-  // A file system without locks: the folder works, but if this process is killed, it stays.
+  // On a file system without locks the folder works, but remains if this process is killed.
   const bool taken = flock(mark, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   if (!taken && still_there(mark)) return mark;
   close(mark);
@@ -114,7 +114,7 @@ void remove_abandoned_folders(const fs::path& parent) {
 TemporaryFolder::TemporaryFolder() try : TemporaryFolder(system_place()) {
 } catch (const std::system_error& error) {
   throw std::runtime_error(
-      fmt::format("no temporary folder can be made in {}: {}; set TMPDIR to a folder where you may write",
+      fmt::format("cannot create a temporary folder in {}: {}; set TMPDIR to a folder with write permission",
                   system_place().string(), error.code().message()));
 }
 

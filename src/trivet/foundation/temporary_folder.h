@@ -9,22 +9,22 @@
 
 namespace trivet::foundation {
 
-/// The names of all temporary folders begin so.
+/// Prefix of the names of all temporary folders.
 inline constexpr std::string_view temporary_name_start = ".trivet-";
 
-/// Removes what killed processes of this user have left of their temporary folders, in $TMPDIR or /tmp, or in a folder.
+/// Removes temporary folders that killed processes of this user left in $TMPDIR or /tmp, or in `parent`.
 void remove_abandoned_folders();
 void remove_abandoned_folders(const std::filesystem::path& parent);
 
-/// A new folder for this owner only, under a name that cannot be guessed, removed with all it holds when the object
-/// goes, whatever happened before. It holds one file, the owner's mark, on which this process keeps a lock; the next
-/// temporary folder in the same place removes those whose owner was killed. On a file system without locks those stay.
+/// A new folder for this user only, with a name that cannot be guessed, removed with its contents when the object is
+/// destroyed. It contains one file, the owner's mark, on which this process holds a lock; creating the next temporary
+/// folder in the same place removes those of killed owners. On a file system without locks those remain.
 class TemporaryFolder {
  public:
-  /// In $TMPDIR, or in /tmp if that is not set. @throws std::runtime_error with reason and remedy if nothing can be
-  /// made there
+  /// In $TMPDIR, or in /tmp if that is not set. @throws std::runtime_error with reason and remedy if no folder can be
+  /// created there
   TemporaryFolder();
-  /// In a folder that exists. @throws std::system_error if nothing can be made there
+  /// In an existing folder. @throws std::system_error if no folder can be created there
   explicit TemporaryFolder(const std::filesystem::path& parent);
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -17,14 +17,14 @@ namespace {
 using Complex = std::complex<double>;
 using foundation::two_pi;
 
-/// Relaxation times per decade, and decades of them beyond the band: a single relaxation between two times is met to
+/// Relaxation times per decade, and decades of them beyond the band: a single relaxation between two times is fitted to
 /// 1e-3.
 constexpr int times_per_decade = 12;
 constexpr double decades_beyond = 2;
 
-/// A fit ends this far below the tolerance: what is left is noise.
+/// A fit stops this far below the tolerance: the rest is noise.
 constexpr double of_the_tolerance = 0.2;
-/// Half the width of a resonance over the distance of the rows: resolved; narrower than any row shows.
+/// Half width of a resonance / row spacing: resolved by the rows; not resolved by them.
 constexpr double shown = 0.5, hidden = 0.1;
 
 Eigen::VectorXd relaxation_times(const std::vector<double>& frequency) {
@@ -34,7 +34,7 @@ Eigen::VectorXd relaxation_times(const std::vector<double>& frequency) {
   return Eigen::VectorXd::LinSpaced(count, from, to).unaryExpr([](double decade) { return std::pow(10, decade); });
 }
 
-/// The rows that are fitted.
+/// The rows used for the fit.
 struct Rows {
   std::vector<double> fitted;  ///< their angular frequencies [rad/s]
   Eigen::VectorXcd stiffness;
@@ -49,7 +49,7 @@ Rows rows_of(const DynamicStiffnessTable& table) {
   return rows;
 }
 
-/// Nearest sum of a static stiffness, a dashpot, relaxations and, if there are sections, of these and a mass.
+/// Nearest sum of a static stiffness, a dashpot, relaxations and, if sections are given, of these and a mass.
 PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& sections, double enough) {
   const Eigen::VectorXd times = relaxation_times(rows.fitted);
   const auto count = static_cast<Eigen::Index>(rows.fitted.size()),
@@ -99,7 +99,7 @@ void compare(const DynamicStiffnessTable& table, CausalityCheck& check) {
   check.misfit.maxCoeff(&check.worst);
 }
 
-/// Does the stiffness change by more than a third from one row to the next?
+/// True if the stiffness changes by more than a third from one row to the next.
 bool has_steep_rows(const DynamicStiffnessTable& table) {
   constexpr double steep = 1.0 / 3;
   for (Eigen::Index i = 1; i < table.stiffness.size(); ++i)
@@ -109,7 +109,7 @@ bool has_steep_rows(const DynamicStiffnessTable& table) {
   return false;
 }
 
-/// What moves inside the element, in words: its strongest resonance within the band, or what acts as a mass there.
+/// Text on the motion inside the element: its strongest resonance in the band, or what acts as a mass there.
 std::string inner_motion(const PassiveStiffness& passive, const DynamicStiffnessTable& table) {
   const Eigen::VectorXd& w = table.angular_frequency;
   PassiveStiffness massive;
@@ -135,16 +135,16 @@ std::string words(const CausalityCheck& check, const DynamicStiffnessTable& tabl
   const double share = 100 * check.relative_rms;
   switch (check.kind) {
     case Causality::relaxing:
-      return fmt::format("k' and k'' belong together within {:.2g} % {}", share, worst);
+      return fmt::format("k' and k'' are consistent within {:.2g} % {}", share, worst);
     case Causality::resonant:
-      return fmt::format("k' and k'' belong together within {:.2g} % {}{}", share, worst,
+      return fmt::format("k' and k'' are consistent within {:.2g} % {}{}", share, worst,
                          inner_motion(check.nearest, table));
     case Causality::too_coarse:
-      return fmt::format("{:.2g} % of k* needs a resonance narrower than the distance of the rows {}", share, worst);
+      return fmt::format("only a resonance narrower than the row spacing explains {:.2g} % of k* {}", share, worst);
     case Causality::impossible:
       break;
   }
-  return fmt::format("{:.2g} % of k* belongs to no passive, causal element {}", share, worst);
+  return fmt::format("k* differs by {:.2g} % from the nearest passive, causal element {}", share, worst);
 }
 
 }  // namespace
@@ -156,7 +156,7 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
   if (w.size() != table.stiffness.size() || w.size() < 2) {
     problems.error("dynamic_stiffness",
                    fmt::format("{} frequencies and {} stiffnesses", w.size(), table.stiffness.size()),
-                   "a table has at least two rows of both", "complete the table");
+                   "a table must have at least two rows of both", "complete the table");
     return problems;
   }
   const double stiffest = table.stiffness.cwiseAbs().maxCoeff();
@@ -164,25 +164,25 @@ foundation::Problems table_problems(const DynamicStiffnessTable& table) {
     const std::string subject = fmt::format("row {}", i + 1);
     const Complex k = table.stiffness(i);
     if (!std::isfinite(w(i)) || !std::isfinite(k.real()) || !std::isfinite(k.imag()))
-      problems.error(subject, "an entry is missing or not finite", "every row has a frequency and a complex stiffness",
-                     "leave the row out");
+      problems.error(subject, "an entry is missing or not finite",
+                     "every row must have a frequency and a complex stiffness", "remove the row");
     else if (!(w(i) > 0))
-      problems.error(subject, fmt::format("{:.6g} Hz", w(i) / two_pi), "a frequency is > 0",
-                     "leave the static row out");
+      problems.error(subject, fmt::format("{:.6g} Hz", w(i) / two_pi), "a frequency must be > 0",
+                     "remove the static row");
     else if (i > 0 && w(i) == w(i - 1))
-      problems.error(subject, fmt::format("{:.6g} Hz stands twice", w(i) / two_pi), "frequencies increase",
-                     "average the two rows, or leave one out");
+      problems.error(subject, fmt::format("{:.6g} Hz is listed twice", w(i) / two_pi), "frequencies must increase",
+                     "average the two rows, or remove one");
     else if (i > 0 && w(i) < w(i - 1))
       problems.error(subject, fmt::format("{:.6g} Hz after {:.6g} Hz", w(i) / two_pi, w(i - 1) / two_pi),
-                     "frequencies increase", "sort the rows");
+                     "frequencies must increase", "sort the rows");
     else if (k == 0.0)
-      problems.error(subject, fmt::format("the stiffness is 0 at {:.6g} Hz", w(i) / two_pi), "a stiffness has a size",
-                     "leave the row out");
+      problems.error(subject, fmt::format("the stiffness is 0 at {:.6g} Hz", w(i) / two_pi),
+                     "a stiffness must not be 0", "remove the row");
     else if (constexpr double rounding = 1e-9; k.imag() < -rounding * stiffest)
       problems.warning(subject,
                        fmt::format("negative loss at {:.6g} Hz: k'' = {:.4g} N/m, k' = {:.4g} N/m", w(i) / two_pi,
                                    k.imag(), k.real()),
-                       "a passive element loses energy (e^{+iωt}: k'' ≥ 0)",
+                       "a passive element dissipates energy (e^{+iωt}: k'' ≥ 0)",
                        "check the sign of the phase, or the noise");
   }
   return problems;
@@ -195,8 +195,8 @@ std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, 
   const Eigen::VectorXd& w = table.angular_frequency;
   const Eigen::Index last = w.size() - 1;
   if (!(angular_frequency >= w(0) && angular_frequency <= w(last)))
-    throw foundation::InvalidInput(
-        fmt::format("{:.6g} rad/s, the table holds {:.6g} to {:.6g} rad/s", angular_frequency, w(0), w(last)));
+    throw foundation::InvalidInput(fmt::format("{:.6g} rad/s is outside the table, which covers {:.6g} to {:.6g} rad/s",
+                                               angular_frequency, w(0), w(last)));
   const Eigen::Index above =
       std::max<Eigen::Index>(1, std::lower_bound(w.data(), w.data() + last, angular_frequency) - w.data());
   const double share = std::log(angular_frequency / w(above - 1)) / std::log(w(above) / w(above - 1));
@@ -217,8 +217,8 @@ std::complex<double> stiffness_at(const PassiveStiffness& passive, double angula
 
 std::string remedy(Causality kind) {
   return kind == Causality::too_coarse
-      ? "measure with a finer step of frequency there; if the step is fine enough, check the phase"
-      : "look for a wrong phase, or another temperature or amplitude within the table";
+      ? "measure with a finer frequency step there; if the step is fine enough, check the phase"
+      : "look for a wrong phase, or a change of temperature or amplitude within the table";
 }
 
 foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& table, const CausalityOptions& options) {
@@ -248,7 +248,7 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
   check.verdict = words(check, table);
   if (!check.passes)
     check.warnings.warning("dynamic_stiffness", check.verdict,
-                           fmt::format("up to {:.2g} % pass", 100 * options.tolerance), remedy(check.kind));
+                           fmt::format("up to {:.2g} % is accepted", 100 * options.tolerance), remedy(check.kind));
   return check;
 }
 

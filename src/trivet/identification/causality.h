@@ -10,17 +10,17 @@
 
 namespace trivet::identification {
 
-/// k*(ω) as measured, one direction: angular frequencies [rad/s] > 0, increasing; stiffness k' + ik'' [N/m].
+/// Measured k*(ω), one direction: angular frequencies [rad/s] > 0, increasing; stiffness k' + ik'' [N/m].
 struct DynamicStiffnessTable {
   Eigen::VectorXd angular_frequency;
   Eigen::VectorXcd stiffness;
 };
 
-/// What makes a table unusable (errors): columns of different length, fewer than two rows, entries that are not finite,
-/// frequencies not > 0, not increasing or repeated; and what is doubtful (warning): negative loss.
+/// Problems of a table. Errors: columns of different length, fewer than two rows, entries that are not finite,
+/// frequencies not > 0, not increasing or repeated. Warning: negative loss.
 [[nodiscard]] foundation::Problems table_problems(const DynamicStiffnessTable& table);
 
-/// Stiffness between the rows, real and imaginary part linear in ln ω.
+/// Stiffness between the rows; real and imaginary part are linear in ln ω.
 /// @throws InvalidInput outside the band of the table, or for a table with errors
 [[nodiscard]] std::complex<double> interpolated_stiffness(const DynamicStiffnessTable& table, double angular_frequency);
 
@@ -41,17 +41,16 @@ struct PassiveStiffness {
 [[nodiscard]] std::complex<double> stiffness_at(const PassiveStiffness& passive, double angular_frequency);
 
 struct CausalityOptions {
-  /// Relative misfit (rms over the band) up to which the table passes; should lie above its noise.
+  /// Relative misfit (rms over the band) up to which the table passes; should be above its noise.
   double tolerance = 0.05;
 };
 
-/// What a table has been found to be. `too_coarse`: only a resonance narrower than the distance of its rows explains
-/// it.
+/// Verdict on a table. `too_coarse`: only a resonance narrower than the row spacing explains it.
 enum class Causality { relaxing, resonant, too_coarse, impossible };
 
-/// How far k' and k'' are from belonging together. Causality ties each to the other over all frequencies (Kramers and
-/// Kronig); over a finite band, the nearest passive, causal stiffness takes the place of the integrals. First
-/// relaxations alone are tried, then with internal resonances and inertia as wide as the rows can show.
+/// Consistency of k' and k''. Causality determines each from the other over all frequencies (Kramers and Kronig); over
+/// a finite band, the nearest passive, causal stiffness replaces the integrals. First only relaxations are tried, then
+/// also internal resonances and inertia, as far as the rows can resolve them.
 struct CausalityCheck {
   Causality kind = Causality::impossible;
   PassiveStiffness nearest;
@@ -64,7 +63,7 @@ struct CausalityCheck {
   foundation::Problems warnings;
 };
 
-/// What to do about a table that does not pass.
+/// Recommended action for a table that does not pass.
 [[nodiscard]] std::string remedy(Causality kind);
 
 /// @throws InvalidInput if the tolerance is not > 0

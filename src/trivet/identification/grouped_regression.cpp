@@ -10,9 +10,9 @@
 namespace trivet::identification {
 namespace {
 
-/// Smallest pivot over the largest that still counts as excited; designs are scaled, so rounding is near 1e-15.
+/// Ratio of smallest to largest pivot that still counts as excited; designs are scaled, so rounding is near 1e-15.
 constexpr double rank_tolerance = 1e-9;
-/// Noise over readings below which a group counts as exact.
+/// Ratio of noise to readings below which a group counts as exact.
 constexpr double least_noise = 1e-10;
 
 Eigen::VectorXd group_sizes(const Regression& regression, const Eigen::VectorXd& values) {
@@ -24,7 +24,7 @@ Eigen::VectorXd group_sizes(const Regression& regression, const Eigen::VectorXd&
   return (squares.array() / count.array().max(1)).sqrt();
 }
 
-/// Directions that the design does not see: R₁₁ x₁ = −R₁₂ x₂ for every unit x₂, in the order of the parameters.
+/// Directions without influence on the readings: R₁₁ x₁ = −R₁₂ x₂ for every unit x₂, in the order of the parameters.
 Eigen::MatrixXd null_space(const numerics::PivotedQr& qr, Eigen::Index rank) {
   const Eigen::Index count = qr.R.cols();
   Eigen::MatrixXd pivoted(count, count - rank);
@@ -42,7 +42,7 @@ Eigen::VectorXd deviations(const Regression& regression, const Eigen::VectorXd& 
   return deviation;
 }
 
-/// One weighted solution; false if the rank is wanted and less than full.
+/// One weighted solution; `judge_rank` sets the rank. False if the rank is less than full.
 bool solve(const Regression& regression, bool judge_rank, RegressionFit& fit) {
   const Eigen::VectorXd weight = fit.deviation.cwiseInverse();
   const Eigen::MatrixXd weighted = weight.asDiagonal() * regression.design;
@@ -69,7 +69,7 @@ RegressionFit fit(const Regression& regression) {
   Eigen::VectorXd readings = group_sizes(regression, regression.measured);
   const double stand_in =
       readings.maxCoeff() > 0 ? (readings.array() > 0).select(readings, readings.maxCoeff()).minCoeff() : 1;
-  readings = (readings.array() > 0).select(readings, stand_in);  // for a channel that reads null throughout
+  readings = (readings.array() > 0).select(readings, stand_in);  // for a channel whose readings are all 0
   const Eigen::VectorXd floor = least_noise * readings;
   fit.group_scale = readings;
   constexpr int most_rounds = 60;

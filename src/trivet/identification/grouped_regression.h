@@ -6,7 +6,7 @@
 
 namespace trivet::identification {
 
-/// Linear regression measured ≈ design · parameters whose readings fall into groups of unknown noise.
+/// Linear regression measured ≈ design · parameters; the readings are in groups of unknown noise.
 struct Regression {
   Eigen::MatrixXd design;  ///< one row per reading; columns of comparable size
   Eigen::VectorXd measured;
@@ -17,25 +17,25 @@ struct Regression {
 
 struct RegressionFit {
   int rank = 0;
-  Eigen::MatrixXd
-      null_space;        ///< of the weighted design, one column per missing rank; nothing else is filled if it has any
-  double condition = 0;  ///< of the weighted design, largest over smallest pivot
+  Eigen::MatrixXd null_space;  ///< of the weighted design, one column per missing rank; if it has any, the results
+                               ///< below are not set
+  double condition = 0;        ///< of the weighted design, largest / smallest pivot
   Eigen::VectorXd parameters;
   Eigen::MatrixXd influence;      ///< ∂ parameters / ∂ measured
   Eigen::VectorXd residual;       ///< measured − fitted
   Eigen::VectorXd leverage;       ///< ∂ fitted / ∂ measured of each reading, 0 … 1
   Eigen::VectorXd deviation;      ///< estimated standard deviation of each reading
-  Eigen::VectorXd group_freedom;  ///< degrees of freedom left to each group
+  Eigen::VectorXd group_freedom;  ///< degrees of freedom of each group
   Eigen::VectorXd group_scale;    ///< factor on the relative deviations of each group
 };
 
-/// Weighted least squares in which the noise of each group and the weights that follow from it are found together: the
-/// noise of a group is √(Σ r²/ν) with ν = readings − their leverages. Null noise is held at 1e-10 of the group's
-/// readings.
+/// Weighted least squares. The noise of each group and the weights that depend on it are determined together by
+/// iteration: the noise of a group is √(Σ r²/ν) with ν = readings − their leverages. Zero noise is replaced by 1e-10 of
+/// the group's readings.
 [[nodiscard]] RegressionFit fit(const Regression& regression);
 
-/// Half-width of the confidence interval of Σ functional_p · parameter_p, Student's with Satterthwaite's degrees of
-/// freedom.
+/// Half-width of the confidence interval of Σ functional_p · parameter_p, by Student's distribution with
+/// Satterthwaite's degrees of freedom.
 [[nodiscard]] double half_width(const Regression& regression, const RegressionFit& fit,
                                 const Eigen::RowVectorXd& functional, double confidence);
 

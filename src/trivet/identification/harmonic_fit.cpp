@@ -18,7 +18,7 @@ double remaining(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, dou
   return harmonic_fit(harmonic_columns(time, frequency, order, 1), signal).noise(0);
 }
 
-/// Times at which the signal goes up through zero, having been below −band before and reaching +band after.
+/// Times at which the signal crosses zero upwards, from below −band to above +band.
 std::vector<double> upward_crossings(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, double band) {
   std::vector<double> crossings;
   bool was_low = false;
@@ -34,7 +34,7 @@ std::vector<double> upward_crossings(const Eigen::VectorXd& time, const Eigen::V
   return crossings;
 }
 
-/// Gauss–Newton on ω, the linear coefficients solved for along with each step.
+/// Gauss–Newton iteration on ω; each step also solves for the linear coefficients.
 double refined(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, double frequency, int order, int harmonics) {
   constexpr int most_steps = 30;
   const double duration = time(time.size() - 1) - time(0);
@@ -79,7 +79,8 @@ HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& 
       numerics::ldlt_solution(normal, Eigen::MatrixXd(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())));
   fit.coefficients = fit.unit_covariance * (columns.transpose() * signals);
   fit.residuals = signals - columns * fit.coefficients;
-  fit.coefficients += fit.unit_covariance * (columns.transpose() * fit.residuals);  // what the normal equations lost
+  fit.coefficients +=
+      fit.unit_covariance * (columns.transpose() * fit.residuals);  // corrects the rounding of the normal equations
   fit.residuals = signals - columns * fit.coefficients;
   const double freedom = static_cast<double>(std::max<Eigen::Index>(1, columns.rows() - columns.cols()));
   fit.noise = (fit.residuals.colwise().squaredNorm() / freedom).cwiseSqrt();

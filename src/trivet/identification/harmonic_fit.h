@@ -10,7 +10,7 @@ namespace trivet::identification {
 [[nodiscard]] Eigen::MatrixXd harmonic_columns(const Eigen::VectorXd& time, double angular_frequency, int order,
                                                int harmonics);
 
-/// Least squares with what is needed for its uncertainty.
+/// Least-squares fit with the data for its uncertainty.
 struct HarmonicFit {
   Eigen::MatrixXd unit_covariance;  ///< (AᵀA)⁻¹
   Eigen::MatrixXd coefficients;     ///< one column per signal
@@ -19,9 +19,9 @@ struct HarmonicFit {
 };
 [[nodiscard]] HarmonicFit harmonic_fit(const Eigen::MatrixXd& columns, const Eigen::MatrixXd& signals);
 
-/// Angular frequency [rad/s] of the strongest oscillation of a signal, its harmonics and a drift of the given order
-/// beside it: counted from its crossings (or, with fewer than three, tried from 0.6 to 3.4 cycles per record), then
-/// refined by least squares. None for a signal without motion.
+/// Angular frequency [rad/s] of the strongest oscillation of a signal that also has harmonics and a drift of the given
+/// order: counted from its zero crossings (with fewer than three, from trials of 0.6 to 3.4 cycles per record), then
+/// refined by least squares. Empty for a signal without motion.
 [[nodiscard]] std::optional<double> frequency_of(const Eigen::VectorXd& time, const Eigen::VectorXd& signal, int order,
                                                  int harmonics);
 

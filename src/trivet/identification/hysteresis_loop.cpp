@@ -21,10 +21,10 @@ constexpr int fewest_samples_per_cycle = 8;
 void check(const LoopOptions& options) {
   const auto in_range = [](const char* name, double value, double low, double high) {
     if (!(value >= low && value <= high))
-      throw foundation::InvalidInput(fmt::format("{} = {}, must lie between {} and {}", name, value, low, high));
+      throw foundation::InvalidInput(fmt::format("{} = {}, must be between {} and {}", name, value, low, high));
   };
   if (!(options.confidence > 0 && options.confidence < 1))
-    throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", options.confidence));
+    throw foundation::InvalidInput(fmt::format("confidence = {}, must be between 0 and 1", options.confidence));
   in_range("drift_order", options.drift_order, 0, 3);
   in_range("harmonics", options.harmonics, 1, 20);
 }
@@ -36,7 +36,7 @@ foundation::Problems sample_problems(const LoopRecord& record) {
   if (record.force.size() != count || (record.time.size() != 0 && record.time.size() != count)) {
     problems.error(subject,
                    fmt::format("{} displacements, {} forces, {} times", count, record.force.size(), record.time.size()),
-                   "each sample has all of them", "make the columns equally long");
+                   "each sample must have all of them", "give the columns the same length");
     return problems;
   }
   if (count < 2 * fewest_samples_per_cycle)
@@ -48,16 +48,16 @@ foundation::Problems sample_problems(const LoopRecord& record) {
   for (Eigen::Index i = 0; i < count && problems.list().size() < 20; ++i) {
     if (!std::isfinite(record.displacement(i)) || !std::isfinite(record.force(i)) ||
         (record.time.size() > 0 && !std::isfinite(record.time(i))))
-      report(i, "a value is missing or not finite", "a loop has a number in every cell",
-             "cut the record there, or leave the row out");
+      report(i, "a value is missing or not finite", "every cell must contain a number",
+             "cut the record there, or remove the row");
     else if (i > 0 && record.time.size() > 0 && !(record.time(i) > record.time(i - 1)))
-      report(i, fmt::format("time {} s after {} s", record.time(i), record.time(i - 1)), "time increases",
+      report(i, fmt::format("time {} s after {} s", record.time(i), record.time(i - 1)), "time must increase",
              "sort the rows, one loop per record");
   }
   if (!std::isnan(record.angular_frequency) &&
       !(record.angular_frequency > 0 && std::isfinite(record.angular_frequency)))
-    problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it is > 0",
-                   "leave it out if it is not known");
+    problems.error(subject, fmt::format("angular frequency {} rad/s", record.angular_frequency), "it must be > 0",
+                   "omit it if it is unknown");
   return problems;
 }
 
@@ -70,7 +70,7 @@ std::array<double, 5> quantities(const Eigen::VectorXd& x, const Eigen::VectorXd
   return {std::sqrt(square), stiffness, energy, energy / (pi * stiffness * square), energy / (pi * square)};
 }
 
-/// Standard deviations of the quantities, by their sensitivity to each coefficient.
+/// Standard deviations of the quantities, from their sensitivity to each coefficient.
 std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd& f,
                                  const Eigen::MatrixXd& unit_covariance, const Eigen::VectorXd& noise) {
   std::array<double, 5> variance{};
@@ -96,7 +96,7 @@ std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd
 
 std::complex<double> fundamental(const Eigen::VectorXd& coefficients) { return {coefficients(0), -coefficients(1)}; }
 
-/// Mean square over the cycles of what each cycle's F̂₁/x̂₁ is off, over what white noise explains.
+/// Mean square of the deviation of F̂₁/x̂₁ in each cycle / the value that white noise explains.
 double cycle_variance_ratio(const Eigen::VectorXd& phase, const HarmonicFit& fit, const LoopFit& loop) {
   const auto cycles = static_cast<std::size_t>(loop.cycles);
   std::vector<std::complex<double>> off(cycles);
@@ -163,28 +163,28 @@ void warn(const LoopRecord& record, LoopFit& loop) {
   };
   constexpr double far = 0.05, frequency_differs = 0.02;
   if (loop.stiffness.value < -loop.stiffness.half_width)
-    warning(fmt::format("stiffness {:.4g} N/m", loop.stiffness.value), "the force follows the displacement",
-            "turn the sign of the force");
+    warning(fmt::format("stiffness {:.4g} N/m", loop.stiffness.value), "the stiffness should be > 0",
+            "reverse the sign of the force");
   if (loop.loss_energy.value < -loop.loss_energy.half_width)
     warning(fmt::format("loss energy {:.4g} J per cycle", loop.loss_energy.value),
-            "a passive element takes energy, none comes out",
-            "turn the sign of the force, exchange the columns, or look for a delay between the channels");
+            "a passive element dissipates energy",
+            "reverse the sign of the force, exchange the columns, or look for a delay between the channels");
   if (loop.displacement_distortion > far)
     warning(fmt::format("the harmonics of the displacement are {:.0f} % of its fundamental",
                         100 * loop.displacement_distortion),
-            "amplitude, viscous coefficient and loss factor are meant for a sine",
-            "drive by a sine; without time the samples must be equally spaced");
+            "amplitude, viscous coefficient and loss factor are defined for a sine",
+            "excite with a sine; without time the samples must be equally spaced");
   if (loop.amplitude.half_width > far * loop.amplitude.value)
     warning(fmt::format("amplitude {:.4g} ± {:.2g} m", loop.amplitude.value, loop.amplitude.half_width),
-            "the motion should stand out of the noise", "record more cycles");
+            "the motion should be well above the noise", "record more cycles");
   if (record.time.size() > 0 && std::abs(*loop.angular_frequency / record.angular_frequency - 1) > frequency_differs)
-    warning(fmt::format("{:.5g} rad/s by the time of the samples, {:.5g} rad/s stated", *loop.angular_frequency,
+    warning(fmt::format("{:.5g} rad/s from the sample times, {:.5g} rad/s stated", *loop.angular_frequency,
                         record.angular_frequency),
-            "the two should agree; the samples count", "check the units of time and frequency");
+            "the two should agree; the sample times are used", "check the units of time and frequency");
   if (loop.cycles >= 4 && loop.cycle_scatter > 1.5)
     warning(fmt::format("cycles differ {:.1f} times more than noise explains", loop.cycle_scatter),
-            "a steady test repeats itself; intervals are widened",
-            "leave out the first cycles, raise drift_order, or let the element warm up");
+            "the cycles of a steady test should be equal; the intervals are widened",
+            "remove the first cycles, raise drift_order, or let the element warm up");
 }
 
 }  // namespace
@@ -207,9 +207,9 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   const double cycles_in_record = *frequency * (duration + spacing) / (2 * pi);
   const double samples_per_cycle = static_cast<double>(all) / cycles_in_record;
   constexpr double nearly_whole = 0.02,
-                   nearly_one = 0.1;  // of a cycle: scatter of the frequency found, least where there are several
+                   nearly_one = 0.1;  // of a cycle: scatter of the frequency found, smaller if there are several
   if (cycles_in_record < 1 - nearly_one)
-    return refuse(fmt::format("{:.2f} cycles", cycles_in_record), "a loop has at least one whole cycle",
+    return refuse(fmt::format("{:.2f} cycles", cycles_in_record), "a loop must have at least one whole cycle",
                   "record longer");
   if (samples_per_cycle < fewest_samples_per_cycle)
     return refuse(fmt::format("{:.1f} samples per cycle", samples_per_cycle),

@@ -11,21 +11,21 @@
 
 namespace trivet::identification {
 
-/// Force against displacement of one harmonic test, as the rig wrote it: any number of cycles, noisy, drifting, not
+/// Force against displacement of one harmonic test, as recorded by the rig: any number of cycles, noisy, drifting, not
 /// centred.
 struct LoopRecord {
   std::string name;
   Eigen::VectorXd time;          ///< [s], strictly increasing; empty: equally spaced samples
   Eigen::VectorXd displacement;  ///< [m], of the moved end
-  Eigen::VectorXd force;         ///< [N], that the rig exerts along the displacement (or [rad], [N m])
-  /// [rad/s] as the rig states it; NaN: taken from the time. Needed for the viscous coefficient where there is no time.
+  Eigen::VectorXd force;         ///< [N], exerted by the rig along the displacement (or [rad], [N m])
+  /// [rad/s] as stated by the rig; NaN: taken from the time. Needed for the viscous coefficient if there is no time.
   double angular_frequency = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct LoopOptions {
   double confidence = 0.95;  ///< in (0, 1)
   int drift_order = 1;       ///< of the polynomial removed from displacement and force, 0 … 3
-  int harmonics = 5;         ///< fitted at most, 1 … 20; fewer where a cycle has under four samples for each
+  int harmonics = 5;         ///< highest number fitted, 1 … 20; fewer if a cycle has less than four samples for each
 };
 
 /// A value and the half-width of its confidence interval.
@@ -42,15 +42,15 @@ struct LoopFit {
   Estimate amplitude;                           ///< X [m]
   Estimate loss_energy;                         ///< W [J]
   Estimate stiffness;                           ///< k = Re(F̂₁/x̂₁) [N/m]
-  std::optional<Estimate> viscous_coefficient;  ///< W/(π ω X²) [N s/m], where ω is known
+  std::optional<Estimate> viscous_coefficient;  ///< W/(π ω X²) [N s/m], if ω is known
   Estimate loss_factor;                         ///< W/(π k X²)
   std::complex<double> dynamic_stiffness;       ///< F̂₁/x̂₁ [N/m]
   double dynamic_stiffness_deviation = 0;  ///< standard deviation of its real part, and of its imaginary part [N/m]
   Eigen::VectorXcd displacement_harmonics, force_harmonics;  ///< x̂_n, F̂_n, n = 1 …
-  double displacement_distortion = 0, force_distortion = 0;  ///< rms of the higher harmonics over the fundamental
+  double displacement_distortion = 0, force_distortion = 0;  ///< rms of the higher harmonics / fundamental
   double displacement_drift = 0, force_drift = 0;  ///< change of the removed trend over the cycles used [m], [N]
-  double displacement_noise = 0, force_noise = 0;  ///< standard deviation of what is left [m], [N]
-  /// Scatter of F̂₁/x̂₁ from cycle to cycle over what white noise explains; widens the intervals where significant.
+  double displacement_noise = 0, force_noise = 0;  ///< standard deviation of the residuals [m], [N]
+  /// Scatter of F̂₁/x̂₁ from cycle to cycle / that of white noise; widens the intervals if significant.
   double cycle_scatter = 1;
   foundation::Problems warnings;
 };

@@ -56,8 +56,8 @@ std::vector<double> values_of(const Family& family, const Eigen::VectorXd& fitte
   return values;
 }
 
-/// Points with their weights, frequencies over their geometric mean ω₀ and stiffnesses over their mean modulus k₀, so
-/// that parameters are near 1.
+/// Points with their weights, frequencies / their geometric mean ω₀ and stiffnesses / their mean modulus k₀, so that
+/// parameters are near 1.
 struct Scaled {
   std::vector<StiffnessPoint> points;
   std::vector<double> weight;
@@ -94,7 +94,7 @@ Eigen::VectorXd residuals(const Scaled& data, const Family& family, const Eigen:
   return result;
 }
 
-/// Starting values on a grid: times over the band and a decade beyond, ratios and orders; the stiffness follows
+/// Starting values on a grid: times over the band and a decade beyond, ratios and orders; the stiffness is found
 /// linearly.
 std::vector<Eigen::VectorXd> starts(const Scaled& data, const Family& family) {
   double low = 1, high = 1;
@@ -121,7 +121,7 @@ std::vector<Eigen::VectorXd> starts(const Scaled& data, const Family& family) {
   return result;
 }
 
-/// The stiffness that suits given other parameters best.
+/// The stiffness that fits best with given other parameters.
 double best_stiffness(const Scaled& data, const Family& family, const Eigen::VectorXd& fitted) {
   const std::vector<double> values = values_of(family, fitted);
   double product = 0, square = 0;
@@ -151,7 +151,7 @@ LeastSquaresMinimum best_minimum(const Scaled& data, const Family& family) {
   return best;
 }
 
-/// Value and interval of fitted coordinate i, back in SI units.
+/// Value and interval of fitted coordinate i, in SI units.
 Parameter parameter(const Scaled& data, const Family& family, const LeastSquaresMinimum& minimum, Eigen::Index i,
                     double factor) {
   const double half = factor * std::sqrt(minimum.unit_covariance(i, i)), centre = minimum.parameters(i);
@@ -205,20 +205,21 @@ foundation::Problems point_problems(const std::vector<StiffnessPoint>& points) {
     const StiffnessPoint& p = points[i];
     const std::string subject = fmt::format("point {}", i + 1);
     if (!(p.angular_frequency > 0 && std::isfinite(p.angular_frequency)))
-      problems.error(subject, fmt::format("angular frequency {} rad/s", p.angular_frequency), "it is > 0",
-                     "leave out static points");
+      problems.error(subject, fmt::format("angular frequency {} rad/s", p.angular_frequency), "it must be > 0",
+                     "remove static points");
     if (!std::isfinite(p.stiffness.real()) || !std::isfinite(p.stiffness.imag()) || std::abs(p.stiffness) == 0)
-      problems.error(subject, "the stiffness is null or no number", "every point has one", "leave the point out");
+      problems.error(subject, "the stiffness is 0 or not a number", "every point must have a stiffness",
+                     "remove the point");
     if (!std::isnan(p.standard_deviation) && !(p.standard_deviation > 0 && std::isfinite(p.standard_deviation)))
-      problems.error(subject, fmt::format("standard deviation {} N/m", p.standard_deviation), "it is > 0",
-                     "leave it out");
+      problems.error(subject, fmt::format("standard deviation {} N/m", p.standard_deviation), "it must be > 0",
+                     "omit it");
     sum += p.stiffness;
   }
   if (!problems.has_errors() && sum.real() <= 0)
-    problems.error("dynamic_stiffness", "the stiffness is negative", "it is > 0 for every law",
-                   "turn the sign of the force");
+    problems.error("dynamic_stiffness", "the stiffness is negative", "it must be > 0 for every law",
+                   "reverse the sign of the force");
   if (!problems.has_errors() && sum.imag() <= 0)
-    problems.error("dynamic_stiffness", "the loss is not positive on the whole", "a passive element loses energy",
+    problems.error("dynamic_stiffness", "the mean loss is not positive", "a passive element dissipates energy",
                    "check the phase between the channels");
   return problems;
 }
@@ -232,7 +233,7 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const LoopFit& loop = loops[i];
     if (!loop.angular_frequency) {
-      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is not known",
+      problems.warning(fmt::format("loop '{}'", loop.name), "its frequency is unknown",
                        "laws are fitted over frequency", "give its time or its frequency");
       continue;
     }
@@ -249,7 +250,7 @@ std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, 
                          fmt::format("stiffness {:.4g} N/m at amplitude {:.3g} m, but {:.4g} N/m at {:.3g} m in '{}'",
                                      loop.stiffness.value, loop.amplitude.value, loops[j].stiffness.value,
                                      loops[j].amplitude.value, loops[j].name),
-                         "a linear law does not depend on amplitude", "fit each amplitude by itself");
+                         "a linear law does not depend on amplitude", "fit each amplitude separately");
         break;
       }
   }
@@ -263,7 +264,7 @@ std::complex<double> stiffness_at(const LawFit& law, double angular_frequency) {
 
 foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points, double confidence) {
   if (!(confidence > 0 && confidence < 1))
-    throw foundation::InvalidInput(fmt::format("confidence = {}, must lie between 0 and 1", confidence));
+    throw foundation::InvalidInput(fmt::format("confidence = {}, must be between 0 and 1", confidence));
   foundation::Problems problems = point_problems(points);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
   LawRanking ranking;
@@ -275,7 +276,7 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
     } else {
       ranking.warnings.warning("dynamic_stiffness", fmt::format("{} points", points.size()),
                                fmt::format("the {} law has {} constants", family.name, constants),
-                               "measure at more frequencies to have it compared");
+                               "measure at more frequencies to include it");
     }
   }
   std::sort(ranking.laws.begin(), ranking.laws.end(),
@@ -286,8 +287,8 @@ foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& 
       ranking.warnings.warning("dynamic_stiffness",
                                fmt::format("{} of the {} law between {:.3g} and {:.3g} {}", parameter.name,
                                            ranking.laws.front().law, parameter.low, parameter.high, parameter.unit),
-                               "the band should reach where the parameter shows itself",
-                               "measure over a wider band, or take a simpler law");
+                               "the band should cover the range in which the parameter has an effect",
+                               "measure over a wider band, or use a simpler law");
   return ranking;
 }
 

@@ -16,18 +16,17 @@ namespace trivet::identification {
 struct StiffnessPoint {
   double angular_frequency = 0;    ///< [rad/s] > 0
   std::complex<double> stiffness;  ///< k' + ik'' [N/m]
-  /// Of its real and imaginary part each [N/m]. Where any point has none, all points weigh by 1/|k|: equal relative
-  /// errors.
+  /// Of the real and of the imaginary part [N/m]. If any point has none, all weights are 1/|k|: equal relative errors.
   double standard_deviation = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// The points of loops whose frequency is known. Their standard deviations are left out unless asked for: the
-/// differences between laws are mostly larger than the noise of one loop. Warns where loops at one frequency and
-/// different amplitudes differ in stiffness.
+/// Points of the loops with known frequency. Their standard deviations are used only on request: the differences
+/// between laws are usually larger than the noise of one loop. Warns if loops at one frequency and different amplitudes
+/// differ in stiffness.
 [[nodiscard]] std::vector<StiffnessPoint> stiffness_points(const std::vector<LoopFit>& loops, bool with_deviations,
                                                            foundation::Problems& problems);
 
-/// A parameter and its confidence interval; an end of 0 or infinity where the data leave it open.
+/// A parameter and its confidence interval; a limit is 0 or infinity if the data do not determine it.
 struct Parameter {
   std::string name;  ///< "stiffness", "loss_factor", "time", "ratio", "order"
   std::string unit;
@@ -43,20 +42,20 @@ struct LawFit {
   std::vector<Parameter> parameters;
   double relative_rms = 0;       ///< rms over the points of |k_law − k|/|k|
   double akaike = 0;             ///< corrected criterion AICc from the weighted residuals; lower is better
-  double akaike_difference = 0;  ///< to the best law: above 10, the data speak clearly against this one
+  double akaike_difference = 0;  ///< to the best law; above 10 the data clearly contradict this one
   bool converged = false;
 };
 
 struct LawRanking {
   std::vector<LawFit> laws;       ///< the best first
-  foundation::Problems warnings;  ///< laws left out for want of points, intervals that are open
+  foundation::Problems warnings;  ///< laws omitted because of too few points, open intervals
 };
 
 [[nodiscard]] std::complex<double> stiffness_at(const LawFit& law, double angular_frequency);
 
-/// Which law fits k*(ω), and by how much. Problems: fewer than three points (five for the fractional law, which is then
-/// left out), frequencies not > 0, values not finite, nonpositive deviations, a stiffness or loss that is not > 0 on
-/// the whole.
+/// Fits the laws to k*(ω) and ranks them. Problems: fewer than three points (four for the fractional law, which is
+/// otherwise omitted), frequencies not > 0, values not finite, nonpositive deviations, a mean stiffness or loss that is
+/// not > 0.
 /// @param confidence  of the intervals, in (0, 1)
 [[nodiscard]] foundation::Expected<LawRanking> fitted_laws(const std::vector<StiffnessPoint>& points,
                                                            double confidence = 0.95);

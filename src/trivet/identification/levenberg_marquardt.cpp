@@ -22,7 +22,7 @@ Eigen::MatrixXd jacobian(const Residuals& residuals, const Eigen::VectorXd& at, 
   return result;
 }
 
-/// (JᵀJ)⁻¹ by eigenvalues; a parameter that shares in a direction without influence gets an infinite variance.
+/// (JᵀJ)⁻¹ by eigenvalues; a parameter in a direction without influence gets an infinite variance.
 Eigen::MatrixXd unit_covariance(const Eigen::MatrixXd& jacobian) {
   constexpr double without_influence = 1e-14;
   const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;

@@ -35,21 +35,21 @@ foundation::Problems load_case_problems(const std::vector<LoadCase>& cases) {
     for (int i = 0; i < 12; ++i) {
       if (!std::isfinite(one.displacement(i)))
         problems.error(subject, fmt::format("displacement {} = {}", coordinate_words(i), one.displacement(i)),
-                       "every imposed displacement is a number", "give 0 for a coordinate that was held");
+                       "every imposed displacement must be a number", "give 0 for a coordinate that was fixed");
       if (std::isinf(one.wrench(i)))
-        problems.error(subject, fmt::format("{} = {}", channel_words(i), one.wrench(i)), "a reading is a number",
-                       "leave out a channel that was not measured");
+        problems.error(subject, fmt::format("{} = {}", channel_words(i), one.wrench(i)), "a reading must be a number",
+                       "omit a channel that was not measured");
     }
     if (one.wrench.array().isNaN().all())
-      problems.error(subject, "no channel was measured", "a load case has at least one reading",
+      problems.error(subject, "no channel was measured", "a load case must have at least one reading",
                      "remove the case, or give its wrench");
     moved = moved || one.displacement.cwiseAbs().maxCoeff() > 0;
     if (!names.insert(one.name).second)
-      problems.warning(subject, "the name stands twice", "outliers are reported by name",
-                       "give every load case a name of its own");
+      problems.warning(subject, "the name is used twice", "outliers are reported by name",
+                       "give every load case a different name");
   }
   if (!moved)
-    problems.error("load_cases", "every displacement is 0", "a stiffness shows itself only when the element is moved",
+    problems.error("load_cases", "every displacement is 0", "a stiffness can be measured only if the element is moved",
                    "check the columns");
   return problems;
 }

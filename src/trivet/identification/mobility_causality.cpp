@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr double explained_by_noise = 0.1, wrong_phase = 0.4;
-/// Half the width of a resonance over the distance of the rows: resolved; narrower than any row shows.
+/// Half width of a resonance / row spacing: resolved by the rows; not resolved by them.
 constexpr double clearly_active = 0.5, within_noise = 0.05;
 
 /// Distance from the nearest sum of a mass, a spring, a dashpot and sections, rms over the rows.

@@ -35,8 +35,8 @@ SemidefiniteMatrix nearest_semidefinite(const Matrix12& stiffness, const Eigen::
   const Matrix12 symmetric = 0.5 * (stiffness + stiffness.transpose());
   const Matrix12 scaled = scale.cwiseInverse().asDiagonal() * symmetric * scale.cwiseInverse().asDiagonal();
 
-  // The wanted set is {P M P, M ⪰ 0} with P the projector beside the rigid motions: its nearest member is P C P without
-  // negative eigenvalues.
+  // The admissible set is {P M P, M ⪰ 0} with P the projector normal to the rigid motions: its nearest member is P C P
+  // without negative eigenvalues.
   const Eigen::Matrix<double, 12, 6> rigid =
       scale.asDiagonal() * elements::rigid_motions(arm, Eigen::Matrix3d::Identity());
   const spatial::Matrix6 gram = rigid.transpose() * rigid;

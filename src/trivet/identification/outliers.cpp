@@ -10,7 +10,7 @@
 namespace trivet::identification {
 namespace {
 
-/// A reading with nearly full leverage fixes a constant alone: nothing can contradict it.
+/// A reading with nearly full leverage determines a constant alone: no other reading can contradict it.
 constexpr double judged_below_leverage = 1 - 1e-6;
 
 Contradiction worst(const Regression& regression, const RegressionFit& fit, double risk) {
@@ -25,7 +25,7 @@ Contradiction worst(const Regression& regression, const RegressionFit& fit, doub
     if (fit.leverage(r) > judged_below_leverage || limit == 0) continue;
     const double internal = fit.residual(r) / (fit.deviation(r) * std::sqrt(1 - fit.leverage(r)));
     const double left =
-        std::max(freedom + 1 - internal * internal, 1e-9 * freedom);  // share of the noise that the others have
+        std::max(freedom + 1 - internal * internal, 1e-9 * freedom);  // share of the noise from the others
     const double external = internal * std::sqrt(freedom / left);
     if (std::abs(external) / limit > (found.limit > 0 ? std::abs(found.studentised) / found.limit : 0))
       found = {r, fit.residual(r) / (1 - fit.leverage(r)), external, limit};

@@ -14,8 +14,8 @@ using Complex = std::complex<double>;
 constexpr double per_decade = 24, margin = 30;
 constexpr Eigen::Index most_rows = 120;
 
-/// Least ζω that the rows show around ω: between rows it follows from their distance, outside from how far the band is
-/// as well.
+/// Least ζω that the rows resolve around ω: given by the row spacing, outside the band also by the distance from the
+/// band.
 double least_half_width(const std::vector<double>& rows, double omega, double share) {
   const std::size_t last = rows.size() - 1;
   if (omega < rows.front()) return share * (rows[1] - rows[0]) - (rows[0] - omega);
@@ -47,7 +47,7 @@ std::vector<Section> sections_shown(const std::vector<double>& frequencies, doub
     for (const double damping : {0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.0})
       if (damping >= least) sections.push_back({omega, damping});
   }
-  const int per_interval = share < 0.25 ? 4 : 2;  // narrow ones stand closer
+  const int per_interval = share < 0.25 ? 4 : 2;  // narrow ones need closer spacing
   for (std::size_t r = 0; r + 1 < frequencies.size(); ++r)
     for (int i = 0; i < per_interval; ++i) {
       const double omega =

@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-/// Building blocks of passive, causal functions, and the rows of a table against which they are fitted.
+/// Building blocks of passive, causal functions, and the table rows to which they are fitted.
 namespace trivet::identification {
 
 /// A passive, causal driving-point function Z(s) (impedance or mobility) is a sum with weights ≥ 0 of the two sections
@@ -20,18 +20,18 @@ struct Section {
 /// (s + 2ζω)/(s² + 2ζωs + ω²)
 [[nodiscard]] std::complex<double> elastic_section(const Section& section, std::complex<double> s);
 
-/// Sections that rows at these frequencies [rad/s] > 0 (increasing, at least two) can show: half their width ζω is at
-/// least `share` of the distance between the rows around ω. Narrower ones would explain anything between two rows. Up
-/// to a factor of 30 beyond the band.
+/// Sections that rows at these frequencies [rad/s] > 0 (increasing, at least two) can resolve: their half width ζω is
+/// at least `share` of the row spacing around ω. Narrower ones would explain anything between two rows. Up to a factor
+/// of 30 beyond the band.
 [[nodiscard]] std::vector<Section> sections_shown(const std::vector<double>& frequencies, double share);
 
-/// At most 120 rows that follow a curve: equally spaced over its relative changes and the logarithm of frequency
-/// together.
+/// Selects at most 120 rows of a curve, equally spaced in the sum of its relative changes and the logarithm of
+/// frequency.
 [[nodiscard]] std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencies,
                                                          const Eigen::VectorXcd& values);
 
-/// The weights ≥ 0 whose sum of the columns comes nearest to the values, in relative distances; sums nearer than
-/// `enough` (rms) are not improved further.
+/// Weights ≥ 0 for which the weighted sum of the columns is nearest to the values, in relative distances; a sum nearer
+/// than `enough` (rms) is not improved further.
 [[nodiscard]] Eigen::VectorXd nearest_weights(const Eigen::MatrixXcd& columns, const Eigen::VectorXcd& values,
                                               double enough);
 

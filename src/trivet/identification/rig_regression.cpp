@@ -25,7 +25,7 @@ Basis basis(Unknowns unknowns, const Eigen::Vector3d& arm, const std::array<doub
   return result;
 }
 
-/// Readings per channel from which its noise can be told from its own residuals; below, forces share one noise and
+/// Readings that a channel needs for a noise estimate from its own residuals; with fewer, forces share one noise and
 /// moments another.
 int readings_for_own_noise(Unknowns unknowns) { return unknowns == Unknowns::self_balanced ? 15 : 27; }
 

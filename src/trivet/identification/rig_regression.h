@@ -9,25 +9,25 @@
 
 namespace trivet::identification {
 
-/// The matrix as a sum of constants: C = Σ constant_p · matrices[p]. Constants are scaled so that they are of one size.
+/// The matrix as a sum of constants: C = Σ constant_p · matrices[p]. Constants are scaled to similar size.
 struct Basis {
   std::vector<Matrix12> matrices;
-  std::vector<std::array<int, 2>> entry;  ///< the entry of the 12×12 that each constant is
+  std::vector<std::array<int, 2>> entry;  ///< row and column of each constant in the 12×12
   Eigen::VectorXd unit;                   ///< value of a constant that is 1 in the regression
 };
 
-/// Regression with what its rows are.
+/// Regression with the meaning of its rows.
 struct Rig {
   Basis basis;
   Regression regression;
   std::vector<std::array<int, 2>> reading;  ///< load case and channel of each row
-  std::vector<int> offset_channel;          ///< channel of each further column
+  std::vector<int> offset_channel;          ///< channel of each offset column
 };
 
-/// Typical translation and rotation (1 where there is none) of the load cases.
+/// Typical translation and rotation of the load cases (1 if there is none).
 [[nodiscard]] std::array<double, 2> typical_motion(const std::vector<LoadCase>& cases);
 
-/// The load cases as a regression for the constants, and for zero offsets if they are asked for.
+/// The load cases as a regression for the constants, and, if requested, for zero offsets.
 [[nodiscard]] Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm,
                                  const StiffnessFitOptions& options);
 

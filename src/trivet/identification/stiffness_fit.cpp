@@ -21,7 +21,7 @@ Eigen::MatrixXd motions(const std::vector<LoadCase>& cases, const Eigen::Vector3
   Eigen::MatrixXd all(12, static_cast<Eigen::Index>(cases.size()));
   for (std::size_t k = 0; k < cases.size(); ++k) all.col(static_cast<Eigen::Index>(k)) = cases[k].displacement;
   if (unknowns == Unknowns::full_symmetric) return all;
-  // Motion of K less what N carries it along with; the wrench at K of a unit block is just that.
+  // Motion of K relative to the rigid motion of N; it equals the wrench at K of a unit block.
   return elements::from_moved_end(Matrix6::Identity(), arm).bottomRows<6>() * all;
 }
 
@@ -31,7 +31,7 @@ std::string listed(const std::vector<std::string>& words, std::size_t most) {
   return words.size() > most ? text + fmt::format(" and {} more", words.size() - most) : text;
 }
 
-/// Channels that were never measured, at the ends where others were.
+/// Channels that were never measured, at ends where others were.
 std::vector<std::string> missing_channels(const Rig& rig) {
   const auto measured = [&](int first, int end) {
     return std::any_of(rig.reading.begin(), rig.reading.end(),
@@ -44,10 +44,10 @@ std::vector<std::string> missing_channels(const Rig& rig) {
   return missing;
 }
 
-/// Why the readings do not fix every constant.
+/// Error that states why the readings do not determine every constant.
 foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, const Rig& rig,
                                    const RegressionFit& fit, Unknowns unknowns) {
-  constexpr double seen = 1e-6;  // share of a constant in what the readings leave open
+  constexpr double seen = 1e-6;  // share of a constant in what the readings do not determine
   foundation::Problems problems;
   std::vector<std::string> reasons = unexcited_motions(motions(cases, arm, unknowns)), unknown;
   if (reasons.empty()) reasons = missing_channels(rig);
@@ -59,10 +59,10 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
     if (fit.null_space.row(rig.basis.unit.size() + static_cast<Eigen::Index>(o)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back("the zero offset of " + channel_words(rig.offset_channel[o]));
   problems.error("load_cases",
-                 fmt::format("{} readings fix {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
+                 fmt::format("{} readings determine {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
                              rig.regression.design.cols(),
                              reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
-                 "every constant must show itself in a reading; not fixed: " + listed(unknown, 12),
+                 "every constant must affect a reading; not determined: " + listed(unknown, 12),
                  unknowns == Unknowns::self_balanced ? "add load cases with these motions, or measure these channels"
                                                      : "add load cases with these motions at both ends, "
                                                        "or identify the 21 constants of a self-balanced element");
@@ -72,7 +72,7 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
 void check(const StiffnessFitOptions& options, const Eigen::Vector3d& arm) {
   const auto fraction = [](const char* name, double value) {
     if (!(value > 0 && value < 1))
-      throw foundation::InvalidInput(fmt::format("{} = {}, must lie between 0 and 1", name, value));
+      throw foundation::InvalidInput(fmt::format("{} = {}, must be between 0 and 1", name, value));
   };
   fraction("confidence", options.confidence);
   fraction("outlier_risk", options.outlier_risk);
@@ -84,7 +84,7 @@ void check(const StiffnessFitOptions& options, const Eigen::Vector3d& arm) {
   if (!arm.allFinite()) throw foundation::InvalidInput("arm from N to K, must be finite");
 }
 
-/// Half-width of a linear function of the constants, given by what it makes of each basis matrix.
+/// Half-width of a linear function of the constants, given by its value for each basis matrix.
 template <typename Function>
 double width(const Rig& rig, const RegressionFit& fit, double confidence, const Function& of_matrix) {
   Eigen::RowVectorXd functional = Eigen::RowVectorXd::Zero(rig.regression.design.cols());
@@ -147,31 +147,31 @@ void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options
   for (const Outlier& outlier : result.outliers)
     result.warnings.warning(
         fmt::format("load case '{}'", cases[static_cast<std::size_t>(outlier.load_case)].name),
-        fmt::format("{} is {:.4g} {} off what the other readings foretell ({:.1f} standard deviations)",
+        fmt::format("{} deviates by {:.4g} {} from the prediction of the other readings ({:.1f} standard deviations)",
                     channel_words(outlier.channel), outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m",
                     outlier.studentised),
         fmt::format("a good data set of {} readings stays below {:.1f} with {:.3g} % probability",
                     result.readings.size(), outlier.limit, 100 * (1 - options.outlier_risk)),
-        "look at the raw data; the reading still takes part in the fit");
+        "check the raw data; the reading is still used in the fit");
   for (int i = 0; i < 12; ++i)
     if (result.stiffness(i, i) < -result.half_width(i, i))
       result.warnings.warning("load_cases",
                               fmt::format("the stiffness of {} is {:.4g}", coordinate_words(i), result.stiffness(i, i)),
-                              "without preload a diagonal stiffness is > 0",
+                              "without preload a diagonal stiffness must be > 0",
                               "check the sign: a wrench is what the rig exerts on the element");
   std::vector<std::string> vague;
   for (int i = 0; i < 12; ++i)
     if (result.half_width(i, i) > std::abs(result.stiffness(i, i))) vague.push_back(coordinate_words(i));
   if (!vague.empty())
-    result.warnings.warning("load_cases", "the stiffness of " + listed(vague, 12) + " is less certain than it is large",
-                            fmt::format("its {:.3g} % interval holds 0", 100 * options.confidence),
+    result.warnings.warning("load_cases", "the stiffness of " + listed(vague, 12) + " is smaller than its uncertainty",
+                            fmt::format("its {:.3g} % interval contains 0", 100 * options.confidence),
                             "move these coordinates more, or measure with less noise");
   if (result.lowest_eigenvalue <
       -elements::rounding_of_data - 2 * std::min(result.scaled_rigid_residual, elements::refused_residual))
-    result.warnings.warning("load_cases",
-                            fmt::format("the scaled matrix has the eigenvalue {:.4g}", result.lowest_eigenvalue),
-                            "a passive element has no negative one",
-                            "less noise or more load cases; nearest_semidefinite gives the nearest passive matrix");
+    result.warnings.warning(
+        "load_cases", fmt::format("the scaled matrix has the eigenvalue {:.4g}", result.lowest_eigenvalue),
+        "a passive element has no negative eigenvalue",
+        "reduce the noise or add load cases; nearest_semidefinite gives the nearest passive matrix");
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
     return tl::make_unexpected(rank_problems(cases, arm, rig, fitted, options.unknowns));
   if (rig.regression.measured.size() == rig.regression.design.cols()) {
     problems.error("load_cases", fmt::format("{} readings for as many constants", rig.regression.measured.size()),
-                   "noise and intervals need readings to spare", "repeat load cases or add some");
+                   "noise and intervals need more readings than constants", "repeat load cases or add some");
     return tl::make_unexpected(std::move(problems));
   }
 

@@ -23,7 +23,7 @@ double outside(double t, double degrees_of_freedom) {
 
 double student_quantile(double confidence, double degrees_of_freedom) {
   if (!(confidence > 0 && confidence < 1))
-    throw foundation::InvalidInput("confidence " + std::to_string(confidence) + ", must lie between 0 and 1");
+    throw foundation::InvalidInput("confidence " + std::to_string(confidence) + ", must be between 0 and 1");
   if (!(degrees_of_freedom > 0))
     throw foundation::InvalidInput("degrees of freedom " + std::to_string(degrees_of_freedom) + ", must be > 0");
   constexpr double practically_normal = 1e6;  // beyond it the quantile changes by less than 1e-6 of itself

@@ -3,9 +3,9 @@
 
 namespace trivet::identification {
 
-/// t such that a Student variable lies in (−t, t) with probability `confidence`.
+/// t such that a Student variable is in (−t, t) with probability `confidence`.
 /// @param confidence  in (0, 1)
-/// @param degrees_of_freedom  > 0, need not be whole
+/// @param degrees_of_freedom  > 0, not necessarily an integer
 [[nodiscard]] double student_quantile(double confidence, double degrees_of_freedom);
 
 }  // namespace trivet::identification

@@ -11,14 +11,14 @@
 namespace trivet::identification {
 namespace {
 
-/// Motion in a direction over the largest motion that still counts as moved.
+/// Ratio of the motion in a direction to the largest motion from which it counts as moved.
 constexpr double moved_from = 1e-7;
-/// Share of a coordinate in a combination that is worth a word.
+/// Share of a coordinate in a combination from which it is named.
 constexpr double worth_a_word = 1e-4;
 
 int coordinate(Eigen::Index i, Eigen::Index rows) { return static_cast<int>(rows == 6 ? i + 6 : i); }
 
-/// Gauss–Jordan with pivots from the largest entry: each direction gets coordinates of its own where it can.
+/// Gauss–Jordan with pivots from the largest entry: each direction gets its own coordinates if possible.
 Eigen::MatrixXd separated(Eigen::MatrixXd directions) {
   for (Eigen::Index j = 0; j < directions.cols(); ++j) {
     Eigen::Index row = 0, column = 0;
@@ -37,7 +37,7 @@ std::string alone(int i) {
   return fmt::format("no load case {} {} about {}", axis == 'z' ? "twists" : "tilts", end, axis);
 }
 
-/// "every load case keeps u_K x − 0.2 θ_K y = 0"
+/// "every load case has u_K x − 0.2 θ_K y = 0"
 std::string together(const Eigen::VectorXd& weights) {
   Eigen::Index lead = 0;
   weights.cwiseAbs().maxCoeff(&lead);
@@ -49,7 +49,7 @@ std::string together(const Eigen::VectorXd& weights) {
     const std::string factor = std::abs(std::abs(w) - 1) < 1e-6 ? "" : fmt::format("{:.3g} ", std::abs(w));
     text += sign + factor + coordinate_words(coordinate(i, weights.size()));
   }
-  return "every load case keeps " + text + " = 0 (SI units)";
+  return "every load case has " + text + " = 0 (SI units)";
 }
 
 }  // namespace

@@ -7,8 +7,9 @@
 
 namespace trivet::identification {
 
-/// The motions that no column of `motions` holds, in words: "no load case tilts K about y", or for a combination "every
-/// load case keeps u_K x + 0.1 θ_K y = 0". 6 rows are the motion of K relative to N, 12 rows both ends. [m, rad]
+/// Descriptions of the motions that no column of `motions` contains: "no load case tilts K about y", or for a
+/// combination "every load case has u_K x + 0.1 θ_K y = 0". 6 rows are the motion of K relative to N, 12 rows both
+/// ends. [m, rad]
 [[nodiscard]] std::vector<std::string> unexcited_motions(const Eigen::MatrixXd& motions);
 
 }  // namespace trivet::identification

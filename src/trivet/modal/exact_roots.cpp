@@ -20,7 +20,7 @@ Eigen::MatrixXcd slope(const assembly::Assembled& assembled, Complex lambda) {
       (2 * step);
 }
 
-/// Do all elements have a dynamic stiffness at this frequency?
+/// True if all elements have a dynamic stiffness at this frequency.
 bool is_defined(const assembly::Assembled& assembled, double omega) {
   return omega > 0 &&
       std::all_of(assembled.elements.begin(), assembled.elements.end(), [&](const assembly::ElementMap& map) {

@@ -15,8 +15,8 @@ struct ExactRoot {
   bool converged = false;
 };
 
-/// Inverse iteration with Newton steps on λ from a root of the nearest linear system, for elements that depend on
-/// frequency in their own way. Im λ > 0.
+/// Inverse iteration with Newton steps on λ from a root of the nearest linear system, for frequency-dependent elements.
+/// Im λ > 0.
 [[nodiscard]] ExactRoot exact_root(const assembly::Assembled& assembled, std::complex<double> start,
                                    const Eigen::VectorXcd& shape);
 

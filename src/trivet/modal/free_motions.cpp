@@ -22,8 +22,7 @@ Eigen::Vector3d centre_of_all(const model::System& system) {
   return moment / mass;
 }
 
-/// What each body's six coordinates do (6 rows per body) when the whole system moves rigidly about `about`, ground
-/// axes.
+/// Coordinates of the bodies (6 rows per body) in a rigid motion of the whole system about `about`, ground axes.
 Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d& about) {
   Eigen::MatrixXd g(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
@@ -34,7 +33,7 @@ Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d
   return g;
 }
 
-/// The rigid motions of the whole that neither guides nor elements resist, as readable columns (reduced echelon form).
+/// Rigid motions of the whole system that neither guides nor elements resist, one per column (reduced echelon form).
 Matrix6x unresisted(const model::System& system, const assembly::Assembled& assembled, const Eigen::MatrixXd& motions) {
   spatial::Matrix6 resistance = spatial::Matrix6::Zero();
   Eigen::MatrixXd free_rows = Eigen::MatrixXd::Zero(assembled.layout.size(), 6);
@@ -100,7 +99,7 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
       if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
     }
     words.push_back(std::to_string(rigid.size() - words.size()) +
-                    " more free motion(s) of single bodies or of bodies against each other: " + parts);
+                    " more rigid-body mode(s) of single bodies or of bodies relative to each other: " + parts);
   }
   return words;
 }

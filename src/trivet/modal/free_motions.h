@@ -8,8 +8,8 @@
 
 namespace trivet::modal {
 
-/// What no element holds, in words: "the system is free to slide along y", "… to turn about z through (…) m", and for
-/// motions of parts against each other the bodies that move. Empty if every motion is held.
+/// Descriptions of the motions that no element restrains: "the system is free to slide along y", "… to turn about z
+/// through (…) m", and for relative motions of parts the bodies that move. Empty if every motion is restrained.
 [[nodiscard]] std::vector<std::string> free_motions(const model::System& system, const assembly::Assembled& assembled,
                                                     const Modes& modes);
 

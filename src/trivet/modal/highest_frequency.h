@@ -6,7 +6,7 @@
 
 namespace trivet::modal {
 
-/// The highest natural frequency of a system [rad/s], also of motions that grow; 1 where nothing holds it.
+/// Highest natural frequency of a system [rad/s], growing motions included; 1 if all are 0.
 [[nodiscard]] double highest_natural_frequency(const model::System& system, const assembly::Assembled& assembled);
 
 }  // namespace trivet::modal

@@ -66,8 +66,7 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
     const Eigen::VectorXd d = map.coordinates(phi);
     strain(e) = d.dot(map.matrices.stiffness * d);
   }
-  // A mode of a foundation that moves no mount stores all its energy in the foundation: shares of what is round-off
-  // mean nothing.
+  // A foundation mode that moves no mount stores all its energy in the foundation: shares of round-off mean nothing.
   constexpr double round_off = 1e-12;
   if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum)))
     mode.strain_energy_share = Eigen::VectorXd(strain / strain.sum());
@@ -85,13 +84,13 @@ void warn(const numerics::GeneralizedModes& raw, Modes& result) {
   const auto growing =
       std::count_if(result.list.begin(), result.list.end(), [](const Mode& m) { return m.eigenvalue_squared < 0; });
   if (growing > 0)
-    result.warnings.warning("modes", fmt::format("{} of the ω² {} negative", growing, growing == 1 ? "is" : "are"),
-                            "such a motion grows exponentially and has no natural frequency",
-                            "no steady vibration exists for this model");
+    result.warnings.warning(
+        "modes", fmt::format("{} of the ω² values {} negative", growing, growing == 1 ? "is" : "are"),
+        "such a motion grows exponentially and has no natural frequency", "no steady vibration exists for this model");
   if (raw.complex_pairs > 0)
     result.warnings.warning("modes", fmt::format("{} pairs of ω² are complex", raw.complex_pairs),
                             "an unsymmetric or indefinite system need not have undamped modes",
-                            "they are left out here; see the roots");
+                            "they are not listed here; see the roots");
 }
 
 }  // namespace

@@ -13,29 +13,28 @@
 
 namespace trivet::modal {
 
-/// One undamped mode K φ = ω² A φ. Vectors over all bodies have 6 entries each (zeros where a body is guided), body
+/// One undamped mode K φ = ω² A φ. Vectors over all bodies have 6 entries each (zeros for guided coordinates), body
 /// axes.
 struct Mode {
   int number = 0;                           ///< from 1, ascending ω²
   double eigenvalue_squared = 0;            ///< ω² [rad²/s²]; negative: the motion grows
-  std::optional<double> angular_frequency;  ///< [rad/s]; 0 for a rigid motion, none if ω² < 0
-  double modal_mass = 1;                    ///< φᵀAφ: +1, or −1 where the mass is indefinite
+  std::optional<double> angular_frequency;  ///< [rad/s]; 0 for a rigid-body mode, empty if ω² < 0
+  double modal_mass = 1;                    ///< φᵀAφ: +1, or −1 with an indefinite mass matrix
   bool repeated = false;                    ///< one of an A-orthonormal basis of equal roots
-  Eigen::VectorXd
-      coordinates;        ///< φ in all coordinates of the assembled system, also of foundations and inside elements
-  Eigen::VectorXd shape;  ///< at the poles
-  Eigen::VectorXd shape_at_centre;  ///< at the centres of mass
-  Eigen::VectorXd
-      kinetic_energy_share;  ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next, single terms may leave 0 … 1
-  Eigen::VectorXd element_kinetic_energy_share;  ///< of each element's internal coordinates, likewise; with the bodies'
-                                                 ///< shares it sums to 1
-  double foundation_kinetic_energy_share = 0;    ///< of all coordinates of foundations together, likewise
+  Eigen::VectorXd coordinates;  ///< φ in all coordinates of the assembled system, including foundations and internal
+                                ///< coordinates of elements
+  Eigen::VectorXd shape;        ///< at the poles
+  Eigen::VectorXd shape_at_centre;       ///< at the centres of mass
+  Eigen::VectorXd kinetic_energy_share;  ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next two, single terms
+                                         ///< may leave 0 … 1
+  Eigen::VectorXd element_kinetic_energy_share;    ///< per element: the same of its internal coordinates
+  double foundation_kinetic_energy_share = 0;      ///< the same of all coordinates of foundations together
   Eigen::VectorXd principal_kinetic_energy_share;  ///< of the bodies alone, along and about the central principal axes;
                                                    ///< all ≥ 0, sums to 1
   std::optional<Eigen::VectorXd>
-      strain_energy_share;             ///< per element, sums to 1; none where ω² = 0 or no element is strained
+      strain_energy_share;             ///< per element, sums to 1; empty if ω² = 0 or no element is strained
   std::vector<spatial::Screw> screws;  ///< per body
-  std::string name;                    ///< in words
+  std::string name;                    ///< for display
 };
 
 struct Modes {
@@ -44,18 +43,19 @@ struct Modes {
   foundation::Problems warnings;
 };
 
-/// Undamped natural modes. A guided system has fewer than six per body; an unsymmetric one may lack modes (warned).
+/// Undamped natural modes. A guided system has fewer than six per body; an unsymmetric one may lack modes (with a
+/// warning).
 [[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
 [[nodiscard]] Modes modes(const model::System& system);
 
-/// Number of the mode whose natural frequency is nearest to ω. Where some of the n modes are missing (complex ω²), only
-/// one within 1 % counts: the true neighbour may be among the missing.
+/// Number of the mode with the natural frequency nearest to ω. If some of the n modes are missing (complex ω²), only
+/// one within 1 % counts: the true neighbour may be missing.
 [[nodiscard]] std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n);
 
 /// φᵀf of every mode, for generalized forces on all coordinates.
 [[nodiscard]] Eigen::VectorXcd modal_forces(const Modes& modes, const Eigen::VectorXcd& forces);
 
-/// Does any mode stand at ω = 0?
+/// True if any mode has ω = 0.
 [[nodiscard]] bool has_rigid_motion(const Modes& modes);
 
 }  // namespace trivet::modal

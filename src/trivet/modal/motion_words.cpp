@@ -11,8 +11,8 @@
 namespace trivet::modal {
 namespace {
 
-constexpr double along_axis = 0.985;  // cosine of 10°: a direction is called by its axis
-constexpr double pure = 0.98;         // share of the energy from which "mostly" is left out
+constexpr double along_axis = 0.985;  // cosine of 10°: a direction this close gets the name of the axis
+constexpr double pure = 0.98;         // share of the energy from which "mostly" is omitted
 constexpr double translation_dominates = 0.9;
 constexpr double inside_elements = 0.5;  // share of the kinetic energy in internal coordinates of elements
 

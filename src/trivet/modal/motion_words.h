@@ -10,7 +10,7 @@ namespace trivet::modal {
 
 struct Mode;
 
-/// A length of the body [m]: its largest radius of gyration about the pole, 1 if it has none.
+/// Characteristic length of a body [m]: its largest radius of gyration about the pole, 1 if it has none.
 [[nodiscard]] double body_size(const model::Body& body);
 
 /// "z" or "(0.30, 0.40, 0.87)".
@@ -19,7 +19,7 @@ struct Mode;
 /// "rotation about z through (0.10, 0.20, 0.00) m", "translation along x", "screw motion …".
 [[nodiscard]] std::string motion_words(const spatial::Screw& screw, double size);
 
-/// A one-line name from the body that holds most of the kinetic energy: "machine: mostly rotation about z through …".
+/// A one-line name from the body with most of the kinetic energy: "machine: mostly rotation about z through …".
 [[nodiscard]] std::string mode_name(const model::System& system, const Mode& mode);
 
 }  // namespace trivet::modal

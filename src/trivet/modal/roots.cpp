@@ -43,7 +43,7 @@ double sort_key(const Complex& lambda) {
   return std::round(size / unit) * unit;
 }
 
-/// Moves every oscillating root onto one of the exact Z; pairs stay conjugate. What does not settle is marked.
+/// Moves every oscillating root to one of the exact Z; pairs stay conjugate. Roots that do not converge are marked.
 void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::QuadraticRoots& roots,
                 foundation::Problems& warnings, std::vector<bool>& inexact) {
   constexpr double distinct = 1e-6, same = 1e-9;
@@ -53,7 +53,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     const Complex start = roots.lambda(k);
     const bool lossy = assembled.matrices.lossy();
-    if (std::abs(start) <= at_rest) continue;  // a free motion
+    if (std::abs(start) <= at_rest) continue;  // a rigid-body mode
     if (std::abs(start.imag()) <= critical_split * std::abs(start) && lossy) continue;
     if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
       inexact[static_cast<std::size_t>(k)] = true;
@@ -65,7 +65,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
     const Eigen::VectorXcd shape =
         lower ? Eigen::VectorXcd(roots.vectors.col(k).conjugate()) : Eigen::VectorXcd(roots.vectors.col(k));
     const ExactRoot root = exact_root(assembled, lower ? std::conj(start) : start, shape);
-    // Two starts that differ and end on one root: the second has lost its own.
+    // Two different starts end on one root: the second root is lost.
     bool lost = false;
     for (Eigen::Index j = 0; j < k; ++j)
       lost = lost ||
@@ -82,9 +82,9 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
   if (left > 0)
     warnings.warning("roots",
                      fmt::format("{} of {} roots are those of the nearest linear system", left, settled + left),
-                     "elements that depend on frequency in their own way have exact roots only where the motion "
-                     "oscillates and the search settles",
-                     "use the frequency response, which is exact, where these matter");
+                     "with frequency-dependent elements, exact roots are found only if the motion oscillates and the "
+                     "iteration converges",
+                     "if these roots matter, use the frequency response, which is exact");
 }
 
 std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size,
@@ -124,7 +124,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   result.poles = numerics::poles(all);
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, all.at_rest);
-    // With a loss factor only the half plane that belongs to ω > 0 has a meaning.
+    // With a loss factor only the half plane of ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
     root.exact = !inexact[static_cast<std::size_t>(k)];
     root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
@@ -140,9 +140,10 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   const auto growing =
       std::count_if(result.list.begin(), result.list.end(), [](const Root& r) { return r.kind == RootKind::growing; });
   if (growing > 0)
-    result.warnings.warning("roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
-                            "the free motion grows and covers every steady vibration",
-                            "amplitudes computed for this model are formal; mend the mass, stiffness or damping data");
+    result.warnings.warning(
+        "roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
+        "the free vibration grows and hides every steady vibration",
+        "amplitudes computed for this model are formal; correct the mass, stiffness or damping data");
   return result;
 }
 

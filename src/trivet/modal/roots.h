@@ -12,29 +12,28 @@ namespace trivet::modal {
 
 enum class RootKind { oscillating, overdamped, growing, rigid };
 
-/// One solution of λ²A + λB + K(1 + iη), or of the exact Z(−iλ) where elements depend on ω in their own way; motion
-/// Re(v e^{λt}).
+/// One solution of λ²A + λB + K(1 + iη), or of the exact Z(−iλ) with frequency-dependent elements; motion Re(v e^{λt}).
 struct Root {
   std::complex<double> eigenvalue;  ///< λ [1/s]
   RootKind kind = RootKind::oscillating;
-  std::optional<double> angular_frequency;         ///< |λ| [rad/s], only where it oscillates
+  std::optional<double> angular_frequency;         ///< |λ| [rad/s], only if it oscillates
   std::optional<double> damped_angular_frequency;  ///< |Im λ| [rad/s]
   std::optional<double> damping_ratio;             ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                          ///< six per body at the poles, largest (mass-weighted) component 1
-  /// Number of the undamped mode that the shape has most of: more than half of the mass-weighted square that all modes
-  /// have of it. Where damping couples modes so that none has, the mode nearest in |λ|.
+  /// Number of the undamped mode with the largest part in the shape: more than half of the mass-weighted square that
+  /// all modes have in it. If damping couples the modes so that none has, the mode nearest in |λ|.
   std::optional<int> nearest_mode;
-  bool exact = true;  ///< false: of the nearest linear system, where elements depend on ω in their own way
+  bool exact = true;  ///< false: root of the nearest linear system of frequency-dependent elements
 };
 
 struct Roots {
-  std::vector<Root> list;  ///< ascending |λ|; all 2n, or those with Im λ > 0 where loss factors enter
-  Eigen::VectorXcd poles;  ///< every λ, also those that `list` leaves out: the poles of any response at iω = λ
+  std::vector<Root> list;  ///< ascending |λ|; all 2n, or those with Im λ > 0 if there are loss factors
+  Eigen::VectorXcd poles;  ///< every λ, also those not in `list`: the poles of any response at iω = λ
   foundation::Problems warnings;
-  foundation::Problems remarks;  ///< of the roots alone, not of the model
+  foundation::Problems remarks;  ///< on the roots alone, not on the model
 };
 
-/// Damped roots. They do not pair with the modes; `nearest_mode` is a hint for reading.
+/// Damped roots. They do not correspond one to one to the modes; `nearest_mode` is only a hint.
 [[nodiscard]] Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes);
 [[nodiscard]] Roots roots(const model::System& system);
 

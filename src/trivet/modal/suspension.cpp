@@ -41,7 +41,7 @@ Rows rows_of(const model::System& system, const assembly::Assembled& assembled, 
   return rows;
 }
 
-/// K_bb − K_bi K_ii⁻¹ K_ib, spread over six coordinates.
+/// K_bb − K_bi K_ii⁻¹ K_ib, as 6×6, zero for guided coordinates.
 Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
   Eigen::MatrixXd free = stiffness(rows.body, rows.body);
   if (!rows.inner.empty()) {
@@ -64,7 +64,7 @@ double distance_to_line(const Eigen::Vector3d& from, const Eigen::Vector3d& poin
 }
 
 RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eigen::Vector3d& torque) {
-  constexpr double parallel = 1e-6;  // sine of the angle from which the crossing of two lines says nothing any more
+  constexpr double parallel = 1e-6;  // sine of the angle below which two lines count as parallel
   RollAxes result;
   result.torque = torque.normalized();
   result.torque_roll_axis = numerics::lu_solution(body.mass.inertia_about_centre, result.torque).normalized();
@@ -123,11 +123,10 @@ void note_elements(const model::System& system, std::size_t body, std::vector<st
           fmt::format("\"{}\" acts as if \"{}\" were the ground", element.name, system.bodies()[other].name));
     }
     if (element.n.foundation || element.k.foundation)
-      notes.push_back(fmt::format("\"{}\" acts as if the foundation under it did not give", element.name));
+      notes.push_back(fmt::format("\"{}\" acts as if its foundation were rigid", element.name));
     if (elements::is_frequency_dependent(element.law) ||
         std::holds_alternative<elements::Viscoelastic>(element.law.damping))
-      notes.push_back(
-          fmt::format("\"{}\" stands with its stiffness at rest; in vibration it is stiffer", element.name));
+      notes.push_back(fmt::format("\"{}\" enters with its static stiffness; in vibration it is stiffer", element.name));
     if (!element.symmetric)
       notes.push_back(
           fmt::format("\"{}\" is unsymmetric: centre and axes are those of the symmetric part", element.name));
@@ -138,7 +137,7 @@ void note_elements(const model::System& system, std::size_t body, std::vector<st
 
 BodySuspension body_suspension(const model::System& system, const assembly::Assembled& assembled, std::size_t index,
                                const std::vector<Eigen::Vector3d>& torques) {
-  constexpr double unheld = 1e-10;  // of the scaled stiffness: below, some motion is free
+  constexpr double unheld = 1e-10;  // of the scaled stiffness: below this, some motion is unrestrained
   for (const Eigen::Vector3d& torque : torques)
     if (!(torque.norm() > 0) || !torque.allFinite())
       throw foundation::InvalidInput("body_suspension: the torque has no direction");

@@ -11,48 +11,48 @@
 #include "trivet/modal/modes.h"
 #include "trivet/spatial/screw.h"
 
-/// The engineering numbers of an elastic suspension. Formulas and their limits: docs/suspension.md.
+/// Characteristic quantities of an elastic suspension. Formulas and their limits: docs/suspension.md.
 namespace trivet::modal {
 
-/// How a body turns under a moment: free in space under an oscillating one, on its elements under a constant one. Body
-/// frame.
+/// Axes about which a body rotates under a moment: free in space under an oscillating one, on its elements under a
+/// constant one. Body frame.
 struct RollAxes {
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< unit vector of the moment
   Eigen::Vector3d torque_roll_axis =
       Eigen::Vector3d::Zero();       ///< unit vector of J_C⁻¹ t; the line goes through the centre of mass
-  spatial::Screw elastic_roll_axis;  ///< of K⁻¹(0, t); its point is the one nearest to the centre of mass
-  double torsional_stiffness = 0;  ///< moment over rotation about its own direction, the body free to follow [N m/rad]
-  double angle = 0;                ///< between the two lines, 0 … π/2 [rad]
-  double shortest_distance = 0;    ///< between the two lines [m]; for parallel lines the distance everywhere
-  double distance_at_centre = 0;   ///< of the elastic roll axis from the centre of mass [m]
+  spatial::Screw elastic_roll_axis;  ///< screw of K⁻¹(0, t); its point is the one nearest to the centre of mass
+  double torsional_stiffness = 0;    ///< moment / rotation about its direction, no other motion constrained [N m/rad]
+  double angle = 0;                  ///< between the two lines, 0 … π/2 [rad]
+  double shortest_distance = 0;      ///< between the two lines [m]; for parallel lines the distance everywhere
+  double distance_at_centre = 0;     ///< from the elastic roll axis to the centre of mass [m]
 };
 
 /// One undamped mode of the body on its elements.
 struct BodyMode {
-  std::optional<double> angular_frequency;  ///< [rad/s]; 0 for a free motion, none if ω² < 0
-  /// φ_j(Mφ)_j/φᵀAφ at the centre of mass along body axes, M = diag(m I, J_C); negative where products of inertia
+  std::optional<double> angular_frequency;  ///< [rad/s]; 0 for a rigid-body mode, empty if ω² < 0
+  /// φ_j(Mφ)_j/φᵀAφ at the centre of mass along body axes, M = diag(m I, J_C); negative if products of inertia
   /// couple.
   spatial::Vector6 kinetic_energy_share = spatial::Vector6::Zero();
-  double in_elements = 0;  ///< share of the elements' own mass; with the six it sums to 1
+  double in_elements = 0;  ///< share of the elements' own mass; sums to 1 with the six
   int purest = 0;          ///< coordinate of the largest share, 0 … 5
   [[nodiscard]] double decoupling() const {
     return kinetic_energy_share(purest);
   }  ///< 1: a motion of one coordinate alone
 };
 
-/// One body on its elements while all other bodies are held still: elements to them act as to the ground.
+/// One body on its elements with all other bodies fixed: elements to other bodies act as if to the ground.
 struct BodySuspension {
   std::size_t body = 0;
   spatial::Matrix6 stiffness =
-      spatial::Matrix6::Zero();  ///< at the pole, body frame; inner coordinates of elements follow at rest
-  /// Elastic centre from the pole, principal stiffnesses and axes, coupling left; none for a guided body, whose guides
-  /// hold it too.
+      spatial::Matrix6::Zero();  ///< at the pole, body frame; internal coordinates of elements are condensed statically
+  /// Elastic centre from the pole, principal stiffnesses and axes, remaining coupling; empty for a guided body, because
+  /// its guides hold it too.
   std::optional<elements::Character> elastic;
   double centre_distance = 0;  ///< from the elastic centre to the centre of mass [m]; with `elastic`
   std::vector<RollAxes>
-      roll_axes;  ///< one per torque; empty where some rotation or translation is not held, or the body is guided
+      roll_axes;  ///< one per torque; empty if some rotation or translation is unrestrained, or the body is guided
   std::vector<BodyMode> modes;     ///< ascending
-  std::vector<std::string> notes;  ///< what was left out or stands for something else, and why
+  std::vector<std::string> notes;  ///< what was omitted or replaced, and why
 };
 
 /// The three axes of a body.
@@ -66,13 +66,13 @@ struct BodySuspension {
                                              std::size_t body,
                                              const std::vector<Eigen::Vector3d>& torques = body_axes());
 
-/// How far natural frequencies stand from each other and from given excitations.
+/// Separation of natural frequencies from each other and from given excitations.
 struct FrequencySeparation {
   int mode = 0;                         ///< number, from 1
   double angular_frequency = 0;         ///< [rad/s], > 0
-  std::optional<double> ratio_to_next;  ///< ω of the next mode over that of this one, ≥ 1
+  std::optional<double> ratio_to_next;  ///< ω of the next mode / ω of this one, ≥ 1
   std::vector<double>
-      excitation_ratio;  ///< excitation over natural frequency, one per excitation; above √2 the mode isolates
+      excitation_ratio;  ///< excitation / natural frequency, one per excitation; above √2 the mode isolates
 };
 /// One row per mode that oscillates. @param excitations  angular frequencies [rad/s], > 0
 [[nodiscard]] std::vector<FrequencySeparation> frequency_separation(const Modes& modes,

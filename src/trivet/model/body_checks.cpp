@@ -9,13 +9,13 @@
 namespace trivet::model {
 namespace {
 
-/// Has the mass matrix of the free coordinates an inverse? Without it there is no equation of motion at all.
+/// True if the mass matrix of the free coordinates is invertible; otherwise there is no equation of motion.
 bool has_regular_mass(const Body& body) {
   const spatial::Matrix6 a = spatial::mass_matrix(body.mass);
   std::vector<int> rows;
   for (int j = 0; j < 6; ++j)
     if (body.free[static_cast<std::size_t>(j)]) rows.push_back(j);
-  if (rows.empty()) return true;  // nothing to move, which is a problem of its own
+  if (rows.empty()) return true;  // no free coordinate: reported separately
   Eigen::MatrixXd block = a(rows, rows);
   for (Eigen::Index i = 0; i < block.rows(); ++i)
     if (block(i, i) == 0) return false;
@@ -52,9 +52,9 @@ void check_body(const Body& body, foundation::Problems& problems) {
     else
       problems.error(thing, bound.finding, bound.rule,
                      of_mass       ? "give a positive mass"
-                         : regular ? "mend the number, or its sign or point of reference; allow_unphysical = true "
-                                     "computes all the same and marks every result"
-                                   : "mend the number: with a singular mass matrix there is no motion to compute, even "
+                         : regular ? "correct the value, its sign or its point of reference; allow_unphysical = true "
+                                     "computes anyway and marks every result"
+                                   : "correct the value: with a singular mass matrix no motion can be computed, even "
                                      "with allow_unphysical");
   }
 }

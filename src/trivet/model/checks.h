@@ -6,9 +6,9 @@
 namespace trivet::model {
 
 void check_body(const Body& body, foundation::Problems& problems);
-/// Do the preloads of elements balance the weight of the bodies?
+/// Checks that the preloads of elements balance the weight of the bodies.
 void check_preloads(const Description& description, foundation::Problems& problems);
-/// Does the ground move in directions in which guides hold a body in space?
+/// Warns if the ground moves in directions in which guides hold a body in space.
 void check_guides(const Description& description, foundation::Problems& problems);
 void check_element(const Description& description, const Element& element, foundation::Problems& problems);
 

@@ -14,7 +14,7 @@ namespace {
 using elements::Matrix12;
 using elements::MatrixVerdict;
 
-/// "u_N,x" … "θ_K,z": the 12 coordinates of an element in words.
+/// "u_N x" … "θ_K z": name of one of the 12 coordinates of an element.
 std::string end_coordinate(int i) {
   const char* letters[] = {"x", "y", "z"};
   return fmt::format("{}_{} {}", i % 6 < 3 ? "u" : "θ", i < 6 ? "N" : "K", letters[i % 3]);
@@ -25,27 +25,27 @@ std::string motion_words(int j) {
   return fmt::format("{} {} of the whole element", j < 3 ? "translation along" : "rotation about K's", letters[j % 3]);
 }
 
-/// The single slip of a unit without which a given matrix would be sound, for the message that rejects it: "" if there
-/// is none.
+/// For the message that rejects a given matrix: the single unit error without which it would be valid; "" if there is
+/// none.
 std::string slip_behind(const Description& description, const Element& element, const Matrix12& matrix) {
   constexpr double degree = 180 / std::numbers::pi;
   struct Slip {
     const char* words;
     double n, k, translation,
-        rotation;  ///< factors that undo it: on the places of the ends, on the blocks of the matrix
+        rotation;  ///< factors that undo it: on the positions of the ends, on the blocks of the matrix
   };
   static constexpr Slip slips[] = {
-      {"suspicion \"stiffness per degree\": with its rotational stiffnesses in N m/deg the matrix is sound; ", 1, 1, 1,
-       degree},
-      {"suspicion \"stiffness\": with its translational stiffnesses in N/mm the matrix is sound; ", 1, 1, 1e3, 1},
-      {"suspicion \"stiffness\": with its translational stiffnesses in N/m, typed as N/mm, the matrix is sound; ", 1, 1,
-       1e-3, 1},
-      {"suspicion \"stiffness\": with its rotational stiffnesses in N mm/rad the matrix is sound; ", 1, 1, 1, 1e-3},
-      {"suspicion \"stiffness\": with its rotational stiffnesses in kN m/rad the matrix is sound; ", 1, 1, 1, 1e3},
-      {"suspicion \"places\": with its ends in millimetres the matrix is sound; ", 1e-3, 1e-3, 1, 1},
-      {"suspicion \"places\": with its ends in centimetres the matrix is sound; ", 1e-2, 1e-2, 1, 1},
-      {"suspicion \"places\": with its end K in millimetres the matrix is sound; ", 1, 1e-3, 1, 1},
-      {"suspicion \"places\": with its end K in centimetres the matrix is sound; ", 1, 1e-2, 1, 1},
+      {"suspicion \"stiffness per degree\": the matrix is valid if its rotational stiffnesses are in N m/deg; ", 1, 1,
+       1, degree},
+      {"suspicion \"stiffness\": the matrix is valid if its translational stiffnesses are in N/mm; ", 1, 1, 1e3, 1},
+      {"suspicion \"stiffness\": the matrix is valid if its translational stiffnesses are in N/m, typed as N/mm; ", 1,
+       1, 1e-3, 1},
+      {"suspicion \"stiffness\": the matrix is valid if its rotational stiffnesses are in N mm/rad; ", 1, 1, 1, 1e-3},
+      {"suspicion \"stiffness\": the matrix is valid if its rotational stiffnesses are in kN m/rad; ", 1, 1, 1, 1e3},
+      {"suspicion \"places\": the matrix is valid if its ends are in millimetres; ", 1e-3, 1e-3, 1, 1},
+      {"suspicion \"places\": the matrix is valid if its ends are in centimetres; ", 1e-2, 1e-2, 1, 1},
+      {"suspicion \"places\": the matrix is valid if its end K is in millimetres; ", 1, 1e-3, 1, 1},
+      {"suspicion \"places\": the matrix is valid if its end K is in centimetres; ", 1, 1e-2, 1, 1},
   };
   for (const Slip& slip : slips) {
     Matrix12 meant = matrix;
@@ -57,7 +57,7 @@ std::string slip_behind(const Description& description, const Element& element, 
     k.at *= slip.k;
     const Span ends = span(description.bodies, n, k);
     const MatrixVerdict verdict = elements::examine(meant, elements::rigid_motions(ends.arm, ends.n_from_k));
-    constexpr double rounding_of_factor = 1e-4;  // of 57.3 written with few digits
+    constexpr double rounding_of_factor = 1e-4;  // 57.3 may be written with few digits
     if (verdict.rigid_residual < rounding_of_factor && verdict.lowest_eigenvalue > -rounding_of_factor)
       return slip.words;
   }
@@ -73,7 +73,7 @@ struct Subject {
 void check_symmetry(const Subject& subject, const Matrix12& matrix, const MatrixVerdict& verdict,
                     foundation::Problems& problems) {
   int i = verdict.asymmetric_row, j = verdict.asymmetric_column;
-  // A 6×6 of the K end spreads its fault over all blocks: show it where it was written.
+  // A 6×6 matrix of end K spreads its error over all blocks: report the entry that was written.
   double worst = 0;
   for (int row = 6; row < 12; ++row)
     for (int column = row + 1; column < 12; ++column)
@@ -83,26 +83,26 @@ void check_symmetry(const Subject& subject, const Matrix12& matrix, const Matrix
   const std::string finding =
       fmt::format("entry ({}, {}) = {:.9g} but ({}, {}) = {:.9g}", end_coordinate(i), end_coordinate(j), matrix(i, j),
                   end_coordinate(j), end_coordinate(i), matrix(j, i));
-  problems.error(subject.path, finding, fmt::format("the {} of an element is symmetric", subject.quantity),
-                 "mend the entry, or set symmetric = false if it is meant (follower forces, gyroscopic terms)");
+  problems.error(subject.path, finding, fmt::format("the {} matrix of an element must be symmetric", subject.quantity),
+                 "correct the entry, or set symmetric = false if it is intended (follower forces, gyroscopic terms)");
 }
 
 void check_rigid_motion(const Subject& subject, const MatrixVerdict& verdict, bool allowed, const std::string& slip,
                         foundation::Problems& problems) {
   const double entry = verdict.residual(verdict.residual_row, verdict.residual_motion);
-  const std::string finding = fmt::format("a unit {} asks for {:.6g} at {} ({:.3g} % of the scaled stiffness)",
-                                          motion_words(verdict.residual_motion), entry,
-                                          end_coordinate(verdict.residual_row), 100 * verdict.rigid_residual);
+  const std::string finding = fmt::format(
+      "a unit {} causes the reaction {:.6g} at {} ({:.3g} % of the scaled stiffness)",
+      motion_words(verdict.residual_motion), entry, end_coordinate(verdict.residual_row), 100 * verdict.rigid_residual);
   const std::string rule =
       fmt::format("the {} of a stress-free element does not resist a rigid motion", subject.quantity);
   if (verdict.rigid_residual > elements::refused_residual && !allowed)
     problems.error(subject.path, finding, rule,
                    slip +
-                       "mend the matrix, its order (N, then K), its signs or its end points; allow_residual = true if "
-                       "it is preload");
+                       "correct the matrix, its order (N, then K), its signs or its end points; set allow_residual = "
+                       "true if the residual comes from a preload");
   else
     problems.warning(subject.path, finding, rule,
-                     "the residual may be rounding of the data, a wrong end point or preload");
+                     "the residual may come from rounding of the data, a wrong end point or a preload");
 }
 
 void check_matrix(const Subject& subject, const Description& description, const Element& element,
@@ -125,25 +125,27 @@ void check_matrix(const Subject& subject, const Description& description, const 
     check_rigid_motion(subject, verdict, element.allow_residual, given ? slip_behind(description, element, matrix) : "",
                        problems);
   const bool symmetric_stiffness_or_damping = element.symmetric || subject.quantity == "damping";
-  // Turned as a whole, a preloaded element does work: only what it does with N held tells of its soundness.
+  // A preloaded element does work in a rigid rotation: only its eigenvalues with N fixed show whether it is stable.
   const double lowest = preloaded ? elements::lowest_of_held_end(matrix) : verdict.lowest_eigenvalue;
   const bool negative = lowest < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
   if (symmetric_stiffness_or_damping && negative &&
       (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
-    problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
-                     preloaded ? std::string("with its end N held, an element that carries its preload safely has none")
-                               : fmt::format("without preload, a {} matrix has no negative one: {}", subject.quantity,
-                                             subject.bad_energy),
-                     preloaded ? "with N held the element gives way: its bodies must be held by others, or it buckles"
-                               : "the residual may explain it; look at the frequencies it touches");
+    problems.warning(
+        subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
+        preloaded ? std::string("with end N fixed, a stable preloaded element has no negative eigenvalue")
+                  : fmt::format("without preload, a {} matrix has no negative eigenvalue: {}", subject.quantity,
+                                subject.bad_energy),
+        preloaded ? "with end N fixed the element is unstable: other elements must hold its bodies, or it buckles"
+                  : "the residual may be the cause; check the frequencies that it affects");
   else if (symmetric_stiffness_or_damping && negative)
-    problems.error(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
-                   fmt::format("a {} matrix must not have a negative one: {}", subject.quantity, subject.bad_energy),
-                   (given ? slip_behind(description, element, matrix) : "") +
-                       "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
+    problems.error(
+        subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
+        fmt::format("a {} matrix must not have a negative eigenvalue: {}", subject.quantity, subject.bad_energy),
+        (given ? slip_behind(description, element, matrix) : "") +
+            "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
 }
 
-/// What the law itself must keep, wherever the element stands.
+/// Checks of the law that do not depend on where the element is.
 void check_laws(const Description& description, const Element& element, const std::string& subject,
                 foundation::Problems& problems) {
   if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && !element.symmetric)
@@ -153,10 +155,10 @@ void check_laws(const Description& description, const Element& element, const st
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0",
                    "remove the element to switch it off");
   constexpr double weakest = 1e-12,
-                   strongest = 1e12;  // beyond, an element is absent or a guide, and digits of the others are lost
+                   strongest = 1e12;  // beyond these an element is absent or a guide, and the others lose digits
   if (element.law.scale > 0 && (element.law.scale < weakest || element.law.scale > strongest))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale),
-                   "it lies between 1e-12 and 1e12",
+                   "it must be between 1e-12 and 1e12",
                    "remove the element to switch it off, or guide the body by `free`");
 
   if (element.law.preload && element.law.scale != 1)
@@ -164,7 +166,7 @@ void check_laws(const Description& description, const Element& element, const st
                    "its stiffness and its preload belong together", "change the element itself");
 
   const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;
-  check_matrix({path, "stiffness", "it would give energy when deformed"}, description, element,
+  check_matrix({path, "stiffness", "it would release energy when deformed"}, description, element,
                element.law.nominal_stiffness, problems);
   if (const auto* given = std::get_if<elements::DampingMatrix>(&element.law.damping))
     check_matrix({subject + ".damping", "damping", "it would feed energy into the motion"}, description, element,
@@ -176,7 +178,8 @@ void check_laws(const Description& description, const Element& element, const st
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && !(loss->value >= 0))
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value), "it must be ≥ 0",
                    "negative damping would feed energy into the motion");
-  constexpr double largest_loss = 100, longest_factor = 1e6;  // rubber has up to 1; B = δK with a second damps out all
+  constexpr double largest_loss = 100,
+                   longest_factor = 1e6;  // rubber has up to 1; B = δK with δ = 1 s damps out everything
   if (const auto* loss = std::get_if<elements::LossFactor>(&element.law.damping); loss && loss->value > largest_loss)
     problems.error(subject + ".damping.loss_factor", fmt::format("{:.6g}", loss->value),
                    "it is at most 100; rubber has up to 1", "check the number");
@@ -192,8 +195,8 @@ void check_element(const Description& description, const Element& element, found
   const std::string subject = "elements." + element.name;
   if (element.is_foundation) return check_laws(description, element, subject, problems);
   if (!element.k.body && element.n.body) {
-    problems.error(subject, "end K is on the ground",
-                   "an element's end K is on a body, its end N on a body or on the ground", "exchange the ends");
+    problems.error(subject, "end K is on the ground", "end K must be on a body, end N on a body or on the ground",
+                   "exchange the ends");
     return;
   }
   if (element.n.body == element.k.body) {

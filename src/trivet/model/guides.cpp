@@ -24,18 +24,18 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
 void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause,
                     foundation::Problems& problems) {
   problems.warning("bodies." + body.name + ".free",
-                   fmt::format("it leaves out {}, and {} moves the ground there", coordinates, cause),
-                   "guides stand still in space: the ground moves away under the body, and only its free coordinates "
-                   "answer to the feet of its elements",
+                   fmt::format("the body is guided in {}, and {} moves the ground there", coordinates, cause),
+                   "guides are fixed in space: the ground moves away under the body, and only its free coordinates "
+                   "respond to the motion of its mounts",
                    "if the guides move with the ground, add these coordinates to free and hold them by an element that "
-                   "is stiff there; else leave it so");
+                   "is stiff there; otherwise change nothing");
 }
 
 void check_guides(const Description& description, foundation::Problems& problems) {
   for (const Body& body : description.bodies)
     for (const Excitation& excitation : description.excitations) {
       const Action& action = excitation.action;
-      if (action.body || !action.elements.empty()) continue;  // single supports move apart from the guides in any case
+      if (action.body || !action.elements.empty()) continue;  // single supports move relative to the guides in any case
       if (const std::string names = coordinates_left_behind(body, action.amplitude, action.at); !names.empty()) {
         warn_of_guides(body, names, "\"" + excitation.name + "\"", problems);
         break;

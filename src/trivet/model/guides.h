@@ -7,13 +7,13 @@
 
 namespace trivet::model {
 
-/// The coordinates in which the guides of a body hold it in space while the whole ground moves along them, "y, rz";
-/// empty where the body follows or the ground does not move so.
+/// The guided coordinates of a body along which the whole ground moves, "y, rz"; empty if there are none. The guides
+/// are fixed in space, so the ground moves away under the body.
 /// @param motion  of the ground about `at`, ground axes
 [[nodiscard]] std::string coordinates_left_behind(const Body& body, const Action::Amplitude& motion,
                                                   const Eigen::Vector3d& at);
 
-/// One warning that guides stand still in space.
+/// Adds one warning that the guides are fixed in space.
 void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause,
                     foundation::Problems& problems);
 

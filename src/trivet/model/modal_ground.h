@@ -8,8 +8,8 @@
 
 namespace trivet::model {
 
-/// The first element that stands on the modes of a foundation. A rigid motion of the whole ground does not reach it:
-/// how far its modes follow such a motion (their participation) is not among the data.
+/// Name of the first element that is mounted on the modes of a foundation. A rigid motion of the whole ground cannot be
+/// applied to it: the data do not state the participation of the modes in such a motion.
 [[nodiscard]] inline std::optional<std::string> element_on_modes(const Description& description) {
   for (const Element& element : description.elements) {
     if (element.is_foundation || !element.n.foundation) continue;

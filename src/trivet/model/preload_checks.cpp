@@ -9,11 +9,11 @@
 namespace trivet::model {
 namespace {
 
-/// Imbalance of the forces at rest, as a share of the weight, that passes in silence.
+/// Imbalance of the forces at rest, as a share of the weight, up to which no warning is given.
 constexpr double silent_imbalance = 0.02;
 
-/// What the preloaded elements exert on a body at rest, in its axes, about its centre of mass; none if no element at it
-/// is preloaded.
+/// Wrench of the preloaded elements on a body at rest, body axes, about its centre of mass; empty if the body has no
+/// preloaded element.
 std::optional<spatial::Wrench> carried(const Description& description, std::size_t body) {
   std::optional<spatial::Wrench> sum;
   for (const Element& element : description.elements) {
@@ -43,12 +43,12 @@ void check_preloads(const Description& description, foundation::Problems& proble
     if (!description.gravity) {
       problems.warning("bodies." + body.name,
                        fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
-                       "at rest a body's preloads balance its weight, and both stiffen or soften its rotations",
+                       "at rest a body's preloads balance its weight, and both change its rotational stiffness",
                        "give gravity = [0, 0, -9.80665]");
       continue;
     }
     const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *description.gravity);
-    // A moment counts as the lever at which the weight would cause it, against the size of the body.
+    // The moment is converted to a lever arm of the weight and compared with the size of the body.
     const double left = (sum->force + weight).norm(), tilting = sum->moment.norm();
     const double size =
         body.has_inertia ? std::sqrt(std::abs(body.mass.inertia_about_centre.trace()) / (2 * body.mass.mass)) : 0;
@@ -56,11 +56,11 @@ void check_preloads(const Description& description, foundation::Problems& proble
         (body.free[3] && body.free[4] && tilting > silent_imbalance * weight.norm() * size))
       problems.warning(
           "bodies." + body.name,
-          fmt::format("its preloads push with ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; "
-                      "{:.4g} N m about its centre of mass are left over",
+          fmt::format("its preloads sum to ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; "
+                      "a moment of {:.4g} N m about its centre of mass remains",
                       sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
           "at rest a body's preloads balance its weight, also about its centre of mass",
-          "set the preload of every element that carries it; what other elements carry has no geometric stiffness "
+          "set the preload of every element that carries it; elements without a preload add no geometric stiffness "
           "here");
   }
 }

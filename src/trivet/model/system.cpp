@@ -26,15 +26,15 @@ void check_names(const Things& things, const std::string& kind, foundation::Prob
     if (empty || a_word || thing.name.find_first_of(".\n") != std::string::npos)
       problems.error(
           kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
-          "a name is not empty, has no dot and no line break, and is none of \"ground\", \"base\" and \"coordinates\"",
+          "a name must not be empty, \"ground\", \"base\" or \"coordinates\", and must have no dot and no line break",
           "choose another name");
     if (!seen.insert(thing.name).second)
-      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name), "names are unique",
-                     "rename one of them");
+      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name),
+                     "names must be unique", "rename one of them");
   }
 }
 
-/// What asymmetry passed the check is rounding of the data; its mean serves every solver alike.
+/// The asymmetry that passed the check is rounding of the data; all solvers use the mean.
 void make_exactly_symmetric(elements::Matrix12& matrix) { matrix = (0.5 * (matrix + matrix.transpose())).eval(); }
 
 void check_shared_names(const Description& description, foundation::Problems& problems) {
@@ -42,7 +42,7 @@ void check_shared_names(const Description& description, foundation::Problems& pr
     for (const auto& body : description.bodies)
       if (element.name == body.name)
         problems.error("elements." + element.name, fmt::format("\"{}\" is also the name of a body", element.name),
-                       "results are named after bodies and elements, so these names differ", "rename the element");
+                       "results are named after bodies and elements, so these names must differ", "rename the element");
 }
 
 void check_damping(const Description& description, foundation::Problems& problems) {
@@ -88,15 +88,15 @@ void check_damping(const Description& description, foundation::Problems& problem
       if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
                        "modal ratios need undamped modes that all oscillate",
-                       "give the elements their damping instead");
+                       "define the damping of the elements instead");
     for (const auto& element : description.elements)
       if (!element.symmetric)
         problems.error("damping.modal", fmt::format("element \"{}\" is unsymmetric", element.name),
-                       "modal ratios need a symmetric system", "give the elements their damping instead");
+                       "modal ratios need a symmetric system", "define the damping of the elements instead");
   }
 }
 
-/// Random excitations that go together must be able to: the matrix of their coherences has no negative eigenvalue.
+/// Checks the coherences of random excitations: their matrix must have no negative eigenvalue.
 void check_random(const Description& description, foundation::Problems& problems) {
   excitation::RandomInputs inputs;
   std::vector<std::string> names;
@@ -119,7 +119,7 @@ void check_random(const Description& description, foundation::Problems& problems
                          guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
           known = false;
         } else {
-          // Both may tell it of each other, if they agree.
+          // Both excitations may state the coherence if they agree.
           const excitation::InputPair pair{at(partner.other), at(excitation.name), partner.coherence, 0};
           const bool told = std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
             return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero &&
@@ -132,7 +132,7 @@ void check_random(const Description& description, foundation::Problems& problems
   if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));
 }
 
-/// Fixed directions follow the ground under the impedance that joins the foundation to it.
+/// Checks that a foundation with fixed directions has an impedance that joins it to the ground.
 void check_fixed_directions(const Description& description, foundation::Problems& problems) {
   for (const Element& element : description.elements)
     for (const End* end : {&element.n, &element.k}) {
@@ -143,8 +143,8 @@ void check_fixed_directions(const Description& description, foundation::Problems
       });
       if (!joined)
         problems.error("elements." + element.name, "an end with fixed directions on a foundation without an impedance",
-                       "fixed directions follow the ground under the impedance",
-                       "add the element from the ground to the foundation, or leave fixed_directions zero");
+                       "fixed directions move with the ground under the impedance",
+                       "add the element from the ground to the foundation, or set fixed_directions to zero");
     }
 }
 
@@ -153,11 +153,12 @@ void check_moving_ground(const Description& description, foundation::Problems& p
   if (!standing) return;
   for (const Excitation& excitation : description.excitations)
     if (!excitation.action.body && excitation.action.elements.empty())
-      problems.error("excitations." + excitation.name,
-                     "the whole ground moves under \"" + *standing + "\", which stands on the modes of a foundation",
-                     "modes do not state how they follow a motion of the ground",
-                     "describe the foundation by an impedance or a mobility (their fixed directions follow the "
-                     "ground), or model it as a body on its own elements");
+      problems.error(
+          "excitations." + excitation.name,
+          "the whole ground moves under \"" + *standing + "\", which is mounted on the modes of a foundation",
+          "modes do not state how they move with the ground",
+          "describe the foundation by an impedance or a mobility (their fixed directions move with the "
+          "ground), or model it as a body on its own elements");
 }
 
 }  // namespace
@@ -167,7 +168,7 @@ foundation::Expected<System> System::checked(Description description) {
   if (description.bodies.empty())
     problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
   check_names(description.bodies, "bodies", problems);
-  std::vector<NameOnly> elements;  // a foundation bears the name of the element above it
+  std::vector<NameOnly> elements;  // a foundation has the name of the element above it
   for (const auto& element : description.elements)
     if (!element.is_foundation) elements.push_back({element.name});
   check_names(elements, "elements", problems);
@@ -185,7 +186,8 @@ foundation::Expected<System> System::checked(Description description) {
       for (const char* coordinate : coordinate_names)
         if (point.name == coordinate || point.name == "relative")
           problems.error("bodies." + body.name + ".points." + point.name, fmt::format("point named \"{}\"", point.name),
-                         "x, y, z, rx, ry, rz name the coordinates of the pole", "choose another name");
+                         "x, y, z, rx, ry, rz (coordinates of the pole) and relative are reserved",
+                         "choose another name");
     check_body(body, problems);
   }
   for (const auto& element : description.elements) check_element(description, element, problems);

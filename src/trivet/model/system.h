@@ -14,7 +14,7 @@
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/spatial/types.h"
 
-/// The described system: what exists, checked, never solved. Frames and signs: docs/conventions.md.
+/// Description of the system, checked, not solved. Frames and signs: docs/conventions.md.
 namespace trivet::model {
 
 struct Point {
@@ -26,25 +26,25 @@ struct Body {
   std::string name;
   spatial::Pose pose;  ///< of the body frame (its origin is the pole) in the ground frame, at rest
   spatial::MassProperties mass;
-  bool has_inertia = true;  ///< false only where no rotation is free and no inertia was given
+  bool has_inertia = true;  ///< false only if no rotation is free and no inertia is given
   std::array<bool, 6> free = {true, true, true, true, true, true};  ///< x, y, z, θx, θy, θz
   std::vector<Point> points;
   bool allow_unphysical = false;
 };
 
-/// A flexible foundation in coordinates of its own: A p̈ + B ṗ + K p = what its ends feel. One place with its impedance,
-/// or the modes of a deck.
+/// A flexible foundation with its own coordinates p: A p̈ + B ṗ + K p = forces on its ends. Either one place with its
+/// impedance, or the modes of a deck.
 struct Foundation {
   std::string name;
   Eigen::MatrixXd mass, damping, stiffness;  ///< all r × r
 };
 
-/// How an end on a foundation follows its coordinates.
+/// Motion of an element end on a foundation.
 struct OnFoundation {
   std::size_t foundation = 0;
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
-  /// The fixed directions: the part of the end's motion that follows the rigid ground at this place, ground axes. A
-  /// projector: all that `shape` does not move. Zero for the modes of a deck, which do not state how they follow the
+  /// Projector on the fixed directions, in which the end moves with the rigid ground at this place, ground axes: all
+  /// directions that `shape` does not move. Zero for the modes of a deck: the data do not state how they move with the
   /// ground.
   spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
@@ -59,20 +59,20 @@ struct End {
   [[nodiscard]] bool on_ground() const { return !body && !foundation; }
 };
 
-/// Something worth knowing of how an element was found: "spring rate", "12.3 N/mm".
+/// A fact about how an element was determined: "spring rate", "12.3 N/mm".
 struct Fact {
   std::string what, value;
 };
 
-/// One reading behind an identified law, for a residual plot.
+/// One measured value behind an identified law, for a residual plot.
 struct Residual {
   std::string what;
   double measured = 0, fitted = 0;  ///< [N, N m]
-  double standardised = 0;          ///< residual over its own standard deviation
+  double standardised = 0;          ///< residual / its standard deviation
   bool outlier = false;
 };
 
-/// How sure a law is that was measured or meshed.
+/// Uncertainty of a law that was measured or meshed.
 struct Evidence {
   elements::Matrix12 uncertainty = elements::Matrix12::Zero();  ///< per entry of the nominal stiffness: half width of
                                                                 ///< its interval, or estimated error
@@ -88,15 +88,15 @@ struct Element {
   elements::Law law;
   bool symmetric = true;
   bool allow_residual = false;
-  bool is_foundation = false;  ///< the impedance of a ground point: what it carries stands "on the ground"
-  std::vector<Fact> facts;     ///< for reading: how its law was found
+  bool is_foundation = false;  ///< impedance of a ground point: elements on it count as "on the ground"
+  std::vector<Fact> facts;     ///< for display: how its law was determined
   std::optional<Evidence> evidence;
-  double stiffening = 1;  ///< of rubber: its stiffness here over that at rest
-  double massless_up_to =
-      std::numeric_limits<double>::infinity();  ///< its own first natural frequency where its mass is left out [rad/s]
+  double stiffening = 1;  ///< of rubber: its stiffness in vibration over its static stiffness
+  double massless_up_to = std::numeric_limits<double>::infinity();  ///< first natural frequency of the element itself
+                                                                    ///< if its mass is neglected [rad/s]
 };
 
-/// Constant force and moment; enters static answers only.
+/// Constant force and moment; enters static analyses only.
 struct ConstantForce {
   std::string name;
   std::size_t body = 0;
@@ -129,7 +129,7 @@ struct Description {
 /// A description that passed every check. Immutable.
 class System {
  public:
-  /// All problems at once; physical warnings stay with the system.
+  /// Reports all problems at once; the system keeps the warnings.
   static foundation::Expected<System> checked(Description description);
 
   [[nodiscard]] const Description& description() const { return description_; }
@@ -148,7 +148,7 @@ inline constexpr std::array<const char*, 6> coordinate_names = {"x", "y", "z", "
 /// Pose of an end's local axes in the ground frame, at rest.
 [[nodiscard]] spatial::Pose end_in_ground(const std::vector<Body>& bodies, const End& end);
 
-/// From N to K in the axes of K, and the turn of components from K's axes into N's.
+/// Arm from N to K in the axes of K, and the rotation of components from K's axes into N's.
 struct Span {
   Eigen::Vector3d arm;
   Eigen::Matrix3d n_from_k;

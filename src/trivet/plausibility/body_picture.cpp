@@ -14,14 +14,13 @@ namespace trivet::plausibility {
 namespace {
 
 using foundation::standard_gravity;
-/// Share of the largest stiffness or ω² below which a direction counts as not held.
+/// Share of the largest stiffness or ω² below which a direction counts as unrestrained.
 constexpr double hardly_held = 1e-9;
-/// Share of the rotational stiffness about an end that is rounding of what its translations and arm make.
+/// Share of the rotational stiffness about an end that is rounding of the part from its translations and arm.
 constexpr double rounding = 1e-12;
 
-/// Stiffnesses of these types are numbers with a unit in the project or its files; all others follow from dimensions
-/// or come from a
-/// catalogue, unless their scale makes them something else.
+/// Stiffnesses of these types are numbers with a unit in the project or its files; all others are determined by
+/// dimensions or a catalogue, unless their scale changes them much.
 bool is_typed(const model::Element& element) {
   constexpr double another = 30;
   static constexpr const char* types[] = {"matrix",   "bushing",  "three_springs", "link",       "stay",
@@ -79,13 +78,13 @@ spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undo
   return {undone.mass * picture.mass.mass, centre, undone.inertia * picture.mass.inertia_about_centre};
 }
 
-/// Of all attachments at the centre of mass.
+/// Stiffness of all attachments about the centre of mass.
 spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d& centre, const Slip& undone) {
   spatial::Matrix6 sum = spatial::Matrix6::Zero();
   for (const Attachment& a : picture.attachments) {
     if (!a.elastic()) continue;
     const double k = a.typed ? undone.stiffness : 1, s = undone.places;
-    // arms inside an element were typed like its place
+    // arms inside an element were typed in the same unit as its place
     spatial::Matrix6 own;
     own.topLeftCorner<3, 3>() = k * a.translation;
     own.topRightCorner<3, 3>() = k * s * a.coupling;
@@ -99,7 +98,7 @@ spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d&
   return sum;
 }
 
-/// Positive eigenvalues of K φ = λ M φ, held directions only.
+/// Positive eigenvalues of K φ = λ M φ, restrained directions only.
 std::vector<double> held_eigenvalues(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m) {
   const Eigen::VectorXd eigenvalues = numerics::symmetric_eigen(Eigen::MatrixXd(0.5 * (k + k.transpose())), m).values;
   std::vector<double> held;

@@ -11,14 +11,14 @@
 namespace trivet::plausibility {
 namespace {
 
-/// From here on a modal ratio is more likely a percentage; that of a whole machine seldom exceeds 0.3.
+/// From this value on a modal ratio is more likely a percentage; that of a whole machine seldom exceeds 0.3.
 constexpr double percent_ratio = 0.5;
-/// From here on a loss factor is more likely a percentage; filled rubbers reach 0.3, soft damping layers 0.5 in their
-/// transition.
+/// From this value on a loss factor is more likely a percentage; filled rubbers reach 0.3, soft damping layers 0.5 in
+/// their transition.
 constexpr double percent_loss = 0.6;
-/// δ of B = δK [s] above which nothing vibrates any more.
+/// δ of B = δK [s] above which all vibration is damped out.
 constexpr double most_proportional = 1;
-/// Rayleigh damping: overdamped by one number and usual with both exchanged, or without any effect and usual when
+/// Damping ratios from Rayleigh damping: overdamped or without any effect as typed, and usual with both numbers
 /// exchanged.
 constexpr double overdamped = 1, hardly_damped = 1e-5, usual_ratio_from = 5e-4, usual_ratio_to = 1;
 
@@ -36,10 +36,10 @@ void judge_elements(const model::System& system, Suspicions& found) {
         delta && delta->factor > most_proportional)
       count(proportional, delta->factor, e);
   }
-  const auto others = [](int n) { return n > 1 ? fmt::format(", and so of {} more", n - 1) : std::string(); };
+  const auto others = [](int n) { return n > 1 ? fmt::format(", the same for {} more", n - 1) : std::string(); };
   const auto subject = [&](std::size_t e) {
     const model::Element& element = system.elements()[e];
-    const std::string suffix = ".foundation";  // the impedance of a ground point bears the name of what stands on it
+    const std::string suffix = ".foundation";  // the impedance of a ground point has the name of the element on it
     if (element.is_foundation && element.name.ends_with(suffix))
       return "foundations." + element.name.substr(0, element.name.size() - suffix.size());
     return "elements." + element.name;
@@ -47,16 +47,16 @@ void judge_elements(const model::System& system, Suspicions& found) {
   for (const auto& [value, entry] : loss)
     found.push_back({"loss factor", subject(entry.first) + ".damping.loss_factor",
                      fmt::format("{:.6g}{}", value, others(entry.second)),
-                     fmt::format("loss factors of rubber and metal lie below {:.3g}", percent_loss),
+                     fmt::format("loss factors of rubber and metal are below {:.3g}", percent_loss),
                      fmt::format("write \"{:.6g} %\" if percent are meant", value)});
   for (const auto& [value, entry] : proportional)
     found.push_back({"proportional damping", subject(entry.first) + ".damping.proportional",
                      fmt::format("{:.6g} s{}", value, others(entry.second)),
                      fmt::format("B = δK with δ above {:.3g} s damps out every vibration", most_proportional),
-                     "check the unit, or the ratio of B to K that is meant"});
+                     "check the unit, or the intended ratio of B to K"});
 }
 
-/// B = δK that overdamps the translations of a body: the mean of δ over its stiffnesses counts.
+/// B = δK that overdamps the translations of a body, judged by the mean of δ weighted with its stiffnesses.
 void judge_overdamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double far_overdamped = 2;
   for (const BodyPicture& picture : pictures) {
@@ -77,7 +77,7 @@ void judge_overdamped(const model::System& system, const std::vector<BodyPicture
     found.push_back(
         {"proportional damping", "elements." + system.elements()[most->element].name + ".damping.proportional",
          fmt::format("{:.6g} s", most->proportional),
-         fmt::format("with it translations of \"{}\" ({:.3g} Hz in the mean) have a damping ratio of about {:.3g}",
+         fmt::format("with it the translations of \"{}\" (mean {:.3g} Hz) have a damping ratio of about {:.3g}",
                      system.bodies()[picture.body].name, *features.frequency, ratio),
          fmt::format("write \"{:.6g} ms\" if milliseconds are meant", most->proportional)});
     return;
@@ -127,7 +127,7 @@ void judge_dampers(const model::System& system, Suspicions& found) {
     if (dampers.size() < 3) continue;
     std::sort(dampers.begin(), dampers.end());
     const auto judge_one = [&](std::size_t which, std::size_t least,
-                               std::size_t most) {  // the others reach from least to most
+                               std::size_t most) {  // the others range from least to most
       const double low = dampers[least].first, high = dampers[most].first, own = dampers[which].first;
       if (high > unequal * low || (own < unequal * high && unequal * own > low)) return;
       found.push_back(
@@ -150,7 +150,7 @@ void judge_damping(const model::System& system, const std::vector<BodyPicture>& 
     if (const double largest = *std::max_element(modal->ratios.begin(), modal->ratios.end()); largest >= percent_ratio)
       found.push_back(
           {"modal damping", "damping.modal", fmt::format("ratio {:.6g}", largest),
-           fmt::format("damping ratios of modes lie below {:.3g}, mostly between 0.002 and 0.2", percent_ratio),
+           fmt::format("damping ratios of modes are below {:.3g}, mostly between 0.002 and 0.2", percent_ratio),
            fmt::format("write \"{:.6g} %\" if percent are meant", largest)});
 }
 

@@ -12,17 +12,17 @@
 namespace trivet::plausibility {
 namespace {
 
-/// A foundation below this share of the stiffness of its mount takes over the mount's work.
+/// A foundation with less than this share of the stiffness of its mount acts in place of the mount.
 constexpr double softest = 1.0 / 30;
-/// Machines on mounts have translations from here on [Hz]; a stiff joint on a flexible deck is usual.
+/// Lowest usual natural frequency of translation of machines on mounts [Hz]; a stiff joint on a flexible deck is usual.
 constexpr double lowest_usual = 0.8;
 
-/// Translational stiffness of one end against the other, in the axes of the ground [N/m].
+/// Translational stiffness of one end with the other end fixed, in the axes of the ground [N/m].
 Eigen::Matrix3d translation(const model::Element& element, const model::End& end, int first) {
   return end.axes * elements::stiffness(element.law).block<3, 3>(first, first) * end.axes.transpose();
 }
 
-/// Natural frequency of a body of which all mounts stood on such springs [Hz].
+/// Natural frequency of a body if all its mounts were on such springs [Hz].
 double frequency_on(double stiffness, const BodyPicture& picture) {
   return std::sqrt(static_cast<double>(picture.attachments.size()) * stiffness / picture.mass.mass) /
       (2 * std::numbers::pi);

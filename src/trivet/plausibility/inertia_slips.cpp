@@ -9,11 +9,10 @@
 namespace trivet::plausibility {
 namespace {
 
-/// Σ Jij²/(Jii Jjj) of the central products: how far the body's own axes lie from its principal ones. Machines
-/// described in their main
-/// axes have little; so much is doubtful if the other sign leaves a ninth of it.
+/// Σ Jij²/(Jii Jjj) of the central products: deviation of the body axes from the principal axes. Machines described in
+/// their main axes have little; this much is doubtful if the other sign leaves a ninth of it.
 constexpr double much_coupling = 0.09, ratio_of_signs = 9;
-/// Density of a machine over the cube of its size [kg/m³], to choose among slips.
+/// Limits of mass / size³ of a machine [kg/m³], to choose among slips.
 constexpr double least_density = 3, most_density = 20000;
 
 Eigen::Matrix3d other_sign(const Eigen::Matrix3d& j) {
@@ -48,8 +47,8 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
   if (has_products && is_real(with(mass.mass, mass.centre, other_sign(typed))))
     return InertiaSlip{
         "products of inertia",
-        "suspicion \"products of inertia\": with the other sign of its products the body is possible: xy = ∫xy dm, "
-        "and not the entry of the tensor"};
+        "suspicion \"products of inertia\": the body is possible with the opposite sign of its products of inertia: "
+        "xy = ∫xy dm, not the entry of the tensor"};
   if (inertia_about_pole) {
     struct Unit {
       const char* kind;
@@ -66,10 +65,11 @@ std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool
                                                    {"mass", "mass in tonnes", 1e3, 1, 1}}};
     InertiaSlip slip;
     if (is_real({mass.mass, mass.centre, typed}))
-      slip = {"inertia", "suspicion \"inertia\": about the centre of mass, not the pole, the body is possible"};
+      slip = {"inertia",
+              "suspicion \"inertia\": the body is possible if its inertia is about the centre of mass, not the pole"};
     for (const Unit& unit : units)
       if (is_real(with(unit.mass * mass.mass, unit.centre * mass.centre, unit.inertia * typed))) {
-        slip.words += fmt::format("{}suspicion \"{}\": with the {} the body is possible",
+        slip.words += fmt::format("{}suspicion \"{}\": the body is possible with the {}",
                                   slip.words.empty() ? "" : ", or ", unit.kind, unit.words);
         slip.kind = slip.kind.empty() ? unit.kind : slip.kind;
       }
@@ -89,10 +89,10 @@ std::optional<Suspicion> doubtful_products(const std::string& body, const BodyPi
   const Eigen::Matrix3d& j = mass.inertia_about_centre;
   return Suspicion{
       "products of inertia", "bodies." + body + ".inertia",
-      fmt::format("about the centre of mass xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² are left", -j(0, 1), -j(0, 2),
+      fmt::format("about the centre of mass xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² remain", -j(0, 1), -j(0, 2),
                   -j(1, 2)),
-      "about the pole, products of inertia are mostly those of the centre of mass: xy = m x y",
-      fmt::format("with the other sign xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² would be left; xy = ∫xy dm",
+      "about the pole, products of inertia usually come from the position of the centre of mass: xy = m x y",
+      fmt::format("with the opposite sign xy = {:.4g}, xz = {:.4g}, yz = {:.4g} kg m² would remain; xy = ∫xy dm",
                   -other.inertia_about_centre(0, 1), -other.inertia_about_centre(0, 2),
                   -other.inertia_about_centre(1, 2))};
 }

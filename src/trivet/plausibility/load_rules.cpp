@@ -16,17 +16,17 @@ namespace trivet::plausibility {
 namespace {
 
 using foundation::standard_gravity;
-/// Usual lengths of a gravity vector [m/s²], from a small moon to a centrifuge.
+/// Usual magnitudes of a gravity vector [m/s²], from a small moon to a centrifuge.
 constexpr double least_gravity = 0.3, most_gravity = 150;
-/// Share of its length that points along an axis from which gravity points along it.
+/// Share of its magnitude from which gravity counts as pointing along an axis.
 constexpr double along_axis = 0.7;
 /// Above this share of its rated load a mount is reported; without gravity in the file its load is an estimate.
 constexpr double overload = 1.05, overload_without_gravity = 2;
-/// Beyond the polygon of mounts, as a share of its size.
+/// Distance outside the polygon of mounts that counts, as a share of its size.
 constexpr double outside_by = 0.02;
-/// Pull of a mount that counts, as a share of the mean load.
+/// Tension of a mount that counts, as a share of the mean load.
 constexpr double lifted = 0.02;
-/// Larger systems are not solved for this.
+/// Larger systems are not solved for this check.
 constexpr std::size_t most_bodies = 40;
 
 Eigen::Vector3d in_ground(const model::Body& body, const Eigen::Vector3d& at) {
@@ -46,8 +46,8 @@ constexpr GravityUnit gravity_units[] = {
     {32.174, 0.01, 0.3048, "typed in ft/s²"},
 };
 
-/// How far below its centre of mass, along `down`, a body is held on average, in sizes of the body; none if fewer than
-/// two mounts say so.
+/// Mean depth of the mounts of a body below its centre of mass, along `down`, in sizes of the body; empty for fewer
+/// than two mounts.
 std::optional<double> depth_of_mounts(const model::System& system, const BodyPicture& picture,
                                       const Eigen::Vector3d& down) {
   const model::Body& body = system.bodies()[picture.body];
@@ -79,8 +79,8 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// Largest distance of a point outside of an edge of a hull, over the size of the hull; ≤ 0 inside, none if the hull
-/// is but a line.
+/// Largest distance of a point outside an edge of a hull / size of the hull; ≤ 0 inside, empty if the hull is nearly a
+/// line.
 std::optional<double> outside_of(const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& p) {
   constexpr double flat = 0.02;
   const std::vector<Eigen::Vector2d> hull = convex_hull(points);
@@ -105,7 +105,7 @@ bool bears(const model::Element& element) {
   return element.type != "link" && element.type != "stay" && element.type != "beam" && element.type != "damper";
 }
 
-/// Mounts on the ground of a machine that stands on them: all lie below the common centre of mass.
+/// Mounts on the ground of a machine that stands on them: all are below the common centre of mass. Otherwise empty.
 std::vector<std::size_t> standing_on(const model::System& system, const Eigen::Vector3d& down,
                                      Eigen::Vector3d& centre) {
   double mass = 0;
@@ -126,7 +126,7 @@ std::vector<std::size_t> standing_on(const model::System& system, const Eigen::V
   return mounts;
 }
 
-/// Beams, links and stays to the ground that bear some of the weight as well.
+/// Beams, links and stays to the ground that also carry part of the weight.
 std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Vector3d& down) {
   constexpr double some = 0.01;  // of the stiffness along gravity
   const auto along = [&](std::size_t e) {
@@ -143,13 +143,14 @@ std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Ve
   return found;
 }
 
-/// What each mount bears; none if the weight does not come to the ground, or the system is too large.
+/// Load of each mount; empty if the weight does not reach the ground, or if the system is too large.
 std::optional<response::LoadSharing> sharing_of(const model::System& system) {
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0) || system.bodies().size() > most_bodies) return std::nullopt;
   try {
     return response::load_sharing(system, assembly::assemble(system));
-  } catch (const foundation::NotComputable&) {  // free in some direction, or hung on bodies alone: no load is judged
+  } catch (
+      const foundation::NotComputable&) {  // free in some direction, or attached to bodies only: no load is checked
     return std::nullopt;
   }
 }
@@ -172,9 +173,9 @@ void find_tipping(const model::System& system, Suspicions& found) {
                         [](const model::Body& a, const model::Body& b) { return a.mass.mass < b.mass.mass; });
   if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
     found.push_back({"tipping", "bodies." + heaviest.name + ".center_of_mass",
-                     fmt::format("the centre of mass is {:.3g} % of their size outside of the mounts", 100 * *outside),
+                     fmt::format("the centre of mass is outside the mounts by {:.3g} % of their size", 100 * *outside),
                      "a machine that stands on mounts has its weight between them",
-                     "check the centre of mass and the places of the mounts, their signs and pole"});
+                     "check the centre of mass and the positions of the mounts, their signs and pole"});
     return;
   }
   const auto sharing = sharing_of(system);
@@ -189,11 +190,11 @@ void find_tipping(const model::System& system, Suspicions& found) {
   if (worst)
     found.push_back({"lift-off", "elements." + worst->element,
                      fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
-                     fmt::format("a mount below a machine is pressed, by {:.4g} N on average", mean),
+                     fmt::format("a mount below a machine is compressed, by {:.4g} N on average", mean),
                      "check the centre of mass, constant forces and moments, and the stiffnesses"});
 }
 
-/// Static force on a rated mount [N]. Its rating is one of compression; pull and shear as large are no better.
+/// Static force on a rated mount [N]. The rating is for compression; tension and shear of this size are no better.
 double static_force(const model::System& system, const std::vector<BodyPicture>& pictures, const Rating& rating,
                     const std::optional<response::LoadSharing>& sharing, bool& load_known) {
   const model::Element& element = system.elements()[rating.element];
@@ -231,20 +232,19 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
   if (length < least_gravity || length > most_gravity) {
     found.push_back(
         {"gravity", "gravity", finding,
-         fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² anywhere", least_gravity, most_gravity),
+         fmt::format("gravity is 9.81 m/s² on earth, {:.3g} … {:.3g} m/s² elsewhere", least_gravity, most_gravity),
          "check its unit"});
     return;
   }
   const Eigen::Vector3d down = *given / length;
   if (!(down.y() > along_axis || down.z() > along_axis)) return;
-  // Upwards in the usual frames. In a frame whose z points down a machine that stands has its mounts where gravity
-  // points.
+  // Upwards in the usual frames. If z points down in the frame, gravity points from a standing machine to its mounts.
   double deepest = -1;
   for (const BodyPicture& picture : pictures)
     deepest = std::max(deepest, depth_of_mounts(system, picture, down).value_or(-1));
   constexpr double clearly = 0.1;
   if (deepest > clearly) return;
-  found.push_back({"gravity", "gravity", finding, "gravity points down, and z (or y) mostly up",
+  found.push_back({"gravity", "gravity", finding, "gravity points down, and z (or y) usually up",
                    "it would point down with the other sign"});
 }
 
@@ -273,8 +273,8 @@ void judge_ratings(const model::System& system, const std::vector<BodyPicture>& 
     found.push_back(
         {"rated load", "elements." + system.elements()[worst->element].name + ".type",
          fmt::format("{:.4g} N on \"{}\"", worst_ratio * worst->highest_load, worst->mount),
-         fmt::format("it is rated for {:.4g} N, and bears {:.3g} times as much", worst->highest_load, worst_ratio),
-         "take a larger mount, or more of them"});
+         fmt::format("it is rated for {:.4g} N and carries {:.3g} times as much", worst->highest_load, worst_ratio),
+         "use a larger mount, or more of them"});
 }
 
 }  // namespace trivet::plausibility

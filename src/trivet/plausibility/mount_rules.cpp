@@ -14,26 +14,26 @@
 namespace trivet::plausibility {
 namespace {
 
-/// Of the radius of the mass and of the distances of the mounts: nearer to each other, two mounts are at one place.
+/// Two mounts closer than this share of the mass radius and of the distances of the mounts are at one place.
 constexpr double same_place = 1e-3;
-/// Stiffness over the median of its group from which one mount stands out.
+/// Ratio of a stiffness to the median of its group from which the mount is unusual.
 constexpr double unequal = 50;
-/// … from which, and up to which, N/m and N/mm were confused.
+/// … from which, and up to which, N/m and N/mm were probably confused.
 constexpr double thousand_from = 300, thousand_to = 3000;
 constexpr double degree = 180 / std::numbers::pi;
-/// Ratio of rotational stiffnesses within which a confusion of degree and radian explains it.
+/// Factor within which a confusion of degree and radian explains a ratio of rotational stiffnesses.
 constexpr double near_degree = 1.2;
-/// A mount is not a point: √(rotational / translational stiffness) is some part of its radius. Below all three it is
-/// too little.
+/// A mount is not a point: √(rotational / translational stiffness) is some part of its radius. It is too small if it is
+/// below all three limits.
 constexpr double least_radius = 5e-3;                ///< [m]
 constexpr double least_share_of_spread = 4e-3;       ///< of the distance of the mounts from the centre
-constexpr double least_share_of_load_radius = 0.08;  ///< of the radius that bears the load at the pressure below
+constexpr double least_share_of_load_radius = 0.08;  ///< of the radius that carries the load at the pressure below
 constexpr double pressure = 5e5;                     ///< of rubber under static load [Pa]
 using foundation::standard_gravity;
 
 std::string family(const std::string& type) { return type.starts_with("catalogue:") ? "catalogue" : type; }
 
-/// Elements between the same two bodies that stand for each other.
+/// Elements of one family between the same two bodies.
 using Group = std::tuple<std::size_t, std::optional<std::size_t>, std::string>;
 
 struct Member {
@@ -64,13 +64,13 @@ std::string key(const std::string& type, bool rotation) {
   return type == "matrix" || type == "link" || type == "stay" ? ".stiffness" : "";
 }
 
-/// Nested coil springs share their place; anything else of one type hardly does.
+/// Nested coil springs share their place; other mounts of one type hardly do.
 bool may_share_place(const model::System& system, const Member& a, const Member& b) {
   return system.elements()[a.element].type == "coil_spring" &&
       std::abs(a.translation - b.translation) > 1e-6 * a.translation;
 }
 
-/// Mounts whose own length hardly matters: one end tells their place.
+/// Mounts of negligible length: one end determines their place.
 bool is_compact(const std::string& type) {
   return type == "bushing" || type == "three_springs" || type.starts_with("rubber_") || type.starts_with("catalogue:");
 }
@@ -100,7 +100,7 @@ void find_same_places(const model::System& system, const std::vector<BodyPicture
       found.push_back({"same place", "elements." + b.name + ".at",
                        fmt::format("\"{}\" and \"{}\" are both at ({:.4g}, {:.4g}, {:.4g}) m", a.name, b.name,
                                    b.k.at.x(), b.k.at.y(), b.k.at.z()),
-                       "two mounts of a kind are at two places",
+                       "two mounts of one kind are usually at different places",
                        "probably copied and not changed, or a sign is missing"});
     }
 }
@@ -116,13 +116,13 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     const auto [low, high] = std::minmax_element(others.begin(), others.end());
     const double usual = median(others), ratio = m.translation / usual;
     const model::Element& element = system.elements()[m.element];
-    if (is_scale_in_percent(element.law.scale)) continue;  // named as such
+    if (is_scale_in_percent(element.law.scale)) continue;  // reported as such
     const bool stands_out = (ratio > unequal || ratio < 1 / unequal) && *high < unequal * *low;
     if (stands_out && (members.size() > 2 || m.element < members[0].element + members[1].element - m.element)) {
       const double factor = std::max(ratio, 1 / ratio);
       const bool thousand = factor > thousand_from && factor < thousand_to;
       found.push_back({thousand ? "stiffness" : "unequal mounts", "elements." + element.name + key(element.type, false),
-                       fmt::format("{:.6g} N/m in the mean of three directions", m.translation / 3),
+                       fmt::format("{:.6g} N/m (mean of three directions)", m.translation / 3),
                        fmt::format("the others of its kind have {:.6g} N/m, {:.3g} times {}", usual / 3, factor,
                                    ratio < 1 ? "more" : "less"),
                        thousand ? fmt::format("it would be {:.6g} N/m if N/m and N/mm were confused",
@@ -138,15 +138,15 @@ void find_unequal(const model::System& system, const std::vector<Member>& member
     const double turn = usual_rotation / m.rotation / std::max(1e-300, usual / m.translation);
     if (turn > degree / near_degree && turn < degree * near_degree)
       found.push_back({"stiffness per degree", "elements." + element.name + key(element.type, true),
-                       fmt::format("{:.6g} N m/rad in the mean of three directions", m.rotation / 3),
+                       fmt::format("{:.6g} N m/rad (mean of three directions)", m.rotation / 3),
                        fmt::format("the others of its kind have {:.6g} N m/rad", usual_rotation / 3),
                        fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * m.rotation / 3)});
   }
 }
 
-std::string and_more(std::size_t count) { return count > 1 ? fmt::format(", and so {} more", count - 1) : ""; }
+std::string and_more(std::size_t count) { return count > 1 ? fmt::format(", and {} more", count - 1) : ""; }
 
-/// `scale` in percent. Adds the elements to those blamed.
+/// `scale` in percent. Adds the elements to `blamed`.
 void find_scales(const model::System& system, Suspicions& found, std::vector<std::size_t>& blamed) {
   for (std::size_t e = 0; e < system.elements().size(); ++e)
     if (is_scale_in_percent(system.elements()[e].law.scale)) blamed.push_back(e);
@@ -154,11 +154,11 @@ void find_scales(const model::System& system, Suspicions& found, std::vector<std
   const model::Element& first = system.elements()[blamed.front()];
   found.push_back({"scale", "elements." + first.name + ".scale",
                    fmt::format("{:.6g}{}", first.law.scale, and_more(blamed.size())),
-                   "a factor on stiffness and damping is mostly between 0.1 and 10",
+                   "a factor on stiffness and damping is usually between 0.1 and 10",
                    fmt::format("write \"{:.6g} %\" if percent are meant", first.law.scale)});
 }
 
-/// Mounts on the ground whose `from_at` was typed in the frame of the body: read so, they would be short.
+/// Mounts on the ground whose `from_at` was typed in the frame of the body: in that frame they would be short.
 void find_ends_in_another_frame(const model::System& system, const std::vector<BodyPicture>& pictures,
                                 Suspicions& found) {
   constexpr double much_shorter = 1.0 / 3;
@@ -182,10 +182,10 @@ void find_ends_in_another_frame(const model::System& system, const std::vector<B
   }
 }
 
-/// Stiffnesses of one direction in another unit than those of both others; under gravity that of the weight, since
-/// guides and bearings are soft in another one.
+/// Stiffnesses of one direction in another unit than the other two; with gravity only the direction of the weight,
+/// because guides and bearings are soft in other directions.
 void find_mixed_directions(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
-  constexpr double soft = 0.5;  // natural frequency of translation that machines on mounts hardly have [Hz]
+  constexpr double soft = 0.5;  // machines on mounts hardly have a lower natural frequency of translation [Hz]
   const auto& gravity = system.description().gravity;
   for (const BodyPicture& picture : pictures) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -214,8 +214,8 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
         {"stiffness", "elements." + element.name + key(element.type, false),
          fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least,
                      first->translation.diagonal().maxCoeff()),
-         fmt::format("translations of \"{}\" begin at {:.3g} Hz", system.bodies()[picture.body].name, frequency),
-         fmt::format("the softest would be {:.6g} N/m if typed in N/mm; look at the other elements too", 1e3 * least)});
+         fmt::format("the lowest translation of \"{}\" has {:.3g} Hz", system.bodies()[picture.body].name, frequency),
+         fmt::format("the softest would be {:.6g} N/m if typed in N/mm; check the other elements too", 1e3 * least)});
   }
 }
 
@@ -255,7 +255,7 @@ void judge_undamped(const model::System& system, const std::vector<BodyPicture>&
     const auto one =
         std::find_if(members.begin(), members.end(), [&](const Member& m) { return !is_damped(m.element); });
     found.push_back({"unequal mounts", "elements." + system.elements()[one->element].name, "it has no damping",
-                     fmt::format("the {} others of its kind and stiffness have", members.size() - 1),
+                     fmt::format("the {} others of its kind and stiffness have damping", members.size() - 1),
                      "probably a line is missing"});
   }
 }
@@ -274,27 +274,27 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
   }
   if (!first || mounts < 2 || !(rotation > 0)) return;
   const model::Element& element = system.elements()[first->element];
-  if (element.type != "bushing") return;  // of a matrix, what is left about the elastic centre may be rounding
+  if (element.type != "bushing") return;  // for a matrix, the rest about the elastic centre may be rounding
   const double radius = std::sqrt(rotation / translation), spread = std::sqrt(squares / mounts);
   const double load_radius = std::sqrt(picture.mass.mass * standard_gravity / (mounts * std::numbers::pi * pressure));
   if (radius >= least_radius || radius >= least_share_of_spread * spread ||
       radius >= least_share_of_load_radius * load_radius)
     return;
   const std::string small = fmt::format(
-      "√(rotational over translational stiffness) is {:.2g} mm, and some part of the "
+      "√(rotational / translational stiffness) is {:.2g} mm, but it should be some part of the "
       "radius of a mount, {:.2g} mm for this load",
       1e3 * radius, 1e3 * load_radius);
-  // Too much translational stiffness shows the same.
+  // Too much translational stiffness has the same effect.
   if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {
     const double mean = first->translation.trace() / 3;
     found.push_back({"stiffness", "elements." + element.name + ".translation",
-                     fmt::format("{:.6g} N/m in the mean of three directions", mean), small,
+                     fmt::format("{:.6g} N/m (mean of three directions)", mean), small,
                      fmt::format("it would be {:.6g} N/m if given in N/m and typed as N/mm", 1e-3 * mean)});
     return;
   }
   found.push_back(
       {"stiffness per degree", "elements." + element.name + ".rotation",
-       fmt::format("{:.6g} N m/rad in the mean of three directions", first->own_rotation.trace() / 3), small,
+       fmt::format("{:.6g} N m/rad (mean of three directions)", first->own_rotation.trace() / 3), small,
        fmt::format("it would be {:.6g} N m/rad if given in N m/deg", degree * first->own_rotation.trace() / 3)});
 }
 

@@ -14,17 +14,17 @@
 namespace trivet::plausibility {
 namespace {
 
-/// Share of the stiffness against tilting that gravity may take before it is named: the frequency of tilting is 13 %
-/// lower then.
+/// Share of the tilting stiffness that gravity may take before it is reported: the tilting frequency is then 13 %
+/// lower.
 constexpr double worth_a_word = 0.25;
-/// Share of the stiffest direction below which one is not held.
+/// Share of the stiffest direction below which one is unrestrained.
 constexpr double unheld = 1e-9;
 
 using Matrix32 = Eigen::Matrix<double, 3, 2>;
 
-/// What the weight adds to the stiffness against rotations: mounts at r_i from the centre of mass bear it by forces
-/// F_i, and a rotation θ moves their ends by ½ θ × (θ × r_i) in addition, so that Σ [(F_i·r_i) I − sym(F_i r_iᵀ)] is
-/// added. Body frame.
+/// Contribution of the weight to the stiffness against rotations: mounts at r_i from the centre of mass carry it by
+/// forces F_i, and a rotation θ moves their ends by an additional ½ θ × (θ × r_i); this adds Σ [(F_i·r_i) I − sym(F_i
+/// r_iᵀ)]. Body frame.
 Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::Vector6& sag) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   const Eigen::Vector3d shift = sag.head<3>(), turn = sag.tail<3>();
@@ -38,7 +38,7 @@ Eigen::Matrix3d geometric_stiffness(const BodyPicture& picture, const spatial::V
   return sum;
 }
 
-/// Bodies whose elements all stand on rigid ground without preload, which would bring gravity's part.
+/// True if all elements of a body are on rigid ground and have no preload, which would include the effect of gravity.
 bool is_alone(const model::System& system, const BodyPicture& picture) {
   return std::all_of(picture.attachments.begin(), picture.attachments.end(), [&](const Attachment& a) {
     const model::Element& element = system.elements()[a.element];
@@ -77,12 +77,12 @@ std::vector<std::string> overturning_notes(const model::System& system) {
     if (!(share > worth_a_word)) continue;
     const Eigen::Vector2d axis = both.vectors.col(1).normalized();
     notes.push_back(
-        fmt::format("body {}: tilted by an angle, its weight turns it on by {:.4g} N m/rad, its mounts hold it by "
-                    "{:.4g} N m/rad: {}. Elements without preload have no "
+        fmt::format("body {}: when it tilts, its weight causes an overturning moment of {:.4g} N m/rad, its mounts a "
+                    "restoring moment of {:.4g} N m/rad: {}. Elements without preload have no "
                     "geometric stiffness, so natural frequencies of tilting {}",
                     system.bodies()[picture.body].name, axis.dot(taken * axis), axis.dot(held * axis),
-                    share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness are lost", 100 * share),
-                    share >= 1 ? "are computed that it does not have" : "are computed too high"));
+                    share >= 1 ? "it falls over" : fmt::format("{:.0f} % of the stiffness is lost", 100 * share),
+                    share >= 1 ? "are computed that do not exist" : "are computed too high"));
   }
   return notes;
 }

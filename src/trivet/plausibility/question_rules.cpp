@@ -14,19 +14,19 @@
 namespace trivet::plausibility {
 namespace {
 
-/// A resonance this far outside of a band is still seen by its flank.
+/// A resonance this far outside a band still has an effect in it.
 constexpr double margin = 1.1;
 /// Natural frequencies of a usual machine [Hz].
 constexpr double usual_from = 0.5, usual_to = 200;
-/// Larger systems are not solved for this.
+/// Larger systems are not solved for this check.
 constexpr Eigen::Index most_coordinates = 300;
-/// A pulse has at most so many pieces; a longer history is a record, which may be cut behind its largest value.
+/// A pulse has at most this many pieces; a longer history is a record, which may be cut after its largest value.
 constexpr std::size_t most_pieces_of_pulse = 8;
 
-/// Periods of the lowest mode: a pulse that lasts longer is no shock. In milliseconds it would be one.
+/// Periods of the lowest mode from which a pulse is no shock; in milliseconds it would be one.
 constexpr double most_periods_of_pulse = 20, shock_from = 0.05, shock_to = 5;
 
-/// Velocities that standards on vibration allow are mm/s [m/s].
+/// Standards on vibration allow velocities of mm/s, far below this [m/s].
 constexpr double fastest_allowed = 0.5;
 
 /// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
@@ -39,8 +39,7 @@ std::vector<double> natural_frequencies(const model::System& system) {
     const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
     for (const double lambda : numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric).lambda)
       if (lambda > 0) result.push_back(std::sqrt(lambda));
-  } catch (
-      const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the answers say so themselves
+  } catch (const foundation::NotComputable&) {  // a coordinate without mass and stiffness: the analyses report it
     result.clear();
   }
   std::sort(result.begin(), result.end());
@@ -63,22 +62,22 @@ void judge_window(const Window& window, const std::vector<double>& natural, Susp
   };
   const char* typed = explains(thousand) ? "N/mm typed as N/m" : explains(1 / thousand) ? "N/m typed as N/mm" : nullptr;
   const std::string stiffness =
-      typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would lie in it", typed) : "";
+      typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would be in it", typed) : "";
   found.push_back({window.spectrum ? "spectrum" : "band", window.subject,
                    fmt::format("{:.4g} … {:.4g} Hz", hertz(window.from), hertz(window.to)),
-                   fmt::format("no natural frequency lies in it: the machine has {:.4g} … {:.4g} Hz",
+                   fmt::format("no natural frequency is in it: those of the machine are {:.4g} … {:.4g} Hz",
                                hertz(natural.front()), hertz(natural.back())),
                    std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s"
                                                : "a number without a unit is in rad/s") +
                        "; change the band, "
-                       "or look at masses and stiffnesses if you know where the resonances are" +
+                       "or check masses and stiffnesses if you know where the resonances are" +
                        stiffness});
 }
 
-/// When a history has done its work: the end of a pulse, the largest value of a record. [s]
+/// Effective end of a history: the end of a pulse, the largest value of a record. [s]
 double end_of(const excitation::Signal& signal) {
   if (signal.pieces.size() <= most_pieces_of_pulse) return signal.pieces.back().start;
-  // the last piece is its rest, 0 or held
+  // the last piece is the state after it, 0 or constant
   double largest = 0, at = signal.pieces.front().start;
   for (const excitation::Piece& piece : signal.pieces)
     if (std::abs(piece.value) > largest) largest = std::abs(piece.value), at = piece.start;
@@ -132,7 +131,7 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
   const std::string finding = fmt::format("it ends at {:.6g} s", question.to.value_or(0));
   if (question.to && *question.to < latest) {
     found.push_back({"transient", "analyses.transient.to", finding,
-                     fmt::format("\"{}\" lasts to {:.6g} s", name, latest), "let it end some periods later"});
+                     fmt::format("\"{}\" lasts until {:.6g} s", name, latest), "let it end some periods later"});
     return;
   }
   if (natural.empty()) return;
@@ -143,7 +142,7 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
         {"transient", "analyses.transient.to", finding,
          fmt::format("half a period of the lowest mode ({:.4g} Hz) is {:.4g} s{}", hertz(natural.front()), half_period,
                      name.empty() ? "" : fmt::format(", after \"{}\" at {:.4g} s", name, latest)),
-         "let it end some periods later: the largest answer comes in this time"});
+         "let it end some periods later: the largest response occurs in this time"});
 }
 
 }  // namespace
@@ -163,10 +162,9 @@ void judge_limits(const model::System& system, const std::vector<AllowedMotion>&
                        fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed), remedy("mm/s")});
     const double size = 2 * mass_radius(picture->mass);
     if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
-    found.push_back(
-        {"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
-         fmt::format("it is more than the size of \"{}\", {:.3g} m, so that it limits nothing", limit.body, size),
-         remedy("mm")});
+    found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),
+                     fmt::format("it exceeds the size of \"{}\", {:.3g} m, so that it has no effect", limit.body, size),
+                     remedy("mm")});
   }
 }
 
@@ -188,9 +186,10 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
       continue;
     }
     if (amplitude > farthest && amplitude > sizes * size)
-      found.push_back(
-          {"ground motion", "excitations." + excitation.name, fmt::format("the ground moves by {:.4g} m", amplitude),
-           fmt::format("the machine is {:.2g} m large", size), "add quantity = \"acceleration\" if that is meant"});
+      found.push_back({"ground motion", "excitations." + excitation.name,
+                       fmt::format("the ground moves by {:.4g} m", amplitude),
+                       fmt::format("the machine is {:.2g} m large", size),
+                       "add quantity = \"acceleration\" if an acceleration is meant"});
   }
 }
 

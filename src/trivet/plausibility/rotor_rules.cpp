@@ -11,7 +11,7 @@
 namespace trivet::plausibility {
 namespace {
 
-/// Rms size of the body that a free body moves from side to side under its unbalance: shakers have 0.01.
+/// Largest motion of a free body under its unbalance / rms size of the body: shakers have 0.01.
 constexpr double largest_throw = 0.03;
 constexpr double coarsest_grade = 4000;  ///< [mm/s] of ISO 21940-11: large rigid engines
 constexpr double fastest_rim = 600;      ///< [m/s] steel bursts
@@ -19,15 +19,15 @@ constexpr double density_of_steel = 7850;
 
 double rpm(double angular_frequency) { return angular_frequency * 30 / std::numbers::pi; }
 
-/// Of a steel cylinder twice as long as thick: m = ρ π r² 4r [m].
+/// Radius of a steel cylinder twice as long as thick: m = ρ π r² 4r [m].
 double radius_of(double mass) { return std::cbrt(mass / (4 * std::numbers::pi * density_of_steel)); }
 
 void judge_balancing(const Rotor& rotor, const std::string& subject, Suspicions& found) {
   if (rotor.grade && *rotor.grade > coarsest_grade)
     found.push_back(
         {"rotor", subject + ".grade", fmt::format("G {:.6g}", *rotor.grade),
-         fmt::format("grades of balancing are between 0.4 and {:.0f} mm/s", coarsest_grade),
-         fmt::format("it would be G {:.6g} with a decimal point three places to the left", *rotor.grade / 1000)});
+         fmt::format("balancing grades are between 0.4 and {:.0f} mm/s", coarsest_grade),
+         fmt::format("it would be G {:.6g} with the decimal point three places to the left", *rotor.grade / 1000)});
   if (!rotor.mass || !rotor.service_speed || !(*rotor.mass > 0)) return;
   const double rim = radius_of(*rotor.mass) * *rotor.service_speed;
   if (rim > fastest_rim)
@@ -46,10 +46,9 @@ void judge_mass(const model::System& system, const Rotor& rotor, const std::stri
   if (!rotor.mass_eccentricity || !body.has_inertia || !(body.mass.inertia_about_centre.trace() > 0)) return;
   const double thrown = *rotor.mass_eccentricity / body.mass.mass;
   if (thrown > largest_throw * mass_radius(body.mass))
-    found.push_back(
-        {"rotor", subject + ".mass_eccentricity", fmt::format("{:.6g} kg m", *rotor.mass_eccentricity),
-         fmt::format("\"{}\" of {:.6g} kg would be thrown about by {:.3g} m", body.name, body.mass.mass, thrown),
-         "kg mm and g mm are smaller by 1e3 and 1e6: write the unit"});
+    found.push_back({"rotor", subject + ".mass_eccentricity", fmt::format("{:.6g} kg m", *rotor.mass_eccentricity),
+                     fmt::format("\"{}\" of {:.6g} kg would move by {:.3g} m", body.name, body.mass.mass, thrown),
+                     "kg mm and g mm are smaller by 1e3 and 1e6: write the unit"});
 }
 
 }  // namespace

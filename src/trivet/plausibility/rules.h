@@ -4,41 +4,40 @@
 #include "trivet/plausibility/body_picture.h"
 #include "trivet/plausibility/suspicion.h"
 
-/// Single rules with single numbers; each function adds what it finds.
+/// Rules for single numbers; each function adds its findings.
 namespace trivet::plausibility {
 
 using Suspicions = std::vector<Suspicion>;
 
-/// `scale` of an element that is probably meant in percent.
+/// True if `scale` of an element is probably meant in percent.
 [[nodiscard]] bool is_scale_in_percent(double scale);
 
-/// Two mounts at one place; one mount of a group far stiffer or softer than the others. Returns the elements blamed
-/// for that.
+/// Two mounts at one place; one mount of a group far stiffer or softer than the others. Returns the elements that cause
+/// these findings.
 std::vector<std::size_t> judge_mounts(const model::System& system, const std::vector<BodyPicture>& pictures,
                                       Suspicions& found);
 
-/// One of several equal mounts without damping, the others with it.
+/// One of several equal mounts without damping, while the others have damping.
 void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
-/// Rotational stiffnesses that mounts of this translational stiffness under this load cannot have. Call it for a body
-/// that is usual otherwise.
+/// Rotational stiffnesses that are impossible for mounts of this translational stiffness under this load. Call it only
+/// for a body that is otherwise usual.
 void judge_rotation(const model::System& system, const BodyPicture& picture, Suspicions& found);
 
 /// Gravity in another unit or upwards.
 void judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
-/// Centre of mass outside of the mounts, mounts that are lifted. Call it for a machine and a gravity that are beyond
-/// suspicion.
+/// Centre of mass outside the mounts, mounts that lift off. Call it only if machine and gravity raise no suspicion.
 void judge_balance(const model::System& system, Suspicions& found);
 
-/// Mounts above their rated load. Call it where masses and gravity are beyond suspicion.
+/// Mounts above their rated load. Call it only if masses and gravity raise no suspicion.
 void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
                    const std::vector<Rating>& ratings, Suspicions& found);
 
-/// Modal ratios and loss factors in percent, Rayleigh's numbers exchanged, factors of proportional damping.
+/// Modal ratios and loss factors in percent, exchanged Rayleigh coefficients, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
-/// Bare speeds that are usual in revolutions per minute.
+/// Speeds without a unit that are usual in revolutions per minute.
 void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found);
 
 /// Foundations far softer than the mounts on them.
@@ -57,8 +56,8 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
 /// Dampers of one kind of which one is far stronger or weaker.
 void judge_dampers(const model::System& system, Suspicions& found);
 
-/// Rotors that weigh more than their machine, run faster than steel holds or are balanced in another unit, unbalances
-/// that would throw the machine about.
+/// Rotors heavier than their machine, faster than steel can bear or with a balancing grade in another unit; unbalances
+/// that would move the machine too far.
 void judge_rotors(const model::System& system, const std::vector<Rotor>& rotors, Suspicions& found);
 
 /// Bands and spectra without a resonance, transients that end too early, pulses that last too long.

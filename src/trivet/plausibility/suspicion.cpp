@@ -16,7 +16,7 @@ bool touches(const BodyPicture& picture, const std::vector<std::size_t>& element
   });
 }
 
-/// Slips of elements are made once for the whole file: one entry for all bodies that show the same.
+/// A slip in the elements is made once for the whole file: one entry for all bodies with the same slip.
 bool is_repeated(const BodyVerdict& verdict, const std::vector<BodyVerdict>& before) {
   if (!verdict.slip || (verdict.slip->stiffness == 1 && verdict.slip->places == 1 && verdict.slip->rotation == 1))
     return false;
@@ -76,7 +76,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   const std::size_t before_gravity = found.size();
   judge_gravity(system, all, found);
   const bool gravity_doubtful = doubt_since(before_gravity);
-  // What follows from a wrong mass, place, stiffness or gravity is not a suspicion of its own.
+  // A consequence of a wrong mass, place, stiffness or gravity is not a separate suspicion.
   const bool mass_doubtful = std::any_of(verdicts.begin(), verdicts.end(), [&](const BodyVerdict& v) {
     return v.slip && v.slip->mass != 1 && doubted(v);
   });
@@ -84,7 +84,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
     judge_ratings(system, all, stated.ratings, found);
-    if (doubt_since(before))  // too small a mount sags too far
+    if (doubt_since(before))  // a mount that is too small sags too far
       std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }
   for (const BodyVerdict& verdict : verdicts) found.push_back(verdict.suspicion);

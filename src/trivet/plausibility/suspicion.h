@@ -8,11 +8,11 @@
 
 #include "trivet/model/system.h"
 
-/// What an experienced engineer asks back at first sight of a machine: numbers that are possible, but mostly a slip.
+/// Questions of an experienced engineer at first sight of a machine, about values that are possible but usually a slip.
 /// docs/plausibility.md.
 namespace trivet::plausibility {
 
-/// One number that looks like a slip. Everything in words, SI.
+/// One value that looks like a slip. All texts are for display, in SI units.
 struct Suspicion {
   std::string kind;  ///< one of `kinds`
   /// "bodies.machine.mass"; its first two parts are the table in which the suspicion can be accepted
@@ -58,14 +58,14 @@ inline constexpr const char* kinds[] = {
     "ground motion",
 };
 
-/// A stretch of frequencies that was asked for, or over which a spectrum drives. [rad/s]
+/// A frequency range of an analysis or of an exciting spectrum. [rad/s]
 struct Window {
   std::string subject;  ///< "analyses.response.band"
   double from = 0, to = 0;
   bool spectrum = false;
 };
 
-/// What a catalogue says of the mount behind an element.
+/// Catalogue data of the mount behind an element.
 struct Rating {
   std::size_t element = 0;
   double highest_load = 0;  ///< static compression along e3 [N]
@@ -95,7 +95,7 @@ struct AllowedMotion {
   std::string answer;    ///< "frame.z"
   double amplitude = 0;  ///< [m], [m/s]
   bool is_velocity = false;
-  bool is_line = false;  ///< of a limit line, whose rows are in SI
+  bool is_line = false;  ///< of a limit line; its rows are in SI
 };
 
 /// Pistons, with the oscillating part of their rods.
@@ -105,13 +105,13 @@ struct Engine {
   double oscillating_mass = 0, cylinders = 0;  ///< [kg] of one
 };
 
-/// A question for a motion in time.
+/// A transient analysis.
 struct TimeQuestion {
-  std::optional<double> to;              ///< [s]; none: some periods after the last input
+  std::optional<double> to;              ///< [s]; empty: some periods after the last input
   std::vector<std::string> excitations;  ///< empty: all
 };
 
-/// What the system does not hold of what was stated and asked.
+/// Statements and questions of the project that the system does not contain.
 struct Stated {
   std::vector<bool> inertia_about_pole;  ///< per body
   std::vector<bool> from_solids;         ///< per body: mass and inertia come from solids
@@ -122,19 +122,19 @@ struct Stated {
   std::vector<AllowedMotion> allowed_motions;
   std::vector<Engine> engines;
   std::optional<TimeQuestion> transient;
-  /// Table and kind of what the user has accepted: it casts no doubt on the rest.
+  /// Table and kind of each suspicion that the user has accepted; it casts no doubt on the rest.
   std::vector<std::pair<std::string, std::string>> accepted;
 };
 
-/// The table in which a suspicion of this subject is accepted: "bodies.machine", "damping", "limits", "" for the top of
-/// the file.
+/// The table in which a suspicion with this subject is accepted: "bodies.machine", "damping", "limits", "" for the top
+/// of the file.
 [[nodiscard]] std::string table_of(const std::string& subject);
 
-/// Bodies so high above their mounts that gravity takes much of the stiffness against tilting, or all of it: one
-/// sentence for each.
+/// Notes on bodies so high above their mounts that gravity takes much of the tilting stiffness, or all of it: one
+/// sentence per body.
 [[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
 
-/// Everything suspicious, one entry per cause, in the order body, layout, damping, loads, questions.
+/// All suspicions, one per cause, in the order body, layout, damping, loads, questions.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);
 
 }  // namespace trivet::plausibility

@@ -10,9 +10,8 @@
 namespace trivet::plausibility {
 namespace {
 
-/// What is usual for a machine on mounts, 20 g … 200 t. Oddness is ½ (ln(distance to the range) / width)², in the
-/// natural logarithm of
-/// likelihood: the same currency for all features.
+/// What is usual for a machine on mounts, 20 g … 200 t. Oddness is ½ (ln(distance to the range) / width)², a natural
+/// logarithm of likelihood: one scale for all features.
 struct Range {
   const char* words;
   const char* unit;
@@ -23,8 +22,8 @@ struct Range {
   [[nodiscard]] constexpr bool has_both_ends() const { return from > 0 && to < open; }
   static constexpr double open = 1e9;
 };
-constexpr Range density_range{"mass over the cube of its size", "kg/m³", 3, 15000, 0.8, "density", "density"};
-constexpr Range spread_range{"distance of the mounts over that of the mass from the centre",
+constexpr Range density_range{"mass / size³", "kg/m³", 3, 15000, 0.8, "density", "density"};
+constexpr Range spread_range{"distance of the mounts / that of the mass from the centre",
                              "",
                              0.15,
                              8,
@@ -32,27 +31,28 @@ constexpr Range spread_range{"distance of the mounts over that of the mass from 
                              "spread of mounts",
                              "spread of mounts"};
 constexpr Range lever_range{
-    "lever of the stiffness over that of the mass", "", 0.1, 8, 0.6, "spread of mounts", "spread of mounts"};
+    "lever arm of the stiffness / that of the mass", "", 0.1, 8, 0.6, "spread of mounts", "spread of mounts"};
 constexpr Range reach_range{
-    "distance of points and forces over that of the mass from the centre", "", 0, 10, 0.6, "points", "points"};
+    "distance of points and forces / that of the mass from the centre", "", 0, 10, 0.6, "points", "points"};
 constexpr Range frequency_range{
     "natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency", "natural frequency"};
 constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency",
                              "natural frequency"};
 constexpr Range highest_range{"highest natural frequency", "Hz", 0, 2000, 0.45, "natural frequency",
                               "natural frequency"};
-constexpr Range sag_range{"sag under its weight over its size", "", 1e-4, 0.3, 1.1, "natural frequency", "sag"};
+constexpr Range sag_range{
+    "static deflection under its weight / its size", "", 1e-4, 0.3, 1.1, "natural frequency", "sag"};
 constexpr Range damping_range{"damping ratio", "", 5e-4, 1.5, 0.9, "", ""};
 
-/// A slip is a rare thing: undone, it must explain so much oddness [nats].
+/// A slip is rare: its correction must explain this much oddness [nats].
 constexpr double price_of_slip = 5;
 /// Oddness that is reported although no slip explains it [nats].
 constexpr double odd_alone = 7;
-/// What it costs that an analysis looks where no resonance is [nats].
+/// Oddness of an analysis in a range without a resonance [nats].
 constexpr double price_of_missed_window = 4.8;
-/// Frequencies this far outside of a window still count as in it.
+/// Frequencies this far outside a window still count as in it.
 constexpr double window_margin = 1.3;
-/// Prefers the middle of a range where several slips lead into it [nats].
+/// Prefers the middle of a range if several slips lead into it [nats].
 constexpr double tilt = 0.02;
 
 constexpr Slip slips[] = {
@@ -101,8 +101,8 @@ constexpr Judged judged[] = {
     {&Features::damping_ratio, &damping_range},
 };
 
-/// Of the whole body on its elements. One odd mount moves them by much: they count only if no slip explains what is
-/// odd.
+/// Features of the whole body on its elements. One odd mount changes them much: they count only if no slip explains the
+/// oddness.
 constexpr Judged extremes[] = {{&Features::lowest, &lowest_range}, {&Features::highest, &highest_range}};
 
 double missed_windows(const Features& found, const std::vector<Window>& windows) {
@@ -154,7 +154,7 @@ bool applies(const Slip& slip, const BodyPicture& picture) {
   return any_place;
 }
 
-/// "the natural frequency of translation is 0.31 Hz (usual: 0.8 … 120 Hz)", the oddest first.
+/// "natural frequency of translation 0.31 Hz (usual 0.8 … 120)", the oddest first.
 std::string odd_words(const Features& found, const std::vector<Window>& windows) {
   std::vector<std::pair<double, std::string>> odd;
   const auto add = [&](const Judged& j) {
@@ -174,7 +174,7 @@ std::string odd_words(const Features& found, const std::vector<Window>& windows)
   std::string text;
   for (std::size_t i = 0; i < odd.size() && i < most; ++i) text += (i > 0 ? ", " : "") + odd[i].second;
   if (missed_windows(found, windows) > 0)
-    text += fmt::format("{}natural frequencies {:.3g} … {:.3g} Hz outside of what is asked for",
+    text += fmt::format("{}natural frequencies {:.3g} … {:.3g} Hz outside the requested range",
                         text.empty() ? "" : ", ", *found.lowest, *found.highest);
   return text;
 }
@@ -185,7 +185,7 @@ const Attachment* first_typed(const BodyPicture& picture) {
   return nullptr;
 }
 
-/// The farthest one: a single wrong place is that.
+/// The farthest attachment: if a single place is wrong, it is this one.
 const Attachment* farthest(const BodyPicture& picture) {
   const Attachment* best = nullptr;
   for (const Attachment& a : picture.attachments)
@@ -228,7 +228,7 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
   } else if (slip.damping != 1) {
     const Attachment& a = *most_damped(picture);
     s.subject = "elements." + system.elements()[a.element].name + ".damping";
-    s.finding = fmt::format("{:.6g} N s/m in the sum of three directions", a.viscous);
+    s.finding = fmt::format("{:.6g} N s/m (sum of three directions)", a.viscous);
     s.probable = fmt::format("it would be {:.6g} N s/m if {}", slip.damping * a.viscous, slip.words);
   } else if (slip.rotation != 1) {
     const Attachment& a = *first_typed(picture);
@@ -236,21 +236,21 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     const double mean = a.own_rotation.trace() / 3;
     s.subject = "elements." + element.name +
         (key_of_stiffness(element.type) == std::string(".translation") ? ".rotation" : key_of_stiffness(element.type));
-    s.finding = fmt::format("{:.6g} N m/rad in the mean of three directions", mean);
+    s.finding = fmt::format("{:.6g} N m/rad (mean of three directions)", mean);
     s.probable = fmt::format("it would be {:.6g} N m/rad if {}", slip.rotation * mean, slip.words);
   } else if (slip.stiffness != 1) {
     const Attachment& a = *first_typed(picture);
     const model::Element& element = system.elements()[a.element];
     s.subject = "elements." + element.name + key_of_stiffness(element.type);
     const double mean = a.translation.trace() / 3;
-    s.finding = fmt::format("{:.6g} N/m in the mean of three directions", mean);
-    s.probable = fmt::format("it would be {:.6g} N/m if {}; look at the other elements of \"{}\" too",
+    s.finding = fmt::format("{:.6g} N/m (mean of three directions)", mean);
+    s.probable = fmt::format("it would be {:.6g} N/m if {}; check the other elements of \"{}\" too",
                              slip.stiffness * mean, slip.words, body.name);
   } else {
     const Attachment& a = *farthest(picture);
     s.subject = "elements." + system.elements()[a.element].name + key_of_place(system, a, picture.body);
     s.finding = fmt::format("{:.6g} m from the centre of mass", (a.at - picture.mass.centre).norm());
-    s.probable = fmt::format("it would be {:.6g} m if {}; look at the other elements of \"{}\" too",
+    s.probable = fmt::format("it would be {:.6g} m if {}; check the other elements of \"{}\" too",
                              (slip.places * a.at - picture.mass.centre).norm(), slip.words, body.name);
   }
   return s;
@@ -270,7 +270,7 @@ Suspicion of_feature(const model::System& system, const BodyPicture& picture, co
   s.subject = "bodies." + system.bodies()[picture.body].name;
   s.finding =
       fmt::format("{} {:.3g}{}{}", worst->range->words, value, *worst->range->unit ? " " : "", worst->range->unit);
-  s.probable = "no single slip of a unit explains it: look at its mass, inertia, places and stiffnesses";
+  s.probable = "no single unit error explains it: check its mass, inertia, places and stiffnesses";
   return s;
 }
 
@@ -286,7 +286,7 @@ std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture&
                                  const std::vector<Window>& windows) {
   const Features as_typed = features(picture, {});
   const double now = oddness(as_typed) + missed_windows(as_typed, windows);
-  // Damping alone tells little about the machine.
+  // Damping alone says little about the machine.
   double alone = oddness(as_typed) - oddness_of(as_typed.damping_ratio, damping_range);
   for (const Judged& j : extremes) alone += oddness_of(as_typed.*(j.value), *j.range);
   if (now <= price_of_slip && alone <= odd_alone) return std::nullopt;

@@ -14,7 +14,7 @@ namespace {
 
 /// Larger systems need sparse methods that this version does not have.
 constexpr std::size_t most_bodies = 200;
-/// Each is six answers.
+/// Each has six answers.
 constexpr std::size_t most_body_points = 5000;
 
 /// Fills mass, centre and inertia; returns whether an inertia was given.
@@ -22,7 +22,7 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
   const Node* table = body.table("inertia");
   if (!table) return false;
   TableReader reader(*table, body.path() + ".inertia", body.problems());
-  if (!reader.has("about")) reader.missing("about", "say about = \"pole\" or about = \"center_of_mass\"");
+  if (!reader.has("about")) reader.missing("about", "write about = \"pole\" or about = \"center_of_mass\"");
   const auto about = reader.choice("about", {"pole", "center_of_mass"});
   Eigen::Matrix3d j;
   const double xx = reader.required_number("xx", Quantity::inertia),
@@ -61,7 +61,7 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
   TableReader points(*table, reader.path() + ".points", reader.problems());
   if (table->keys.size() > most_body_points) {
     reader.error("points", fmt::format("{} points", table->keys.size()),
-                 fmt::format("a body has at most {}", most_body_points), "keep those that are asked for");
+                 fmt::format("a body has at most {}", most_body_points), "keep the points that are needed");
     return;
   }
   for (const std::string& name : table->keys) {
@@ -97,7 +97,7 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   if (reader.has("solids")) {
     for (const char* key : {"mass", "center_of_mass", "inertia"}) {
       if (reader.has(key))
-        reader.error(key, std::string(key) + " beside solids", "the solids give mass, centre and inertia",
+        reader.error(key, std::string(key) + " together with solids", "the solids give mass, centre and inertia",
                      "remove it, or remove solids");
       static_cast<void>(reader.node(key));
     }

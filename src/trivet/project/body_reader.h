@@ -5,8 +5,8 @@
 
 namespace trivet::project {
 
-/// `bodies` of the file; adds to the description and reports its problems.
-/// @param known  read earlier; bodies that are the same there are taken from it
+/// Reads the table `bodies` into the description and reports its problems.
+/// @param known  a model read earlier; unchanged bodies are copied from it
 void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned,
                  const KnownModel* known = nullptr);
 

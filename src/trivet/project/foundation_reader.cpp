@@ -14,14 +14,14 @@
 namespace trivet::project {
 namespace {
 
-/// One kind of ground, before it is put under its elements.
+/// One foundation of the file, before its elements are put on it.
 struct Ground {
-  // A place for itself under each element: the directions in which it gives, its mass, and the element that joins it to
+  // A separate ground point under each element: its compliant directions, its mass, and the element that joins it to
   // the rigid ground.
   std::vector<int> directions;
   spatial::Vector6 mass = spatial::Vector6::Zero();
   model::Element to_ground;
-  // Or modes that all its elements share.
+  // Or modes shared by all its elements.
   bool modal = false;
   std::size_t index = 0;  ///< of the shared foundation
   std::map<std::string, Eigen::Matrix<double, 6, Eigen::Dynamic>> shapes;
@@ -39,15 +39,14 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
       reader.error("free", foundation::quoted(name), "a direction is one of x, y, z, rx, ry, rz",
                    "for instance free = [\"z\"]");
     else if (j > 2 && !with_rotation)
-      reader.error("free", "\"" + name + "\"", "a turning ground point needs its rotational stiffness",
+      reader.error("free", "\"" + name + "\"", "a ground point that rotates needs a rotational stiffness",
                    "add rotation = [krx, kry, krz]");
     else if (std::find(directions.begin(), directions.end(), j) != directions.end())
       reader.error("free", "\"" + name + "\" twice", "each direction is named once", "remove one");
     else directions.push_back(j);
   }
   if (directions.empty())
-    reader.error("free", "no direction", "a ground that gives does so in at least one",
-                 "remove the foundation, or name one");
+    reader.error("free", "no direction", "a compliant ground has at least one", "remove the foundation, or name one");
   return directions;
 }
 
@@ -64,10 +63,10 @@ Ground read_impedance(TableReader& reader) {
     if (!(k(j) > 0) && reader.has("translation"))
       reader.error(j < 3 ? "translation" : "rotation",
                    fmt::format("{:.6g} for {}", k(j), model::coordinate_names[static_cast<std::size_t>(j)]),
-                   "the stiffness of a direction that gives is > 0", "name the directions that give: free = [\"z\"]");
+                   "the stiffness of a compliant direction is > 0", "name the compliant directions: free = [\"z\"]");
   if (turns && !ground.directions.empty() &&
       std::none_of(ground.directions.begin(), ground.directions.end(), [](int j) { return j > 2; }))
-    warn_of_idle_key(reader, "rotation", "rotation of a ground point that does not turn", "`free` names no rotation",
+    warn_of_idle_key(reader, "rotation", "rotation of a ground point that does not rotate", "`free` names no rotation",
                      "add rx, ry or rz to `free`, or remove it");
   const double mass = reader.number("mass", Quantity::mass).value_or(0);
   const Eigen::Vector3d inertia = reader.vector("inertia", Quantity::inertia).value_or(Eigen::Vector3d::Zero());
@@ -75,7 +74,7 @@ Ground read_impedance(TableReader& reader) {
   if (inertia.minCoeff() < 0)
     reader.error("inertia", "a negative moment of inertia", "all three are ≥ 0", "remove the sign");
   if (reader.has("inertia") && !turns)
-    reader.error("inertia", "inertia without rotation", "a ground point that does not turn needs none",
+    reader.error("inertia", "inertia without rotation", "a ground point that does not rotate needs no inertia",
                  "add rotation = [krx, kry, krz], or remove it");
   ground.mass << Eigen::Vector3d::Constant(mass), inertia;
   ground.to_ground.law.nominal_stiffness = elements::constants_at_point(k, Eigen::Vector3d::Zero(), 1);
@@ -95,7 +94,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   const Node* list = reader.node("modes");
   if (!list || list->kind != Node::Kind::array || list->items.empty()) {
     reader.error(
-        "modes", list ? words(list->kind) : "missing", "a list of modes is wanted",
+        "modes", list ? words(list->kind) : "missing", "a list of modes is expected",
         "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
     return ground;
   }
@@ -114,9 +113,9 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
                  mass = mode.number("modal_mass", Quantity::mass).value_or(1),
                  ratio = mode.number("damping", Quantity::pure).value_or(0);
     if (mode.has("frequency") && !(omega > 0))
-      mode.error("frequency", fmt::format("{:.6g} rad/s", omega), "it is > 0", "mend it");
-    if (!(mass > 0)) mode.error("modal_mass", fmt::format("{:.6g} kg", mass), "it is > 0", "mend it");
-    if (!(ratio >= 0)) mode.error("damping", fmt::format("{:.6g}", ratio), "a damping ratio is ≥ 0", "mend it");
+      mode.error("frequency", fmt::format("{:.6g} rad/s", omega), "it is > 0", "correct it");
+    if (!(mass > 0)) mode.error("modal_mass", fmt::format("{:.6g} kg", mass), "it is > 0", "correct it");
+    if (!(ratio >= 0)) mode.error("damping", fmt::format("{:.6g}", ratio), "a damping ratio is ≥ 0", "correct it");
     shared.mass(i, i) = mass;
     shared.damping(i, i) = 2 * ratio * omega * mass;
     shared.stiffness(i, i) = omega * omega * mass;
@@ -128,7 +127,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
       if (!values) continue;
       if (values->size() != 3 && values->size() != 6) {
         places.error(shapes->keys[s], fmt::format("{} numbers", values->size()),
-                     "three (x, y, z) or six (and rx, ry, rz) are wanted", "complete the list");
+                     "three (x, y, z) or six (with rx, ry, rz) are expected", "complete the list");
         continue;
       }
       auto& shape = ground.shapes[shapes->keys[s]];
@@ -142,7 +141,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   return ground;
 }
 
-/// Puts a place for itself under end N of one element.
+/// Adds a separate ground point under end N of one element.
 void stand_on_place(const Ground& ground, model::Element& element, model::Description& description) {
   const auto count = static_cast<Eigen::Index>(ground.directions.size());
   const std::string name = element.name + ".foundation";
@@ -166,7 +165,7 @@ void stand_on_place(const Ground& ground, model::Element& element, model::Descri
   description.elements.push_back(std::move(joint));
 }
 
-/// The motion of a mount that is not there moves nothing.
+/// Reports the shapes of a mount that is not on the foundation: they have no effect.
 void report_idle_shape(TableReader& root, const std::string& ground, const std::string& mount,
                        const Mentioned& mentioned) {
   if (std::any_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
@@ -177,7 +176,7 @@ void report_idle_shape(TableReader& root, const std::string& ground, const std::
   const std::string finding = "shapes of " + foundation::quoted(mount);
   if (std::find(mentioned.elements.begin(), mentioned.elements.end(), mount) != mentioned.elements.end()) {
     root.problems()
-        .warning(subject, finding, "this element does not stand on the foundation",
+        .warning(subject, finding, "this element is not on the foundation",
                  "add foundation = \"" + ground + "\" to it, or remove its shapes")
         .origin = origin->origin;
     return;
@@ -213,8 +212,8 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
                      [&](const Mentioned::Standing& one) { return one.ground == name; }))
       reader.problems()
-          .warning("foundations." + name, "no element stands on it",
-                   "a foundation acts only under elements that name it", "add foundation = \"" + name + "\" to them")
+          .warning("foundations." + name, "no element is on it", "a foundation acts only under elements that name it",
+                   "add foundation = \"" + name + "\" to them")
           .origin = table->items[i].origin;
   }
   for (const auto& [name, ground] : grounds)
@@ -233,17 +232,17 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
       continue;
     }
     const auto ground = grounds.find(ground_name);
-    if (element == description.elements.end() || ground == grounds.end()) continue;  // told elsewhere
+    if (element == description.elements.end() || ground == grounds.end()) continue;  // reported elsewhere
     if (!element->n.on_ground()) {
       root.problems()
-          .error(subject, "an element between two bodies", "a foundation stands under an end that is on the ground",
+          .error(subject, "an element between two bodies", "a foundation is under an end that is on the ground",
                  "remove it, or remove `from`")
           .origin = origin;
     } else if (ground->second.modal) {
       const auto shape = ground->second.shapes.find(element_name);
       if (shape == ground->second.shapes.end())
         root.problems()
-            .error(subject, "\"" + ground_name + "\"", "none of its modes says how this element's place moves",
+            .error(subject, "\"" + ground_name + "\"", "none of its modes states how the place of this element moves",
                    "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes")
             .origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};

@@ -5,8 +5,8 @@
 
 namespace trivet::project {
 
-/// The table `foundations`, and the elements that name one of them (`mentioned.stands_on`): each gets its ground
-/// point's own impedance between its end N and the ground, or all of them share the modes of one structure.
+/// Reads the table `foundations` and puts the elements of `mentioned.stands_on` on them: each element gets its own
+/// impedance between its end N and the ground, or all of them share the modes of one structure.
 void read_foundations(TableReader& root, model::Description& description, Mentioned& mentioned);
 
 }  // namespace trivet::project

@@ -24,7 +24,7 @@ namespace {
 constexpr const char* mobility_columns =
     "columns are frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz (the upper "
     "triangle)";
-/// Share of the largest mobility by which noise may make a row feed energy.
+/// Largest negative eigenvalue of Re Y over the largest mobility of its row that noise, or rounding, explains.
 constexpr double noisy = 0.02, rounded = 1e-9;
 
 struct MobilityTable {
@@ -32,8 +32,7 @@ struct MobilityTable {
   std::vector<double> knots;           ///< [rad/s]
   std::vector<Eigen::MatrixXcd> rows;  ///< Y at each
 
-  /// Straight lines between the rows keep Re Y positive; for complex ω the line of the piece that holds at `near` goes
-  /// on.
+  /// Y by linear interpolation, which keeps Re Y positive semidefinite; for complex ω the piece at `near` is continued.
   [[nodiscard]] Eigen::MatrixXcd at(std::complex<double> omega, double near) const {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, near);
     const auto i = static_cast<std::size_t>(above - knots.begin());
@@ -74,7 +73,7 @@ void check_frequencies(const CsvTable& csv, const Eigen::VectorXd& frequency, fo
     found
         .error("", fmt::format("frequency_hz = {:.6g}", frequency(i)),
                rises ? "a mobility is measured above 0 Hz" : "frequencies increase from row to row",
-               "sort or mend the rows")
+               "sort or correct the rows")
         .origin = {csv.source, csv.lines[static_cast<std::size_t>(i)]};
   }
   if (frequency.size() < 2)
@@ -93,7 +92,7 @@ void check_passive(const CsvTable& csv, const MobilityTable& table, foundation::
   if (worst >= -rounded) return;
   const std::string finding = fmt::format("at {:.6g} Hz Re Y has an eigenvalue of {:.3g} of its largest entry",
                                           table.knots[at] / (2 * std::numbers::pi), worst);
-  const char* rule = "a passive ground takes energy in every motion: Re Y is positive semidefinite";
+  const char* rule = "a passive ground absorbs energy in every motion: Re Y is positive semidefinite";
   foundation::Problem& problem = worst < -noisy
       ? found.error("", finding, rule, "check sign and phase of velocity against force")
       : found.warning("", finding, rule,
@@ -115,19 +114,18 @@ void judge(const MobilityTable& table, model::Element& element, foundation::Prob
     if (verdict.passes) continue;
     const std::string finding =
         fmt::format("{}: {:.3g} % rms from the nearest passive, causal mobility", name, 100 * verdict.relative_rms);
-    const char* rule = "real and imaginary part of the mobility of a real ground belong together (Kramers and Kronig)";
+    const char* rule = "real and imaginary part of a physical mobility satisfy the Kramers–Kronig relations";
     if (verdict.too_coarse)
-      found.warning("", finding, "its rows show the width of every resonance",
-                    "measure with finer lines; if they are fine enough, check the phase");
+      found.warning("", finding, "its rows must resolve the width of every resonance",
+                    "measure at closer frequencies; if they are close enough, check the phase");
     else if (verdict.refused)
       found.error("", finding, rule,
                   "check the phase: with e^{+iωt} a mass has a negative, a spring a positive imaginary mobility");
-    else found.warning("", finding, rule, "look at noise, leakage and the phase of the measurement");
+    else found.warning("", finding, rule, "check noise, leakage and the phase of the measurement");
   }
 }
 
-/// Between rows the mobility runs along straight lines: where it turns far from one row to the next, a resonance is cut
-/// short.
+/// Warns if the phase turns far from one row to the next: linear interpolation then cuts a resonance short.
 void check_spacing(const CsvTable& csv, const MobilityTable& table, foundation::Problems& found) {
   constexpr double widest = 30 * std::numbers::pi / 180;
   double worst = 0;
@@ -142,8 +140,8 @@ void check_spacing(const CsvTable& csv, const MobilityTable& table, foundation::
       .warning("",
                fmt::format("the phase turns by {:.3g}° from {:.6g} to {:.6g} Hz", worst * 180 / std::numbers::pi,
                            table.knots[at - 1] / (2 * std::numbers::pi), table.knots[at] / (2 * std::numbers::pi)),
-               "between rows the mobility is a straight line: a resonance narrower than some rows is cut short",
-               "measure it with finer lines")
+               "the mobility is interpolated linearly: a resonance narrower than a few rows is cut short",
+               "measure it at closer frequencies")
       .origin = {csv.source, csv.lines[at]};
 }
 
@@ -173,7 +171,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
       reader.error("file",
                    fmt::format("y_{}_{} without the diagonal", model::coordinate_names[static_cast<std::size_t>(i)],
                                model::coordinate_names[static_cast<std::size_t>(j)]),
-                   "a coupling joins two directions whose own mobilities are given", "add them");
+                   "a coupling needs the diagonal mobilities of both directions", "add them");
   if (entries.empty()) reader.error("file", "no mobility column", mobility_columns, "add at least one pair");
   if (reader.errors() > before) return std::nullopt;
   const auto count = static_cast<Eigen::Index>(table.directions.size());
@@ -201,7 +199,7 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   reader.add_of_file("file", found);
   if (found.has_errors()) return std::nullopt;
 
-  // For starting values only: the size of the dynamic stiffness in the first row, direction by direction.
+  // For starting values only: magnitude of the dynamic stiffness in the first row, per direction.
   elements::Vector6 first = elements::Vector6::Zero();
   for (const int j : table.directions)
     first(j) = std::abs(table.stiffness(table.knots.front(), table.knots.front())(j, j));

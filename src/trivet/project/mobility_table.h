@@ -9,11 +9,11 @@
 
 namespace trivet::project {
 
-/// Measured mobility of a ground point, v = Y F in ground axes: `file` with the columns frequency_hz and, per entry,
-/// y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz [(m/s)/N, (rad/s)/(N m) …]. It becomes the stiffness iωY⁻¹
-/// of the directions that stand in the table, which are returned; the others do not give. Y is symmetric: the upper
-/// triangle is given. Refused: rows that feed energy (Re Y must be positive semidefinite), and diagonal entries that no
-/// passive, causal ground has.
+/// Compliant directions of a ground point with measured mobility, v = Y F in ground axes. `file` has the columns
+/// frequency_hz and, per entry, y_I_J and y_I_J_im with I, J out of x, y, z, rx, ry, rz [(m/s)/N, (rad/s)/(N m) …], of
+/// the upper triangle of the symmetric Y. `to_ground` gets the dynamic stiffness iωY⁻¹ of the directions in the table;
+/// the others are rigid. Rejects rows that feed energy (Re Y must be positive semidefinite) and diagonal entries that
+/// no passive, causal ground has.
 [[nodiscard]] std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::Element& to_ground);
 
 }  // namespace trivet::project

@@ -11,7 +11,7 @@
 namespace trivet::project {
 namespace {
 
-/// What a key means that is not written.
+/// Default of a key that is not written.
 std::optional<double> default_of(const std::vector<std::string>& keys) {
   const auto is_one_of = [](const std::string& key, const auto& words) {
     return std::find(words.begin(), words.end(), key) != words.end();
@@ -33,12 +33,13 @@ std::optional<double> default_of(const std::vector<std::string>& keys) {
 
 ModelNumber::ModelNumber(const std::string& path, std::string unit)
     : path_(path), unit_(std::move(unit)), keys_(path_keys(path)) {
-  if (keys_.empty()) throw foundation::InvalidInput("\"" + path + "\" is no path of a number");
+  if (keys_.empty()) throw foundation::InvalidInput("\"" + path + "\" is not the path of a number");
 }
 
 std::optional<double> ModelNumber::read(const Case& variant) const {
   const Node* node = node_at(variant.written, keys_);
-  if (!node && keys_.back() != "scale") node = node_at(variant.document, keys_);  // from its type; scales multiply
+  if (!node && keys_.back() != "scale")
+    node = node_at(variant.document, keys_);  // from its type, except a scale, which multiplies
   if (!node) {
     const auto plain = default_of(keys_);
     return plain ? in_unit({*plain, ""}, unit_) : std::nullopt;

@@ -16,21 +16,21 @@ namespace trivet::project {
 
 struct Case;
 
-/// One of them, as the file writes it.
+/// One number of the model, as written in the file.
 class ModelNumber {
  public:
-  /// @param path  elements."front left".at.y  @param unit  of its values; empty: SI, or as the file takes a bare number
+  /// @param path  such as elements."front left".at.y  @param unit  of its values; empty: that of a bare number (SI)
   ModelNumber(const std::string& path, std::string unit);
   explicit ModelNumber(const MapAxis& axis) : ModelNumber(axis.parameter, axis.unit) {}
 
   [[nodiscard]] const std::string& path() const { return path_; }
-  /// "mass" of "bodies.machine.mass".
+  /// Last key of the path: "mass" of "bodies.machine.mass".
   [[nodiscard]] const std::string& key() const { return keys_.back(); }
 
-  /// Its value in a case; what a file leaves out has its default. None where the file has no number there.
+  /// Value in a case, or the default of a key that is not written; none if the file has no number there.
   [[nodiscard]] std::optional<double> read(const Case& variant) const;
 
-  /// The change that gives it this value.
+  /// Change that sets the number to this value.
   [[nodiscard]] Node change(double value) const;
 
  private:
@@ -41,8 +41,8 @@ class ModelNumber {
 /// Values for some numbers of a model.
 using Design = std::vector<std::pair<ModelNumber, double>>;
 
-/// The model of a case with these values, all problems at once; it answers no questions of its own. Only what they
-/// touch is read anew, on any number of threads at once.
+/// Model of a case with these values, without questions; or all problems at once. Reads only the changed parts again,
+/// and may run on any number of threads at once.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Design& design);
 
 }  // namespace trivet::project

@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::size_t most_cases = 1000;
 
-/// False if the file is of a format that this program does not know.
+/// False if this program does not know the format of the file.
 bool is_known_format(TableReader& root) {
   if (!root.has("trivet")) root.missing("trivet", "start the file with trivet = 1");
   const auto version = root.number("trivet", Quantity::pure);
@@ -43,10 +43,10 @@ bool is_known_format(TableReader& root) {
   return !version || *version == 1;
 }
 
-/// "bodies.frame" of "bodies.frame.mass".
+/// Part of a subject: "bodies.frame" of "bodies.frame.mass".
 std::string thing(const std::string& subject) { return subject.substr(0, subject.find('.', subject.find('.') + 1)); }
 
-/// Problems of the checked model that are not just echoes of something the reader could not read.
+/// Problems of the checked model that are not consequences of reading errors.
 foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading,
                                     bool every_body_was_read) {
   std::set<std::string> unread;
@@ -72,7 +72,7 @@ std::optional<Case> read_case(const Node& document, const std::string& name, std
                               foundation::Problems& problems, const Questions& questions = {},
                               const Case* base = nullptr, const KnownModel* known = nullptr);
 
-/// The model of a document, without what is asked of it.
+/// The document without its questions and cases.
 Node without_questions(Node document) {
   for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
@@ -82,7 +82,7 @@ Node without_questions(Node document) {
   return document;
 }
 
-/// The first error that changes bring beside those known.
+/// First error that changes cause in addition to the known ones.
 std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes,
                                            const foundation::Problems& known, const KnownModel* read) {
   foundation::Problems found;
@@ -98,8 +98,8 @@ std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& 
   return std::nullopt;
 }
 
-/// A number that no design of a map can take (a second law of damping, a unit of something else) is wrong as such: the
-/// model can be read with it nowhere in its range, nor at 1, nor together with the other number.
+/// Reports a number of a map that no design can have (a second law of damping, a unit of another quantity): the model
+/// cannot be read with it at the ends or the middle of its range, at 1, or together with the other number.
 void check_numbers_of_map(const Node& document, const MapRequest& map, const KnownModel* known,
                           foundation::Problems& problems) {
   const Node model = without_questions(document);
@@ -128,17 +128,17 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, const Kno
       possible = !problem;
       if (!first) first = problem;
     }
-    if (possible || (!has_range && first->finding != "unknown key")) continue;  // without its range, 1 may be out of it
+    if (possible || (!has_range && first->finding != "unknown key")) continue;  // 1 may be outside an unreadable range
     problems
         .error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"",
-               fmt::format("the model takes no such number: {} = {}; {}", first->subject, first->finding, first->rule),
+               fmt::format("the model rejects this number: {} = {}; {}", first->subject, first->finding, first->rule),
                first->remedy)
         .origin = deepest(document, subject + ".parameter").origin;
   }
 }
 
-/// Reads one variant of the document. Everything found goes to `problems`; a result only without errors. A map that is
-/// also that of `base` was checked there.
+/// Reads one variant of the document and adds all problems; none if there are errors. A map that equals that of `base`
+/// is not checked again.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
                               foundation::Problems& problems, const Questions& questions, const Case* base,
                               const KnownModel* known) {
@@ -200,7 +200,7 @@ void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) 
   variant.warnings.sort_by_origin();
 }
 
-/// Adds what a case brings beyond the base model, under the name of the case.
+/// Adds the problems of a case that the base model does not have, under the name of the case.
 void add_of_case(const foundation::Problems& found, const foundation::Problems& base, const std::string& name,
                  foundation::Problems& problems) {
   for (foundation::Problem problem : found.list()) {
@@ -213,7 +213,7 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
   }
 }
 
-/// Bodies, elements and excitations, as often as there are cases with a model of their own.
+/// Number of bodies, elements and excitations in all cases together; each case has a separate model.
 std::size_t things_of_cases(const Node& document) {
   const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
   return count("cases") * (count("bodies") + count("elements") + count("excitations"));
@@ -244,7 +244,7 @@ void list_changes(const Node& node, const std::string& path, std::vector<Changed
   }
 }
 
-/// What the command line changes. Every setting has its own number.
+/// Changes of the command line. No two settings change the same number.
 struct Settings {
   std::vector<Node> changes;
   std::vector<ChangedNumber> numbers;
@@ -272,7 +272,7 @@ Settings read_settings(const std::vector<std::string>& settings, foundation::Pro
         problems
             .error(number.path,
                    number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier --set",
-                   "two settings of one number: only one of them can hold", "keep one of them")
+                   "two settings of one number: only one of them can apply", "keep one of them")
             .origin = change->origin;
     }
     result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
@@ -281,14 +281,14 @@ Settings read_settings(const std::vector<std::string>& settings, foundation::Pro
   return result;
 }
 
-/// Does the document hold this number, after all changes?
+/// True if the document has this number after all changes.
 bool holds(const Node& document, const ChangedNumber& number) {
   std::vector<ChangedNumber> there;
   list_changes(deepest(document, number.path), number.path, there);
   return there.size() == 1 && there.front().path == number.path && there.front().value == number.value;
 }
 
-/// Those of a case that the command line left as they were, then those of the command line.
+/// Changes of a case that the command line does not override, then those of the command line.
 std::vector<std::string> change_lines(const Node* of_case, const Settings& settings, const Node& document) {
   std::vector<ChangedNumber> numbers;
   if (of_case) list_changes(*of_case, "", numbers);
@@ -351,7 +351,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   if (const std::size_t things = things_of_cases(document); things > most_things_of_cases) {
     problems
         .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things),
-               fmt::format("at most {} are held at once", most_things_of_cases), "split the file")
+               fmt::format("at most {} are allowed", most_things_of_cases), "split the file")
         .origin = cases->origin;
   } else if (cases && cases->kind != Node::Kind::table) {
     problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
@@ -377,7 +377,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       foundation::Problems of_case;
       apply_changes(variant, change, "", of_case);
       for (const Node& setting : settings.changes)
-        apply_changes(variant, setting, "", of_case);  // the command line has the last word
+        apply_changes(variant, setting, "", of_case);  // the command line overrides the case
       std::string title;
       auto variant_case =
           read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());

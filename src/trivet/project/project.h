@@ -19,15 +19,15 @@ struct Case {
   model::System system;
   Analyses analyses;
   foundation::Problems warnings;  ///< of reading and checking, with their places
-  Node written;                   ///< the file, changes applied
-  Node document;                  ///< the same, with what elements have from their types: what it was read from
+  Node written;                   ///< the file with the changes applied
+  Node document;                  ///< `written` with the element types merged in: the input of the model
 };
 
 /// A project file that passed every check, in all its cases.
 struct Project {
   std::string title;
   std::string source;       ///< file name as given
-  std::string sha256;       ///< of the text of the file and of the settings laid over it
+  std::string sha256;       ///< of the text of the file and of the settings
   std::vector<Case> cases;  ///< the base model first
 
   [[nodiscard]] const Case& base() const { return cases.front(); }
@@ -38,7 +38,7 @@ struct Project {
 [[nodiscard]] foundation::Expected<Project> read_project(const std::filesystem::path& path,
                                                          const std::vector<std::string>& settings = {});
 
-/// The same from text.
+/// As `read_project`, from text.
 [[nodiscard]] foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
                                                               const std::vector<std::string>& settings = {});
 

@@ -13,7 +13,7 @@
 namespace trivet::project {
 namespace {
 
-/// How questions that are fields of the analyses are removed.
+/// Functions that remove the questions that are fields of the analyses.
 const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& removals() {
   static const std::vector<std::pair<std::string, std::function<void(Analyses&)>>> list = {
       {"modes", [](Analyses& a) { a.modes = false; }},
@@ -28,8 +28,8 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
   return list;
 }
 
-/// "static" of "analyses.static.of", "limits" of "limits.\"body.x\""; "analyses" of the table itself; empty for a part
-/// of the model.
+/// Question of a subject: "static" for "analyses.static.of", "limits" for "limits.\"body.x\"", "analyses" for the table
+/// itself; empty for a part of the model.
 std::string question_of(const std::string& subject) {
   const std::string first = subject.substr(0, subject.find('.'));
   if (first == "limits" || first == "limit_lines") return first;
@@ -49,11 +49,11 @@ bool is_wanted(const std::string& question, const Questions& questions, const st
       std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
       std::any_of(question_readers().begin(), question_readers().end(),
                   [&](const QuestionReader& one) { return one.name == question; });
-  // A misspelt name may be any question, so that it matters to each of them.
+  // A misspelt name may be any question, so it concerns each of them.
   return !known && !is_outside_analysis(question) && !wanted.empty();
 }
 
-/// Names of the excitations that the questions ask for, and whether any question takes excitations at all.
+/// Names of the excitations that the questions use, and whether any question takes excitations.
 struct Asked {
   std::set<std::string> excitations;
   bool anything = false;
@@ -160,7 +160,7 @@ foundation::Problems unused_parts(const std::vector<Case>& cases) {
     if (!asked.excitations.contains(name))
       found
           .warning("excitations." + name, "no analysis of this file uses it",
-                   "an excitation acts only in the analyses that are asked for, and there only if it is selected",
+                   "an excitation acts only in requested analyses that select it",
                    "add the analysis, select it, or remove it")
           .origin = deepest(base.document, "excitations." + name).origin;
   return found;

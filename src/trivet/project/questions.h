@@ -8,30 +8,29 @@
 
 #include "trivet/project/project.h"
 
-/// What a file asks, apart from the model that it describes: keys of `analyses`, and `limits`, `limit_lines`.
+/// The questions of a file, in addition to its model: keys of `analyses`, and `limits`, `limit_lines`.
 namespace trivet::project {
 
-/// The questions whose errors count. A command that answers one of them is not stopped by an error in another.
+/// Questions that must have no errors. An error in another question does not stop the command.
 struct Questions {
-  std::optional<std::vector<std::string>> wanted = {};  ///< none: all of them
-  std::optional<std::string> of_case = {};              ///< those of this case alone ("" the base model); none: of all
+  std::optional<std::vector<std::string>> wanted = {};  ///< none: all
+  std::optional<std::string> of_case = {};              ///< only those of this case ("" the base model); none: of all
 };
 
-/// As `read_project`, but questions with errors that are not wanted are left out of the analyses of their case.
+/// As `read_project`, but unwanted questions with errors are removed from the analyses of their case.
 [[nodiscard]] foundation::Expected<Project> read_project_for(const Questions& questions,
                                                              const std::filesystem::path& path,
                                                              const std::vector<std::string>& settings = {});
 
-/// Does the file ask for a response or for peaks, which were left out of the analyses of a case for their errors?
+/// True if the file asks for a response or for peaks that were removed from a case because of errors.
 [[nodiscard]] bool has_broken_curves(const Case& variant);
 
-/// Problems of the model and of the wanted questions. A question with an error that is not wanted is removed from
-/// `analyses`.
+/// Problems of the model and of the wanted questions. Removes unwanted questions with errors from `analyses`.
 [[nodiscard]] foundation::Problems without_unwanted(const foundation::Problems& found, const Questions& questions,
                                                     const std::string& of_case, Analyses& analyses);
 
-/// Warnings of excitations that none of the questions of the file uses, in any of its cases. None if no question takes
-/// excitations (modes, say), since then the questions come with the commands.
+/// Warnings of excitations that no question of the file uses in any case. None if no question takes excitations (modes
+/// only, for example), because then the commands add the questions.
 [[nodiscard]] foundation::Problems unused_parts(const std::vector<Case>& cases);
 
 }  // namespace trivet::project

@@ -24,7 +24,7 @@ Json parsed(const char* of, const char* keys) {
   }
 }
 
-/// Adds keys and what is required of them; other constraints as they are.
+/// Adds properties and required keys, and copies other constraints.
 void add_keys(Json& object, const Json& keys) {
   for (const auto& [key, value] : keys.items()) {
     if (key == "properties") object[key].update(value);
@@ -33,7 +33,7 @@ void add_keys(Json& object, const Json& keys) {
   }
 }
 
-/// An object that has these keys, those of the groups that they name under `with`, and no others.
+/// Schema of an object with these keys, those of the groups listed under `with`, and no others.
 /// @throws std::out_of_range if there is no such group
 Json closed(const Json& own, const Json& common, const std::vector<std::string>& required, const Json& groups) {
   Json all = {{"type", "object"}, {"properties", common}, {"required", required}, {"additionalProperties", false}};

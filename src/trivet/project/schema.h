@@ -6,7 +6,7 @@
 namespace trivet::project {
 
 /// JSON Schema of the project file: project.schema.json with the keys of every element law and question, which are
-/// beside their readers, and the groups of keys (`shared_keys`) that they name under `with`.
+/// defined next to their readers, and the groups of keys (`shared_keys`) that they list under `with`.
 [[nodiscard]] std::string project_schema();
 
 }  // namespace trivet::project

@@ -21,7 +21,7 @@ constexpr const char* shapes_known =
 
 constexpr const char* solid_keys[] = {"box", "cylinder", "tube", "sphere", "cone", "file"};
 
-/// The key behind a finding: the shape's, where the part names one of its lengths.
+/// Key of a finding: that of the shape if the finding is about one of its lengths.
 std::string key_of(const Node& part, const std::string& found) {
   if (part.find(found)) return found;
   for (const char* key : solid_keys)
@@ -29,11 +29,11 @@ std::string key_of(const Node& part, const std::string& found) {
   return found;
 }
 
-/// Lengths behind a key, exactly so many.
+/// Exactly `count` lengths of a key.
 std::optional<std::vector<double>> lengths(TableReader& reader, const char* key, std::size_t count) {
   auto numbers = reader.numbers(key, Quantity::length);
   if (numbers && numbers->size() != count) {
-    reader.error(key, fmt::format("{} lengths", numbers->size()), fmt::format("{} are wanted", count), shapes_known);
+    reader.error(key, fmt::format("{} lengths", numbers->size()), fmt::format("{} are expected", count), shapes_known);
     return std::nullopt;
   }
   return numbers;
@@ -44,7 +44,7 @@ void read_file(TableReader& reader, Part& part) {
   std::string ending = file ? file->extension().string() : "";
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (ending == ".stl") {
-    if (!reader.has("unit")) reader.missing("unit", "an STL file does not say its unit: unit = \"1 mm\"");
+    if (!reader.has("unit")) reader.missing("unit", "an STL file does not state its unit: unit = \"1 mm\"");
     part.shape = solids::StlSolid{*file, reader.number("unit", Quantity::length).value_or(1)};
   } else if (file) {
     solids::StepSolid step{*file, {}};

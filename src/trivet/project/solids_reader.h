@@ -6,8 +6,8 @@
 
 namespace trivet::project {
 
-/// `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]`: mass, centre and
-/// inertia of the body. False after reporting what is wrong.
+/// Reads `solids = [{box = [x, y, z], density = 7850, at = […]}, {file = "housing.step", density = …}, …]` into mass,
+/// centre and inertia of the body. Returns false after reporting errors.
 [[nodiscard]] bool read_solids(TableReader& body, model::Body& result);
 
 }  // namespace trivet::project

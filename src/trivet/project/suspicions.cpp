@@ -37,7 +37,7 @@ void add_bodies(const Case& variant, plausibility::Stated& stated) {
   }
 }
 
-/// What catalogues say of their mounts; files that passed once are read again.
+/// Load ratings of catalogue mounts; reads the catalogues again, which were checked before.
 void add_ratings(const Case& variant, plausibility::Stated& stated) {
   const auto& elements = variant.system.elements();
   for (std::size_t e = 0; e < elements.size(); ++e) {
@@ -57,7 +57,7 @@ void add_ratings(const Case& variant, plausibility::Stated& stated) {
   }
 }
 
-/// Pistons and rods that swing.
+/// Oscillating mass (pistons and rods) of an engine.
 void add_engine(const Node& table, const model::Excitation& excitation, plausibility::Stated& stated) {
   const Node* engine = table.find("engine");
   if (!engine || engine->kind != Node::Kind::table) return;
@@ -88,7 +88,7 @@ void add_rotors(const Case& variant, plausibility::Stated& stated) {
   }
 }
 
-/// "frame.z", not "frame.rz" nor "mount.force.z".
+/// True for "frame.z", false for "frame.rz" and "mount.force.z".
 bool is_translation(const std::string& name) {
   const bool of_force = name.find(".force.") != std::string::npos || name.find(".moment.") != std::string::npos;
   return !of_force && (name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z"));
@@ -126,7 +126,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
     stated.transient = plausibility::TimeQuestion{in_time->to, in_time->wanted.excitations};
 }
 
-/// The impedance of a ground point has the name of the element above it; the file has that of the foundation.
+/// Renames a subject to the foundation of the file: the impedance of a ground point has the name of its element.
 void name_foundation(const Node& document, std::string& subject) {
   constexpr std::string_view group = "foundations.";
   if (!subject.starts_with(group)) return;

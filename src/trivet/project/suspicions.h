@@ -10,12 +10,12 @@
 
 namespace trivet::project {
 
-/// What is doubtful in a case that was read: of its machine and of what is asked of it, accepted or not.
-/// @param accepted  tables and kinds: they cast no doubt on the rest
+/// Suspicions about the machine and the questions of a case, accepted or not.
+/// @param accepted  (table, kind); accepted values raise no suspicion about other values
 [[nodiscard]] std::vector<plausibility::Suspicion> suspicions(
     const Case& variant, const std::vector<std::pair<std::string, std::string>>& accepted = {});
 
-/// Names the slip behind bodies that are impossible, where a single one explains it.
+/// Adds the slip behind impossible bodies to their errors, if a single slip explains them.
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems);
 
 }  // namespace trivet::project

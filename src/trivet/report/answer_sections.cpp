@@ -10,7 +10,7 @@
 namespace trivet::report {
 namespace {
 
-/// Nothing where there is nothing to show.
+/// A section; empty without tables and figures.
 std::string section(const std::string& title, const std::string& tables, const std::vector<Figure>& figures) {
   if (tables.empty() && figures.empty()) return "";
   std::string html = "<section><h2>" + title + "</h2>\n" + tables;
@@ -20,14 +20,14 @@ std::string section(const std::string& title, const std::string& tables, const s
   return html + "</section>\n";
 }
 
-/// What is shown of an answer, or of several that belong together.
+/// Title, tables and figures of an answer, or of several that belong together.
 struct Shown {
   const char* title;
   std::string (*tables)(const study::Answers& answers);
   std::vector<std::vector<Figure> (*)(const study::Answers& answers)> figures;
 };
 
-/// Tables and figures beside the harmonic characteristics, in the order of the page. A new one is a line here.
+/// Tables and figures in addition to the harmonic characteristics, in the order of the page. Add new ones here.
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
       {"Map of designs", map_tables, {map_figures}},

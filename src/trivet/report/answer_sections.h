@@ -9,11 +9,11 @@
 
 namespace trivet::report {
 
-/// Sections of the page for what a case asks for beside its harmonic characteristics: pictures, and tables of their key
-/// numbers. HTML, needs no script.
+/// Sections of the page for the answers of a case in addition to its harmonic characteristics: pictures and tables of
+/// their key numbers. HTML without scripts.
 [[nodiscard]] std::string answer_sections(const study::Answers& answers);
 
-/// Their figures alone, those of each kind numbered in their file names.
+/// Only their figures, numbered by kind in their file names.
 [[nodiscard]] std::vector<Figure> answer_figures(const study::Answers& answers);
 
 }  // namespace trivet::report

@@ -30,7 +30,7 @@ bool weighted(const study::RandomResult& random) {
                      [](const auto& a) { return a.weighted_rms || a.infinite_weighted_rms; });
 }
 
-/// m → m/s², m/s → m/s² …
+/// Unit of the acceleration: m → m/s², m/s → m/s² …
 std::string acceleration_unit(const std::string& unit) { return unit.starts_with("rad") ? "rad/s²" : "m/s²"; }
 
 }  // namespace
@@ -90,8 +90,8 @@ std::string transient_table(const study::Answers& answers) {
   return html_table(
              {{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
              rows) +
-      hint("Counted from the position of rest. The extremes are those of the exact motion, also between the points of "
-           "time.");
+      hint("Relative to the position of rest. The extremes are those of the exact motion, also between the time "
+           "points.");
 }
 
 std::string run_up_tables(const study::Answers& answers) {
@@ -127,9 +127,8 @@ std::string run_up_tables(const study::Answers& answers) {
                      right("of its highest"),
                      right("nearest mode")},
                     rows) +
-      hint("Peaks of single orders over the speed; those lower than 1 % of the highest of their answer are left out "
-           "here.") +
-      folded("Interference points: where an order meets a natural frequency",
+      hint("Peaks of single orders over the speed, except those below 1 % of the highest peak of the same answer.") +
+      folded("Interference points: intersections of orders and natural frequencies",
              html_table({right("mode"),
                          right("order"),
                          right("speed [rpm]"),
@@ -196,12 +195,12 @@ std::string power_table(const study::Answers& answers) {
   return html_table({{"mount"},
                      right("largest power into the ground"),
                      right("at [Hz]"),
-                     right("of all mounts there"),
-                     right("fed in there")},
+                     right("share of all mounts"),
+                     right("input power there")},
                     rows) +
-      hint("Mean power in the steady state at the computed frequencies. Rigid ground that stands still takes no power; "
-           "only ground that "
-           "gives or is driven does.");
+      hint("Mean power in the steady state at the computed frequencies. Only a flexible foundation or moving ground "
+           "takes "
+           "power; rigid ground at rest does not.");
 }
 
 }  // namespace trivet::report

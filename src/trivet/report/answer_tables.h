@@ -5,10 +5,10 @@
 
 #include "trivet/study/answers.h"
 
-/// Key numbers of each kind of answer as HTML; empty where the case did not ask for it.
+/// Key numbers of each kind of answer as HTML; empty if the case did not request it.
 namespace trivet::report {
 
-/// rms, 3σ, zero crossings, weighted rms, and the inputs' shares of the variance.
+/// rms, 3σ, zero crossings, weighted rms, and the shares of the inputs in the variance.
 [[nodiscard]] std::string random_table(const study::Answers& answers);
 
 /// Extremes with their times.
@@ -25,13 +25,13 @@ namespace trivet::report {
 
 [[nodiscard]] std::string shock_table(const study::Answers& answers);
 
-/// Estimated maxima, and the modes behind them.
+/// Estimated maxima, and the modes used for them.
 [[nodiscard]] std::string earthquake_tables(const study::Answers& answers);
 
 /// Least margins and exceeded bands.
 [[nodiscard]] std::string limit_line_table(const study::Answers& answers);
 
-/// What governs a map, its best design, and the verdict on every case.
+/// Governing rules of a map, its best design, and the verdict on every case.
 [[nodiscard]] std::string map_tables(const study::Answers& answers);
 
 [[nodiscard]] std::string load_sharing_table(const study::Answers& answers);

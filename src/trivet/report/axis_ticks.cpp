@@ -26,7 +26,7 @@ std::vector<Tick> linear_ticks(double from, double to, int wanted) {
 
 namespace {
 
-/// digit · 10^exponent as plain as it reads: "0.02", "500", "2·10⁻⁶".
+/// digit · 10^exponent in its most readable form: "0.02", "500", "2·10⁻⁶".
 std::string power_label(int digit, int exponent) {
   if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", digit * std::pow(10.0, exponent));
   static const char* const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -54,7 +54,7 @@ std::vector<Tick> decade_ticks(double from, double to) {
   constexpr std::size_t enough = 3;
   std::vector<Tick> ticks = ticks_of_digits(from, to, {1});
   if (ticks.size() < enough || std::log10(to / from) < 2) ticks = ticks_of_digits(from, to, {1, 2, 5});
-  if (ticks.size() < enough) ticks = linear_ticks(from, to, 5);  // of which three or more fall inside
+  if (ticks.size() < enough) ticks = linear_ticks(from, to, 5);  // at least three are inside
   return ticks;
 }
 
@@ -73,7 +73,7 @@ UnitPrefix unit_prefix(double largest, const std::string& unit) {
   if (!(largest > 0) || !std::isfinite(largest)) return {1, unit};
   int n = static_cast<int>(std::floor(std::log10(largest) / 3 + 1e-9));
   n = std::max(-3,
-               std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // nobody reads "km/s²" or "krad"
+               std::min(unit.starts_with("N") || unit.starts_with("W") ? 2 : 0, n));  // "km/s²" and "krad" are unusual
   return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 

@@ -14,15 +14,15 @@ struct Tick {
 /// Round values (1, 2, 5 × 10ⁿ) inside [from, to], about `wanted` of them.
 [[nodiscard]] std::vector<Tick> linear_ticks(double from, double to, int wanted);
 
-/// Powers of ten inside [from, to]; with few decades also 2 and 5 times them, with less than one linear_ticks: three at
-/// least. Each labelled.
+/// Powers of ten inside [from, to], all labelled; with few decades also 2 and 5 times them, with less than one decade
+/// linear_ticks: at least three.
 [[nodiscard]] std::vector<Tick> decade_ticks(double from, double to);
 
 /// Multiples of 30°, 45°, 90° or 180° inside [from, to] degrees.
 [[nodiscard]] std::vector<Tick> angle_ticks(double from, double to);
 
-/// A factor 10^(3n) that brings `largest` near 1 … 1000, and what it turns the unit into: 0.01 m → 1000, "mm". Only
-/// newtons and watts get larger units.
+/// A factor 10^(3n) that brings `largest` near 1 … 1000, and the resulting unit: 0.01 m → 1000, "mm". Only newtons and
+/// watts get larger units.
 struct UnitPrefix {
   double factor = 1;
   std::string unit;

@@ -18,14 +18,14 @@ using foundation::two_pi;
 constexpr const char* wide_halo =
     "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"";
 
-/// As high as an order or a natural frequency reaches, whichever is lower.
+/// Upper end of the frequency axis: that of the orders or of the natural frequencies, whichever is lower.
 double top_hertz(const response::Campbell& campbell) {
   const double orders = campbell.orders.back() * campbell.speed.to / two_pi;
   const double natural = campbell.natural.empty() ? orders : campbell.natural.back().angular_frequency / two_pi;
   return std::min(1.03 * orders, 1.25 * natural);
 }
 
-/// Level lines with their names right of the panel, which part where the frequencies are close.
+/// Horizontal lines with their names right of the panel, spread if the frequencies are close.
 void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell& campbell) {
   constexpr double line_height = 13;
   const double right = p.corner.x + p.width;
@@ -35,7 +35,7 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
     if (hertz > p.y.to) break;
     const double y = p.at(p.x.from, hertz).y, at = std::min(y, last - line_height);
     canvas.line({p.corner.x, y}, {right, y}, "stroke=\"#555\" stroke-width=\"1\" stroke-dasharray=\"6,3\"");
-    if (at < p.corner.y - line_height) continue;  // so many that their names find no room
+    if (at < p.corner.y - line_height) continue;  // no room for more names
     canvas.polyline({{right, y}, {right + 12, at}, {right + 16, at}}, "stroke=\"#999\" stroke-width=\"0.8\"");
     canvas.text(
         {right + 20, at + 4},
@@ -46,7 +46,7 @@ void draw_natural_frequencies(SvgCanvas& canvas, const PlotPanel& p, const respo
   }
 }
 
-/// Oblique lines through the origin with their names inside the panel where they leave it.
+/// Oblique lines through the origin, named where they leave the panel.
 void draw_orders(SvgCanvas& canvas, const PlotPanel& p, const response::Campbell& campbell) {
   double last_x = -1e9, last_y = -1e9;
   for (const double order : campbell.orders) {

@@ -12,13 +12,13 @@ namespace {
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
                  key_line = 15, title_height = 40;
 
-constexpr double widest_text = 36;  // signs that fit beside a panel
+constexpr double widest_text = 36;  // characters that fit beside a panel
 constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
 
-/// Is the value somewhere on the axis or beyond it?
+/// Has the value a position on the axis or beyond its ends?
 bool drawable(const Axis& axis, double value) { return std::isfinite(value) && (!axis.logarithmic || value > 0); }
 
-/// The stretch of a segment inside the unit square, as shares of its length (Liang and Barsky).
+/// The part of a segment inside the unit square, as shares of its length (Liang and Barsky).
 bool clipped(PixelPoint a, PixelPoint b, double& from, double& to) {
   from = 0;
   to = 1;
@@ -52,7 +52,7 @@ std::vector<PixelPoint> thinned(const std::vector<PixelPoint>& points) {
   return kept;
 }
 
-/// Of a curve what a line needs that keeps within `tolerance` of it [pixels] (Douglas and Peucker).
+/// Marks the points of a curve that a line within `tolerance` of it needs [pixels] (Douglas and Peucker).
 void keep_corners(const std::vector<PixelPoint>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
   constexpr double tolerance = 0.1;
   const PixelPoint a = points[from], b = points[to];

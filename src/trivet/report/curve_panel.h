@@ -8,18 +8,18 @@
 
 namespace trivet::report {
 
-/// A curve and what the key says of it, line by line. Values that are not finite are gaps.
+/// A curve and its lines in the key. Values that are not finite are gaps.
 struct PanelCurve {
   std::vector<std::string> key;
   std::vector<double> x, y;
   std::string stroke;
 };
 
-/// A point worth seeing.
+/// A marked point.
 struct PanelMark {
   double x = 0, y = 0;
   std::string colour;
-  std::string text;  ///< beside it; may be empty
+  std::string text;  ///< next to it; may be empty
 };
 
 /// A panel with its curves, and their key to the right of it.
@@ -27,27 +27,27 @@ struct PanelRow {
   Axis x, y;
   std::vector<PanelCurve> curves;
   std::vector<PanelMark> marks;
-  std::vector<double> levels = {};                     ///< thin lines across
-  std::vector<std::pair<double, double>> shaded = {};  ///< from, to along x
+  std::vector<double> levels = {};                     ///< thin horizontal lines
+  std::vector<std::pair<double, double>> shaded = {};  ///< ranges (from, to) along x
 };
 
-/// The part of a curve inside its panel, thinned to what can be seen (extremes stay).
+/// The part of a curve inside its panel, thinned to what is visible (extremes remain).
 /// @param x  ascending
 [[nodiscard]] std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& panel, const std::vector<double>& x,
                                                                   const std::vector<double>& y);
 
 void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row);
 
-/// Samples of strokes with their texts, downwards from a corner.
+/// Draws samples of strokes with their texts, downwards from a corner.
 void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves);
 
 /// Rows below each other under a title, as SVG.
 [[nodiscard]] std::string stacked_rows(const std::string& title, const std::vector<PanelRow>& rows);
 
-/// A logarithmic axis over the finite values of curves, not deeper than `depth` of the largest.
+/// A logarithmic axis over the finite values of curves, down to `depth` times the largest at most.
 [[nodiscard]] Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label);
 
-/// A linear axis with some air; keeps 0 at an edge it touches.
+/// A linear axis with some space at the ends; an end at 0 stays at 0.
 [[nodiscard]] Axis airy_axis(double from, double to, std::string label);
 
 }  // namespace trivet::report

@@ -37,7 +37,7 @@ std::optional<Times> relaxation_times(const elements::Law& law) {
   return Times{time, time};
 }
 
-/// Evenly over the decades, and close to the law's own natural frequencies from both sides.
+/// Frequencies at equal spacing over the decades, and close to the law's own natural frequencies on both sides.
 std::vector<double> frequencies(const elements::Law& law, const response::Band& band) {
   constexpr int even = 500, beside = 24;
   std::vector<double> grid;
@@ -55,7 +55,7 @@ std::vector<double> frequencies(const elements::Law& law, const response::Band& 
 
 struct Curves {
   std::vector<double> hertz;
-  std::array<std::vector<double>, 6> magnitude;  ///< of the K end's diagonal
+  std::array<std::vector<double>, 6> magnitude;  ///< of the diagonal of end K
 };
 
 Curves curves(const elements::Law& law, const response::Band& band) {
@@ -71,7 +71,7 @@ Curves curves(const elements::Law& law, const response::Band& band) {
   return result;
 }
 
-/// From the dips to the peaks, but not into the poles of an undamped law.
+/// Axis from the minima to the peaks, except for the poles of an undamped law.
 Axis magnitude_axis(const Curves& c, std::size_t first) {
   constexpr double above_median = 1e3, below_median = 1e-3;
   std::vector<double> all;

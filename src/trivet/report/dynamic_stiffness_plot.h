@@ -11,11 +11,11 @@ namespace trivet::report {
 
 inline constexpr double dynamic_stiffness_plot_height = 330;  ///< [pixels], width 980
 
-/// Where the dynamic stiffness of a law is worth drawing [rad/s]: its table, its own natural frequencies, its
-/// relaxation times. None if it is the same at all frequencies but for a dashpot.
+/// Frequency band in which the dynamic stiffness of a law is drawn [rad/s]: its table, its own natural frequencies, its
+/// relaxation times. Empty if it is constant except for a dashpot.
 [[nodiscard]] std::optional<response::Band> dynamic_band(const elements::Law& law);
 
-/// |D_ii| of the K end, N held, over frequency; translations left, rotations right, own natural frequencies as lines.
+/// Draws |D_ii| of end K, N held, over frequency; translations left, rotations right, own natural frequencies as lines.
 void draw_dynamic_stiffness(SvgCanvas& canvas, PixelPoint corner, const elements::Law& law, const response::Band& band);
 
 }  // namespace trivet::report

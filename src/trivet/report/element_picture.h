@@ -8,8 +8,8 @@
 
 namespace trivet::report {
 
-/// One element as a static SVG: its 12×12 as a heat map; below it the residuals of the readings it was identified from,
-/// and |D(ω)| of its K end where it has mass, relaxes or is a table.
+/// One element as a static SVG: its 12×12 as a heat map; below it the residuals of the readings from which it was
+/// identified, and |D(ω)| of its end K if it has mass, relaxes or is a table.
 [[nodiscard]] std::string element_picture(const project::Case& variant, std::size_t element);
 
 }  // namespace trivet::report

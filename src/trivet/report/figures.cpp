@@ -16,7 +16,7 @@
 namespace trivet::report {
 namespace {
 
-/// Where a panel lies on the canvas, and its data ranges.
+/// Position of a panel on the canvas, and its data ranges.
 struct Panel {
   double left, top, width, height;
   double x_from, x_to, y_from, y_to;
@@ -28,7 +28,7 @@ struct Panel {
   }
 };
 
-/// Amplitudes of some curves over their band: the largest, the median and the smallest worth showing.
+/// Amplitudes of some curves over their band: the largest, the median and the smallest visible one.
 struct Extent {
   double largest = 0, median = 0, smallest = 0;
   void include(const Extent& other) {
@@ -50,8 +50,7 @@ Extent extent(const study::ResponseAnswer& answer, const std::vector<GroupedCurv
   return {all.back(), all[all.size() / 2], visible == all.end() ? all.back() : *visible};
 }
 
-/// The amplitude axis of a panel: linear from zero, or logarithmic where a linear one would show one spike and nothing
-/// else.
+/// Sets the amplitude axis of a panel: linear from zero, or logarithmic if a linear one would show only a spike.
 void set_amplitude_axis(Panel& panel, const Extent& e, double factor) {
   constexpr double spiky = 10;
   panel.logarithmic = e.largest > spiky * e.median && e.smallest > 0;
@@ -94,7 +93,7 @@ void draw_legend(SvgCanvas& canvas, const Panel& p, const std::vector<GroupedCur
   }
 }
 
-/// The parts of a curve between the lower and upper edge of its panel, cut where it crosses them.
+/// The parts of a curve between the lower and upper edge of its panel, cut at the edges.
 std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::vector<double>& x,
                                                      const Eigen::VectorXd& y) {
   const auto height = [&](double value) { return p.logarithmic ? std::log(value) : value; };
@@ -154,8 +153,7 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
     for (std::size_t k = 0; k < omega.size(); ++k) {
       const double degrees = phase(static_cast<Eigen::Index>(k)) * 180 / std::numbers::pi;
       if (!std::isfinite(degrees)) continue;
-      if (!points.empty() &&
-          std::abs(degrees - last) > 270) {  // the curve leaves at ±180° and enters at the other side
+      if (!points.empty() && std::abs(degrees - last) > 270) {  // the phase wraps at ±180°
         canvas.polyline(points, series_stroke(i));
         points.clear();
       }
@@ -185,7 +183,7 @@ bool is_drawable(const study::Answers& answers) {
   return answers.response && answers.response->curves.angular_frequency.size() >= 2;
 }
 
-/// The case that shows the very curves of the base model (as where the base is the first of a series), if there is one.
+/// The case with the same curves as the base model (for example the first of a series), if there is one.
 const study::Answers* repeating_case(const std::vector<study::Answers>& cases) {
   const auto base = std::find_if(cases.begin(), cases.end(), [](const study::Answers& answers) {
     return answers.case_name.empty() && is_drawable(answers);
@@ -242,7 +240,7 @@ std::vector<Figure> characteristics(const study::Answers& answers) {
   if (!is_drawable(answers)) return result;
   for (const CurveGroup& group : curve_groups(curve_names(answers.response->curves.curves))) {
     result.push_back(group_figure(answers, group));
-    // Numbered, because different names may share the letters that are safe in a file name.
+    // Numbered, because different names may give the same safe file name.
     result.back().file_name = fmt::format("{:02}-{}", result.size(), result.back().file_name);
   }
   return result;
@@ -262,7 +260,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
       std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
   SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
-  // One scale for all, so that the cases compare.
+  // One scale for all, so that the cases can be compared.
   std::array<Extent, 2> ranges;
   for (const study::Answers* answers : shown) {
     const CurveGroup group = curve_groups(curve_names(answers->response->curves.curves)).front();

@@ -19,7 +19,7 @@ struct Figure {
 /// moments) below, amplitude left and phase right, peaks marked, limits as lines.
 [[nodiscard]] std::vector<Figure> characteristics(const study::Answers& answers);
 
-/// All cases side by side in small panels: translations above, rotations below, for the first group of curves.
+/// All cases in small panels side by side: translations above, rotations below, for the first group of curves.
 [[nodiscard]] Figure overview(const std::string& title, const std::vector<study::Answers>& cases);
 
 }  // namespace trivet::report

@@ -12,7 +12,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr std::size_t tall_from = 19;  // rows; then it scrolls
+constexpr std::size_t tall_from = 19;  // rows; from this number on the table scrolls
 
 std::string cell(const Cell& c, const char* tag) {
   const std::string text = c.bad ? "<span class=\"bad\">" + escaped(c.text) + "</span>" : escaped(c.text);

@@ -17,7 +17,7 @@ namespace {
 using foundation::two_pi;
 constexpr double invisible_limit = 1e-4;  // of the highest of level and limit
 
-/// Level of the answer in the measure of its line, from the margin.
+/// Level of the answer as its line defines it (rms or amplitude), from the margin.
 std::vector<double> levels(const study::LimitLineResult& answer, double factor) {
   std::vector<double> result;
   for (std::size_t i = 0; i < answer.comparison.angular_frequency.size(); ++i) {
@@ -29,7 +29,7 @@ std::vector<double> levels(const study::LimitLineResult& answer, double factor) 
   }
   const std::vector<double>& omega = answer.comparison.angular_frequency;
   for (std::size_t i = 1; i < result.size();
-       ++i)  // at a step both margins stand, but the lower limit belongs to one of them
+       ++i)  // at a step of the line there are two margins, but the lower limit belongs to one of them
     if (omega[i] == omega[i - 1]) result[i - 1] = result[i] = std::max(result[i - 1], result[i]);
   return result;
 }
@@ -75,8 +75,8 @@ std::vector<Figure> limit_figures(const study::Answers& answers) {
   std::vector<Figure> figures;
   for (const study::LimitLineResult& answer : answers.limit_lines) {
     if (answer.comparison.angular_frequency.size() < 2) continue;
-    const std::string title = case_title(
-        answer.of + " against its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
+    const std::string title =
+        case_title(answer.of + " and its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
     figures.push_back({title, "limit-" + file_part(answer.of) + ".svg", stacked_rows(title, {limit_row(answer)})});
   }
   return figures;

@@ -26,14 +26,14 @@ constexpr std::array<const char*, 7> rule_colours = {"#f2bd66", "#8cc8ee", "#e08
 constexpr const char* other_colour = "#d8d8d8";
 constexpr const char* unknown_colour = "#8f8f8f";
 
-/// Regions by their size get the rule_colours; what comes after these is grey.
+/// Colour of a region: the largest regions have the rule_colours, the others are grey.
 const char* colour_of(const MapRegion& region, std::size_t rank) {
   if (!region.known()) return unknown_colour;
   return rank < rule_colours.size() ? rule_colours[rank] : other_colour;
 }
 
-/// Broken designs in full colour, kept ones lighter and no farther than the boundary: it is exact, while rule_colours
-/// follow the nearest design of their side.
+/// Infeasible designs in full colour, feasible ones lighter and clipped at the boundary: it is exact, while the colours
+/// are those of the nearest design on the same side.
 void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
   const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
     for (std::size_t rank = 0; rank < regions.size(); ++rank)
@@ -77,18 +77,18 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
   if (others.designs > 0)
     key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
   if (map.unknown > 0)
-    key.region(unknown_colour, true, false, "no answer: no real body, or no model", share(map.unknown));
+    key.region(unknown_colour, true, false, "not computed: unphysical body, or no model", share(map.unknown));
 }
 
 void explain_feasible(const study::DesignMap& map, Key& key) {
   key.heading("Feasible region");
-  if (map.feasible.rings.empty()) return key.words("no design of this map keeps every rule", "");
-  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is kept (lighter)",
+  if (map.feasible.rings.empty()) return key.words("no design of this map is feasible", "");
+  key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is met (lighter)",
             fmt::format("{} of {} designs", map.kept, map.outcomes.size()));
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 
-/// Pixels from a point to the nearest of some lines' points, or to the frame.
+/// Distance in pixels from a point to the boundary or to the frame.
 double room_at(const MapPicture& picture, PixelPoint p) {
   const PlotPanel& panel = picture.panel;
   double room = std::min(std::min(p.x - panel.corner.x, panel.corner.x + panel.width - p.x),
@@ -99,7 +99,7 @@ double room_at(const MapPicture& picture, PixelPoint p) {
   return room;
 }
 
-/// On the longest piece of a line, far from the boundary, where nothing else stands.
+/// Free position on the longest piece of a line, far from the boundary.
 std::optional<PixelPoint> label_place(const MapPicture& picture, const design::MarginLine& margin, double half_width) {
   constexpr double least = 10, enough = 45;  // pixels of room
   const auto longest = std::max_element(margin.lines.begin(), margin.lines.end(),
@@ -117,8 +117,8 @@ std::optional<PixelPoint> label_place(const MapPicture& picture, const design::M
   return best;
 }
 
-/// Lines of equal margin with their numbers; a line without room for its number would say nothing. Numbers stand on a
-/// ground of their own above all lines: a dash between two digits reads as a sign.
+/// Lines of equal margin with their numbers; a line without room for its number is not drawn. Numbers have a white
+/// background above all lines: a dash between two digits would look like a sign.
 void draw_margins(MapPicture& picture, Key& key) {
   constexpr const char* style = "stroke=\"#555\" stroke-width=\"0.8\" stroke-dasharray=\"4,3\"";
   std::vector<std::pair<PixelPoint, std::string>> labels;
@@ -137,11 +137,11 @@ void draw_margins(MapPicture& picture, Key& key) {
                              "rx=\"3\" fill=\"white\" fill-opacity=\"0.85\"");
     picture.canvas.text({place.x, place.y + 4}, text, "text-anchor=\"middle\" fill=\"#333\" font-size=\"10\"");
   }
-  if (!labels.empty()) key.stroke(style, "margin = limit / value, as written");
+  if (!labels.empty()) key.stroke(style, "margin = limit / value, as labelled");
 }
 
-/// Paths of the two numbers, small, where the axes are called otherwise; then what was asked, and what the picture does
-/// not show.
+/// Paths of the two numbers, small, if the axes have other names; then the criteria, and what the picture does not
+/// show.
 void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
@@ -165,7 +165,7 @@ void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
 }  // namespace
 
 Figure map_figure(const study::DesignMap& map, const std::string& title) {
-  std::vector<std::string> notes = {"Asked: " + results::asked_words(map) + "."};
+  std::vector<std::string> notes = {"Criteria: " + results::asked_words(map) + "."};
   for (std::string& sentence : doubts(map)) notes.push_back(std::move(sentence));
   for (std::string& sentence : undrawn_cases(map)) notes.push_back(std::move(sentence));
   const double width = 998, height = 628 + 16 * static_cast<double>(notes.size());

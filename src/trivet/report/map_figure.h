@@ -6,8 +6,8 @@
 
 namespace trivet::report {
 
-/// Regions by the rule that governs, the feasible region light with its boundary and lines of equal margin, cases as
-/// labelled points.
+/// Map with regions by governing rule, the feasible region lighter with its boundary and lines of equal margin, and
+/// cases as labelled points.
 [[nodiscard]] Figure map_figure(const study::DesignMap& map, const std::string& title);
 
 }  // namespace trivet::report

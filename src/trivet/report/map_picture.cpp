@@ -8,7 +8,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double letter = 6.1;  // width of a sign of 11 pixels, about
+constexpr double letter = 6.1;  // approximate width of a character of 11 pixels
 
 bool is_inside(const PlotPanel& panel, const Box& b) {
   return b.left >= panel.corner.x + 2 && b.right <= panel.corner.x + panel.width - 2 && b.top >= panel.corner.y + 2 &&

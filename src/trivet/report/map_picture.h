@@ -10,11 +10,11 @@
 
 namespace trivet::report {
 
-/// White around letters.
+/// Style of a white outline around letters.
 inline constexpr const char* halo =
     "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3.5\" stroke-linejoin=\"round\"";
 
-/// Laid over the colours of designs that keep every rule.
+/// Style of the layer over the colours of feasible designs.
 inline constexpr const char* lighter = "fill=\"white\" fill-opacity=\"0.72\" stroke=\"none\"";
 
 struct Box {
@@ -24,10 +24,10 @@ struct Box {
   }
 };
 
-/// Of a line of 11 pixels, about.
+/// Approximate width of a line of 11 pixels height.
 [[nodiscard]] double width_of(const std::string& text);
 
-/// The panel of a map, and what of it is written on already.
+/// The panel of a map, and the areas that are occupied by text.
 struct MapPicture {
   const study::DesignMap& map;
   SvgCanvas canvas;
@@ -39,20 +39,20 @@ struct MapPicture {
   }
   [[nodiscard]] std::vector<PixelPoint> line(const design::MapLine& places) const;
   [[nodiscard]] std::vector<std::vector<PixelPoint>> rings(const std::vector<design::MapLine>& lines) const;
-  /// Inside the frame, and nothing is written there.
+  /// Is a box inside the frame and free of text?
   [[nodiscard]] bool is_free(const Box& box) const;
 };
 
-/// A sample and its words in the key right of the panel.
+/// The key right of the panel: samples with their texts.
 class Key {
  public:
   Key(SvgCanvas& canvas, PixelPoint at) : canvas_(canvas), at_(at) {}
   void heading(const std::string& text);
   void patch(const std::string& style, const std::string& text, const std::string& second = "");
-  /// The colour as it stands in the picture: full, lighter, or half and half.
+  /// A sample of a colour as in the picture: full, lighter, or half and half.
   void region(const std::string& colour, bool broken, bool kept, const std::string& text, const std::string& second);
   void stroke(const std::string& style, const std::string& text);
-  /// Where a sample of another kind stands.
+  /// Position of a sample of another kind.
   [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }
   void words(const std::string& text, const std::string& second);
 

@@ -22,7 +22,7 @@ void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
   canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
 }
 
-/// Full where it keeps every rule.
+/// Draws the best design, filled if it is feasible.
 void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
   canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
               kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\""
@@ -31,7 +31,7 @@ void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
 
 /// Does a line of margin 1 run through a box?
 bool meets_boundary(const MapPicture& picture, const Box& box) {
-  constexpr double step = 3;  // pixels, less than a letter is high
+  constexpr double step = 3;  // pixels, less than the height of a letter
   for (const design::MapLine& line : picture.map.feasible.lines)
     for (std::size_t k = 1; k < line.size(); ++k) {
       const PixelPoint a = picture.at(line[k - 1]), b = picture.at(line[k]);
@@ -44,7 +44,8 @@ bool meets_boundary(const MapPicture& picture, const Box& box) {
   return false;
 }
 
-/// Beside the point where it covers nothing, else farther off with a leader. Was there room?
+/// Places a label next to the point where it covers nothing, otherwise farther away with a leader. Returns whether
+/// there was room.
 bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool on_boundary) {
   const double width = width_of(text);
   for (const double distance : {9.0, 20.0, 34.0, 50.0, 70.0})
@@ -78,12 +79,12 @@ bool is_placed(MapPicture& picture, PixelPoint p, const std::string& text, bool 
   return false;
 }
 
-/// On a line of margin 1 only where there is no other room.
+/// Places a label, on a line of margin 1 only if there is no other room.
 void place_label(MapPicture& picture, PixelPoint p, const std::string& text) {
   if (!is_placed(picture, p, text, false)) static_cast<void>(is_placed(picture, p, text, true));
 }
 
-/// Sample and words of the best design, or of the nearest where none keeps every rule.
+/// Sample and text of the best design, or of the nearest to feasible if none is feasible.
 void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const study::DesignMap& map = picture.map;
   const design::DesignOutcome& best = map.outcomes[*map.best];
@@ -95,8 +96,8 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
                   ends == 0       ? ""
                       : ends == 1 ? ": an axis ends there"
                                   : ": both axes end there");
-  if (std::isinf(best.margin)) key.words("midst of the designs without bound", where);
-  else if (best.margin == 0) key.words("midst of equals: every margin is 0", where);
+  if (std::isinf(best.margin)) key.words("middle of the designs without bound", where);
+  else if (best.margin == 0) key.words("middle of equals: every margin is 0", where);
   else
     key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
 }
@@ -143,7 +144,7 @@ void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key&
   for (const bool kept : {true, false}) {
     if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.kept == kept; })) continue;
     draw_mark(picture.canvas, key.sample(), kept);
-    key.words(kept ? "case that keeps every rule" : "case that breaks a rule", "");
+    key.words(kept ? "case that meets every rule" : "case that violates a rule", "");
   }
   if (picture.map.best) explain_best(picture, picture.canvas, key);
 }

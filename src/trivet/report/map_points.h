@@ -14,13 +14,13 @@ struct PlacedMark {
   bool kept = false;
 };
 
-/// Cases of this model inside the frame; those in one place share a label.
+/// Cases of this model inside the frame; cases at one place share a label.
 [[nodiscard]] std::vector<PlacedMark> placed_marks(const MapPicture& picture);
 
-/// Nothing is written over the points.
+/// Reserves the area of the points, so that no text covers them.
 void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed);
 
-/// The best design and the cases with their names.
+/// Draws the best design and the cases with their names.
 void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key);
 
 }  // namespace trivet::report

@@ -44,7 +44,7 @@ void add_parts(const std::array<design::MapPlace, 4>& corner, const Labels& labe
   }
 }
 
-/// One side of the boundary: the kept designs, or the others.
+/// One side of the boundary: the feasible designs, or the others.
 class Side {
  public:
   Side(const study::DesignMap& map, bool kept) : map_(map), kept_(kept) {}
@@ -79,8 +79,8 @@ class Side {
     return outcome.kept() == kept_ ? std::optional(label_of(outcome)) : std::nullopt;
   }
 
-  /// Of a drawn cell; a corner beyond the boundary takes that of the nearest on this side. None if the cell has no
-  /// design on this side.
+  /// Labels of a drawn cell; a corner beyond the boundary gets that of the nearest corner on this side. None if the
+  /// cell has no design on this side.
   [[nodiscard]] std::optional<Labels> labels_of(std::size_t i, std::size_t j) const {
     const int left = map_.drawn.columns[i], right = map_.drawn.columns[i + 1], low = map_.drawn.rows[j],
               high = map_.drawn.rows[j + 1];
@@ -97,7 +97,7 @@ class Side {
     return labels;
   }
 
-  /// Of the first design of this side that is not drawn, in a cell of a fine grid.
+  /// Label of the first design on this side that is not drawn, in a cell of a fine grid.
   [[nodiscard]] std::optional<std::uint8_t> label_between(int left, int right, int low, int high) const {
     for (int row = low; row <= high; ++row)
       for (int column = left; column <= right; ++column)

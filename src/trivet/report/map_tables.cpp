@@ -28,7 +28,7 @@ std::string rules_table(const study::DesignMap& map) {
   }
   if (map.kept > limited)
     rows.push_back({{"no rule limits them: " + results::unlimited_words(map)}, right(""), share(map.kept - limited)});
-  return html_table({{"rule"}, right("governs, broken"), right("governs, kept")}, rows);
+  return html_table({{"rule"}, right("governs, infeasible"), right("governs, feasible")}, rows);
 }
 
 std::string marks_table(const study::DesignMap& map) {
@@ -41,7 +41,7 @@ std::string marks_table(const study::DesignMap& map) {
     rows.push_back({{mark.name.empty() ? "base model" : mark.name},
                     right(value_or_dash(mark.x, map.request.x)),
                     right(value_or_dash(mark.y, map.request.y)),
-                    {kept ? "keeps every rule" : "breaks a rule", false, !kept},
+                    {kept ? "meets every rule" : "violates a rule", false, !kept},
                     {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
   return rows.empty() ? ""
@@ -49,7 +49,7 @@ std::string marks_table(const study::DesignMap& map) {
                                     right(results::axis_name(map.request.x)),
                                     right(results::axis_name(map.request.y)),
                                     {"verdict"},
-                                    {"found"}},
+                                    {"findings"}},
                                    rows);
 }
 
@@ -58,10 +58,10 @@ std::string marks_table(const study::DesignMap& map) {
 std::string map_tables(const study::Answers& answers) {
   if (!answers.map) return "";
   const study::DesignMap& map = *answers.map;
-  std::string text = "Asked: " + results::asked_words(map) + ". " + results::feasible_words(map) + ".";
+  std::string text = "Criteria: " + results::asked_words(map) + ". " + results::feasible_words(map) + ".";
   if (map.best) text += " " + results::best_words(map) + ".";
   for (const design::MissingReason& reason : map.report.missing)
-    text += fmt::format(" {} designs without an answer, for instance: {}.", reason.designs, reason.words);
+    text += fmt::format(" {} designs not computed, for instance: {}.", reason.designs, reason.words);
   for (const std::string& doubt : doubts(map)) text += " " + doubt;
   return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
 }

@@ -11,7 +11,7 @@
 namespace trivet::report {
 namespace {
 
-/// Too short for ticks that show whole numbers.
+/// Is an axis too short for ticks with complete numbers?
 bool is_narrow(const project::MapAxis& axis) {
   return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to));
 }
@@ -40,7 +40,7 @@ std::string axis_label(const project::MapAxis& axis) {
 
 Axis drawn_axis(const project::MapAxis& axis) {
   if (is_narrow(axis))
-    return {0, axis.to - axis.from, false, axis_label(axis)};  // so short a logarithmic axis is a straight one
+    return {0, axis.to - axis.from, false, axis_label(axis)};  // a logarithmic axis this short is practically linear
   return {axis.from, axis.to, axis.logarithmic, axis_label(axis)};
 }
 
@@ -57,7 +57,7 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
       failed.push_back(name);
       continue;
     }
-    const char* verdict = mark.judged->governing.kept() ? "keeps every rule" : "breaks a rule";
+    const char* verdict = mark.judged->governing.kept() ? "meets every rule" : "violates a rule";
     if (!mark.placed() || !mark.of_this_model) another.push_back(fmt::format("{} ({})", name, verdict));
     else
       outside.push_back(fmt::format("{} ({}, {}: {})", name, results::axis_value(*mark.x, map.request.x),
@@ -66,7 +66,7 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
   std::vector<std::string> sentences;
   if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");
   if (!another.empty())
-    sentences.push_back("Not drawn because they differ from this map in more than the two numbers: " + listed(another) +
+    sentences.push_back("Not drawn because they differ from this map by more than the two numbers: " + listed(another) +
                         ".");
   if (!failed.empty()) sentences.push_back("Not drawn because they could not be computed: " + listed(failed) + ".");
   return sentences;
@@ -76,7 +76,7 @@ std::vector<std::string> doubts(const study::DesignMap& map) {
   std::vector<std::string> sentences;
   for (const foundation::Problem& warning : map.warnings.list()) {
     const std::string subject = warning.subject.starts_with("map: ") ? warning.subject.substr(5) + ": " : "";
-    sentences.push_back(fmt::format("Doubtful: {}{}; {}.", subject, warning.finding, warning.rule));
+    sentences.push_back(fmt::format("Warning: {}{}; {}.", subject, warning.finding, warning.rule));
   }
   return sentences;
 }

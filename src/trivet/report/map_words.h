@@ -9,19 +9,20 @@
 
 namespace trivet::report {
 
-/// What an axis is called, with its unit in brackets.
+/// Name of an axis, with its unit in brackets.
 [[nodiscard]] std::string axis_label(const project::MapAxis& axis);
 
-/// The axis as pictures draw it: one that is short beside its numbers counts from its beginning, and its label says so.
+/// The axis as drawn in pictures: one that is short compared with its numbers starts at 0, and its label shows the
+/// offset.
 [[nodiscard]] Axis drawn_axis(const project::MapAxis& axis);
 
-/// Why cases stand nowhere on the picture, with their verdicts, one sentence for each reason; empty if all do.
+/// Cases that are not in the picture, with their verdicts, one sentence for each reason; empty if all are drawn.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);
 
-/// Warnings of the map, a sentence each.
+/// Warnings of the map, one sentence each.
 [[nodiscard]] std::vector<std::string> doubts(const study::DesignMap& map);
 
-/// Is a mark drawn: a design of this map inside its frame?
+/// Is a mark drawn, as a design of this map inside its frame?
 [[nodiscard]] bool is_drawn(const study::DesignMap& map, const study::MapMark& mark);
 
 }  // namespace trivet::report

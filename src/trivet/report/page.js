@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads the results that stand in the page, fills its tables and draws its pictures. Everything inside is SI and rad/s.
+// Reads the results embedded in the page, fills its tables and draws its pictures. All values inside are SI and rad/s.
 'use strict';
 (() => {
 
@@ -12,9 +12,9 @@ const DASHES = ['', '7,3', '2,2', '9,3,2,3', '5,2', '1,3'];
 const MOTIONS = ['x', 'y', 'z', 'θx', 'θy', 'θz'];
 const FORCES = ['Fx', 'Fy', 'Fz', 'Mx', 'My', 'Mz'];
 const SWITCHES = ['ylog', 'xlog', 'hz'];
-const FEW_POINTS = 24;  // a response at so few frequencies is also shown as a table
+const FEW_POINTS = 24;  // a response at this few frequencies is also shown as a table
 
-/// What the reader has chosen. `zoom` is null or [from, to] in rad/s; `hidden` holds the names of curves switched off.
+/// State chosen by the user. `zoom` is null or [from, to] in rad/s; `hidden` contains the names of hidden curves.
 const view = {case: 0, ylog: false, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
 let pictures = [];       // of the selected case
 let comparison = null;   // the picture of all cases
@@ -35,7 +35,7 @@ function fill(node, attributes, children) {
 const html = (tag, attributes, ...children) => fill(document.createElement(tag), attributes, children);
 const svg = (tag, attributes, ...children) => fill(document.createElementNS('http://www.w3.org/2000/svg', tag), attributes, children);
 
-/// New children for an element of the page.
+/// Replaces the children of an element of the page.
 function put(id, ...children) {
   byId(id).replaceChildren();
   fill(byId(id), {}, children);
@@ -45,7 +45,7 @@ const isNumber = value => typeof value === 'number' && Number.isFinite(value);
 const smallestOf = values => values.reduce((least, v) => (v < least ? v : least), Infinity);
 const largestOf = values => values.reduce((most, v) => (Number.isFinite(v) && v > most ? v : most), 0);
 
-/// Significant digits without idle zeros, or with them in columns of results.
+/// A number with significant digits, without trailing zeros, or with them in columns of results.
 function number(value, digits = 6, keepZeros = false) {
   if (!isNumber(value)) return '–';
   if (value === 0) return '0';
@@ -59,7 +59,7 @@ const percent = share => (isNumber(share) ? `${(100 * share).toFixed(1).replace(
 const vector = v => `(${v.map(x => number(x, 7)).join(', ')})`;
 const sameAxes = rotation => rotation.every((row, i) => row.every((x, j) => Math.abs(x - (i === j ? 1 : 0)) < 1e-12));
 
-/// A prefix under which the largest value reads well: {factor, unit}.
+/// A suitable SI prefix for the largest value: {factor, unit}.
 function prefix(largest, unit) {
   if (!(largest > 0) || !Number.isFinite(largest)) return {factor: 1, unit};
   const step = Math.max(-3, Math.min(2, Math.floor(Math.log10(largest) / 3 + 1e-9)));
@@ -80,10 +80,10 @@ const OMEGA_AND_HERTZ = [num('ω [rad/s]'), num('f [Hz]')];
 const omegaAndHertz = w => [num(result(w, 6)), num(isNumber(w) ? result(hertz(w), 6) : '–')];
 const quietIf = (quiet, text) => (quiet ? html('span', {class: 'quiet'}, text) : text);
 
-/// A unit stays on one line with the word before it.
+/// Keeps a unit on one line with the word before it.
 const unbroken = text => text.replace(/ ?\[[^\]]*\]/g, unit => unit.replaceAll(' ', '\u00a0'));
 
-/// `rows` hold arrays of cells, or {cells, mark}; a cell is a text, a node, num(…) or {content, span}. Long `tall` tables scroll.
+/// `rows` are arrays of cells, or {cells, mark}; a cell is a text, a node, num(…) or {content, span}. Long `tall` tables scroll.
 function table(headings, rows, {tall = false, style = null} = {}) {
   const heading = item => html('th', {scope: 'col', class: item.number ? 'number' : null}, unbroken(item.content ?? item));
   const cell = item => html('td', {class: item?.number ? 'number' : null, colspan: item?.span}, item?.content ?? item);
@@ -102,7 +102,7 @@ const caseName = index => cases[index].name || 'Base model';
 
 // ---------------------------------------------------------------- curves
 
-/// Where an answer belongs, by its name: "compressor.discharge flange.rx" is θx among the rotations of the flange.
+/// Owner and kind of an answer, from its name: "compressor.discharge flange.rx" is θx among the rotations of the flange.
 function place(name, unit) {
   const dot = name.lastIndexOf('.');
   const owner = name.slice(0, dot), component = name.slice(dot + 1);
@@ -122,7 +122,7 @@ function curvesOf(c) {
   return known.get(c);
 }
 
-/// Values [re, im, re, im, …] of all curves of a model at ω: Σ w v/(ω − x) / Σ w/(ω − x) over the nodes x, of each delay d turned by e^{−iωd}.
+/// Values [re, im, re, im, …] of all curves of a model at ω: Σ w v/(ω − x) / Σ w/(ω − x) over the nodes x, times e^{−iωd} for each delay d.
 function modelAt(model, w) {
   const piece = model.pieces.find(p => w <= p.band[1]) ?? model.pieces.at(-1), {nodes, weights, values} = piece, n = nodes.length;
   const curves = model.results.length, result = new Float64Array(2 * curves), shares = new Float64Array(2 * n), hit = nodes.indexOf(w);
@@ -149,11 +149,11 @@ function modelAt(model, w) {
   return result;
 }
 
-/// Does any curve leave the straight line between two frequencies at a part of it, or turn its phase too fast?
+/// Does any curve deviate from the straight line between two frequencies, or does its phase change too fast?
 function bends(a, m, b, part, tops) {
   for (let c = 0; c < tops.length; c++) {
     const size = v => Math.hypot(v[2 * c], v[2 * c + 1]), [from, middle, to] = [size(a), size(m), size(b)], most = Math.max(from, middle, to);
-    if (!(most > 1e-6 * tops[c])) continue;  // its shape there shows in no picture
+    if (!(most > 1e-6 * tops[c])) continue;  // its shape there is invisible
     if (Math.abs(middle - (1 - part) * from - part * to) > 7e-4 * Math.max(middle, 1e-3 * most)) return true;
     const turn = (u, v) => Math.abs(Math.atan2(u[2 * c] * v[2 * c + 1] - u[2 * c + 1] * v[2 * c], u[2 * c] * v[2 * c] + u[2 * c + 1] * v[2 * c + 1]));
     if (turn(a, m) > Math.PI / 9 || turn(m, b) > Math.PI / 9) return true;
@@ -161,7 +161,7 @@ function bends(a, m, b, part, tops) {
   return false;
 }
 
-/// Frequencies between which straight lines follow all curves of a model, and its values there.
+/// Frequencies between which straight lines approximate all curves of a model, and its values there.
 function drawn(model, vanishing, unbounded) {
   const [from, to] = model.band, first = new Set([...Array(65).keys()].map(i => from + (to - from) * i / 64));
   for (const p of model.pieces) for (const w of [...p.band, ...p.nodes]) first.add(w);
@@ -169,9 +169,9 @@ function drawn(model, vanishing, unbounded) {
   const points = [...first, ...model.checks.undefined_at].filter(w => w >= from && w <= to).sort((a, b) => a - b).map(w => ({w, v: modelAt(model, w)}));
   const heights = model.results.map((_, c) => largestOf(points.map(p => Math.hypot(p.v[2 * c], p.v[2 * c + 1]))));
   const ofUnit = unit => largestOf(heights.filter((_, c) => model.results[c].unit === unit));
-  const noise = (r, c) => vanishing[c] || heights[c] < 1e-10 * ofUnit(r.unit);  // there the model follows no curve, only round-off
+  const noise = (r, c) => vanishing[c] || heights[c] < 1e-10 * ofUnit(r.unit);  // there the model is only round-off
   const tops = model.results.map((r, c) => (noise(r, c) ? Infinity : unbounded[c] ? 0 : heights[c]));
-  const result = [], open = points.reverse();  // a stack: its last two are the interval looked at
+  const result = [], open = points.reverse();  // a stack: its last two are the current interval
   while (open.length > 1) {
     const a = open.pop(), b = open.at(-1);
     const inner = [0.25, 0.5, 0.75].map(part => ({part, w: a.w + part * (b.w - a.w)})).map(m => ({...m, v: modelAt(model, m.w)}));
@@ -182,7 +182,7 @@ function drawn(model, vanishing, unbounded) {
   return [...result, ...open];
 }
 
-/// Curves of a model as those of a table: with exact heights at the maxima.
+/// Curves of a model in the form of a table, with exact heights at the maxima.
 function tabled(c) {
   const packed = p => ({...p, weights: Float64Array.from(p.weights), values: p.values.map(row => Float64Array.from(row))});
   const model = {...c.response, pieces: c.response.pieces.map(packed)}, has = (list, mark) => model.results.map(r => (list ?? []).some(s => s.name === r.name && s.unit === r.unit && s[mark]));
@@ -205,7 +205,7 @@ function tabled(c) {
   return {angular_frequency: points.map(p => p.w), results};
 }
 
-/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN where the answer is not defined.
+/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; NaN if the answer is not defined.
 function readCurves(c) {
   const response = c.response.pieces ? tabled(c) : c.response, all = response.angular_frequency;
   const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]);
@@ -222,7 +222,7 @@ function readCurves(c) {
   });
 }
 
-/// Items with a place, gathered by owner: [{name, kind, rows: [[upper…], [lower…]]}].
+/// Items with a place, grouped by owner: [{name, kind, rows: [[upper…], [lower…]]}].
 function grouped(items) {
   const groups = [];
   for (const item of items) {
@@ -273,7 +273,7 @@ function scale(from, to, start, end, logarithmic, ticks) {
   return {from, to, ticks, at: v => start + (f(v) - a) / (b - a) * (end - start), value: p => back(a + (p - start) / (end - start) * (b - a))};
 }
 
-/// The shown range of ω. A logarithmic axis cannot start at 0; it starts a decade below the lowest thing worth seeing.
+/// The shown range of ω. A logarithmic axis cannot start at 0; it starts a decade below the lowest mode or peak.
 function frequencyRange(picture) {
   let [from, to] = view.zoom ?? picture.band;
   if (!(to > from)) [from, to] = [from * 0.9, from * 1.1 + 1e-9];
@@ -292,7 +292,7 @@ function frequencyScale(picture, box) {
 
 const inside = (w, x) => w >= x.from && w <= x.to;
 
-/// Points [ω, value] of a curve inside the scale, with points interpolated at both ends; NaN values stay as gaps.
+/// Points [ω, value] of a curve inside the scale, with points interpolated at both ends; NaN values remain as gaps.
 /// A wrapped phase is interpolated the short way round.
 function within(curve, values, x, wrapped = false) {
   const points = [], round = step => (wrapped && Math.abs(step) > 180 ? step - Math.sign(step) * 360 : step);
@@ -309,7 +309,7 @@ function within(curve, values, x, wrapped = false) {
   return points;
 }
 
-/// The amplitude that is exceeded over a twentieth of the range: the scale of a picture whose peaks reach to infinity.
+/// The amplitude that is exceeded over a twentieth of the range: the scale of a picture with infinite peaks.
 function commonTop(points) {
   const pieces = points.slice(1).map((p, i) => [Math.max(p[1], points[i][1]), p[0] - points[i][0]]).filter(p => p[1] > 0).sort((a, b) => b[0] - a[0]);
   let left = 0.05 * pieces.reduce((sum, p) => sum + p[1], 0);
@@ -353,7 +353,7 @@ function phaseScale(picture, box) {
 
 // ---------------------------------------------------------------- drawing a picture
 
-/// The path of a curve; a wrapped phase leaves at ±180° and enters at the other side.
+/// The path of a curve; a wrapped phase continues from ±180° at the other side.
 function path(points, x, y, wrapped) {
   let d = '', previous = null;
   const go = (command, px, py) => { d += `${command}${px.toFixed(2)},${Math.max(-1e4, Math.min(1e4, py)).toFixed(2)}`; };
@@ -427,7 +427,7 @@ function drawLimits(picture, y, box) {
   });
 }
 
-/// A curve, or its points where they are few and the line between them says little.
+/// A curve; if it has few points these are drawn too, because the line between them shows little.
 function drawCurve(series, values, x, y) {
   const points = within(series, values, x, y.wrapped), few = series.omega.length <= FEW_POINTS;
   const dots = few ? points.filter(p => series.omega.includes(p[0]) && Number.isFinite(p[1])) : [];
@@ -501,7 +501,7 @@ function setCursor(w) {
   for (const legend of new Set(allPictures().map(p => p.legend))) readOut(legend);
 }
 
-/// ω at a pointer event, clamped to the axis; inside the pictures of one case the nearest drawn one.
+/// ω at a pointer event, clamped to the axis; in the pictures of one case the nearest drawn frequency.
 function frequencyAt(picture, event, snap) {
   const {x, box, width} = picture.frame, rectangle = picture.holder.getBoundingClientRect();
   const pixel = Math.max(box.left, Math.min(box.right, (event.clientX - rectangle.left) * width / rectangle.width));
@@ -557,7 +557,7 @@ function makePicture(options) {
   return picture;
 }
 
-/// Buttons that switch curves, each with room for the values under the cursor.
+/// Buttons that show or hide curves, each with the value under the cursor.
 function makeLegend(series, withPhase) {
   const legend = {withPhase, frequency: html('span', {class: 'frequency'}), entries: []};
   const entries = series.map(s => {
@@ -608,7 +608,7 @@ function characteristics(c) {
   const pair = group => html('div', {}, html('h3', {}, group.name), group.rows.filter(row => row.length).map(row => characteristicsRow(c, row.map(styled))));
   return section('characteristics', 'Amplitude and phase characteristics',
     hint('Move over a picture to read values at the drawn frequencies (or focus it and use ← →, with Shift by tens). ',
-      'Drag to zoom all pictures in frequency, double-click for the whole band. Legend entries switch curves. ',
+      'Drag to zoom all pictures in frequency, double-click for the whole band. Click a legend entry to show or hide its curve. ',
       'Circles: resonance peaks. Grey ticks on the upper edge: undamped natural frequencies.'),
     grouped(curves).map(pair), points <= FEW_POINTS ? folded('The same as a table', responseTable(curves)) : null);
 }
@@ -648,22 +648,22 @@ function limitsSection(c) {
   if (!c.limits.length) return null;
   const row = l => ({mark: l.kept ? null : 'failed', cells: [
     l.name, num(withUnit(l.limit, l.unit)), num(withUnit(l.in_band, l.unit)), num(isNumber(l.in_band) ? percent(l.in_band / l.limit) : '∞'),
-    ...omegaAndHertz(l.in_band_at), num(withUnit(l.anywhere, l.unit)), verdict(l.kept, 'kept', 'EXCEEDED')]});
-  return section('limits', 'Limits', table(['curve', num('limit'), num('largest in the band'), num('of the limit'), ...OMEGA_AND_HERTZ,
+    ...omegaAndHertz(l.in_band_at), num(withUnit(l.anywhere, l.unit)), verdict(l.kept, 'met', 'EXCEEDED')]});
+  return section('limits', 'Limits', table(['curve', num('limit'), num('largest in the band'), num('share of the limit'), ...OMEGA_AND_HERTZ,
     num('largest at any frequency'), 'verdict'], c.limits.map(row)));
 }
 
 function peakRow(p, c) {
   const [from, to] = c.band ?? [0, Infinity], tolerance = c.peaks.peak_tolerance, endless = p.relative_prominence === null;
   const counted = p.unbounded || endless || p.relative_prominence >= tolerance;
-  const remarks = [p.unbounded ? 'unbounded: no damping here' : '', counted ? '' : `prominence under ${number(100 * tolerance)} %`,
+  const remarks = [p.unbounded ? 'unbounded: no damping' : '', counted ? '' : `prominence under ${number(100 * tolerance)} %`,
                    from < to && !inside(p.angular_frequency, {from, to}) ? 'outside the band' : '', p.method === 'series' ? 'very flat, less exact' : ''];
   return {mark: counted ? null : 'minor', cells: [
     p.name, ...omegaAndHertz(p.angular_frequency), num(p.unbounded ? '∞' : withUnit(p.amplitude, p.unit)), num(result(p.ratio_to_static)),
     num(endless ? '∞' : result(100 * p.relative_prominence, 4)), num(p.nearest_mode ?? '–'), remarks.filter(Boolean).join('; ')]};
 }
 function peakless(s) {
-  if (s.vanishes) return `${s.name}: no resonance peak; below round-off everywhere.`;
+  if (s.vanishes) return `${s.name}: no resonance peak; below round-off at all frequencies.`;
   const at = isNumber(s.highest_at) ? `at ω = ${number(s.highest_at, 5)} rad/s` : 'as ω → ∞';
   return `${s.name}: no resonance peak; highest amplitude ${withUnit(s.highest, s.unit)} ${at}.`;
 }
@@ -673,20 +673,20 @@ function peaksSection(c) {
   const headings = ['curve', ...OMEGA_AND_HERTZ, num('amplitude'), num('ratio to static'), num('relative prominence [%]'), num('nearest mode'), 'remark'];
   return section('peaks', 'Resonance peaks', peaks.length ? table(headings, peaks.map(p => peakRow(p, c)), {tall: true}) : null,
     none.length ? html('ul', {class: 'sentences'}, none.map(s => html('li', {}, peakless(s)))) : null,
-    hint(`All peaks at 0 < ω < ∞. Those lower than ${number(min_prominence)} of the curve's largest amplitude are left out; `,
-      `grey ones rise less than ${number(100 * peak_tolerance)} % over the minimum beside them. `,
-      '“∞” as prominence: the amplitude beside the peak falls to 0. “–” as ratio: the static amplitude is 0 or not defined.'));
+    hint(`All peaks at 0 < ω < ∞, except those lower than ${number(min_prominence)} of the curve's largest amplitude; `,
+      `grey ones rise less than ${number(100 * peak_tolerance)} % above the adjacent minimum. `,
+      'Prominence “∞”: the amplitude next to the peak falls to 0. Ratio “–”: the static amplitude is 0 or not defined.'));
 }
 
 function modeFrequency(m) {
-  if (m.angular_frequency === null) return [{span: 2, content: bad(`▲ grows, ω² = ${result(m.eigenvalue_squared)} rad²/s²`)}];
-  return m.angular_frequency === 0 ? [{span: 2, content: 'free (ω = 0)'}] : omegaAndHertz(m.angular_frequency);
+  if (m.angular_frequency === null) return [{span: 2, content: bad(`▲ unstable, ω² = ${result(m.eigenvalue_squared)} rad²/s²`)}];
+  return m.angular_frequency === 0 ? [{span: 2, content: 'rigid body (ω = 0)'}] : omegaAndHertz(m.angular_frequency);
 }
 function mostStrained(m, names) {
   const shares = m.strain_energy_share;
   if (!shares?.length) return '–';
   const most = shares.indexOf(Math.max(...shares)), alike = shares.filter(share => Math.abs(share - shares[most]) < 5e-4).length - 1;
-  return `${names[most]} (${percent(shares[most])})${alike ? `, ${alike} more alike` : ''}`;
+  return `${names[most]} (${percent(shares[most])})${alike ? `, ${alike} more with the same share` : ''}`;
 }
 function kineticWords(m, body) {
   const sum = from => percent(m.principal_kinetic_energy_share.slice(6 * body + from, 6 * body + from + 3).reduce((a, b) => a + b, 0));
@@ -704,7 +704,7 @@ function modesSection(c) {
     table([num('mode'), ...OMEGA_AND_HERTZ, 'motion', 'most strained element (share)',
       ...bodies.map(b => num(`kinetic energy${several ? ' of ' + b : ''}: translation / rotation`))], modes.map(row)),
     folded('Mode shapes at the poles: x, y, z [m], θx, θy, θz [rad], unit modal mass', byCoordinate('shape')),
-    folded('Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may leave 0 … 1)', byCoordinate('kinetic_energy_share')));
+    folded('Shares of kinetic energy by coordinate at the poles (they sum to 1; single ones may be outside 0 … 1)', byCoordinate('kinetic_energy_share')));
 }
 
 function rootsSection(c) {
@@ -751,7 +751,7 @@ function checksSection(c) {
   const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
   if (c.response) rows.push(...solutionRows(c.response.checks));
   if (c.response?.pieces)
-    rows.push(['response', 'curves of this page against solves and extrema they were not made from', `drawn from ${count(c.response.solves, 'solve')}; ` +
+    rows.push(['response', 'curves of this page compared with independent solves and extrema', `drawn from ${count(c.response.solves, 'solve')}; ` +
       `largest difference ${number(100 * c.response.worst_error, 2)} % at ω = ${number(c.response.worst_error_at, 5)} rad/s, ${c.response.tests} compared`, verdict(c.response.worst_error <= 1e-3)]);
   const failed = failures(c).length;
   return section('checks', 'Checks', html('p', {class: failed ? 'bad' : 'good'}, failed ? `✗ ${failed} failed.` : '✓ All passed.'),
@@ -779,10 +779,10 @@ function elementsTables(elements) {
     matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.stiffness, 'matrix'));
   const viscous = e => folded(`Viscous damping 12×12 of ${e.name}`, hint('[N s/m], [N s/rad], [N m s/m], [N m s/rad], in the same axes.'),
     matrix(['N', 'K'].flatMap(end => MOTIONS.map(x => `${end} ${x}`)), e.viscous_damping, 'matrix'));
-  const found = e => folded(`How ${e.name} was found`, '', table(['what', 'value'], e.facts.map(f => [f.what, f.value])));
+  const found = e => folded(`How ${e.name} was determined`, '', table(['what', 'value'], e.facts.map(f => [f.what, f.value])));
   return [table(['element', 'type', 'end N on', 'N in ground [m]', 'end K on', 'K in ground [m]', num('scale'), 'damping'], elements.map(row)), elements.filter(e => e.facts.length).map(found), elements.map(stiffness), elements.filter(e => e.damping === 'viscous matrix').map(viscous)];
 }
-/// The course of an excitation is in its type; of a force or motion only the components that act are named.
+/// An excitation: its course is shown by its type; of a force or motion only non-zero components are listed.
 function excitationsTable(excitations) {
   const parts = (values, names, unit) => (values ?? []).map((v, i) => (v ? `${names[i]} ${number(v)}` : '')).filter(Boolean).map(text => `${text} ${unit}`);
   const amplitudes = e => [...parts(e.force, FORCES, e.units?.[0] ?? 'N'), ...parts(e.moment, FORCES.slice(3), e.units?.[1] ?? 'N m'), ...parts(e.translation, MOTIONS, e.units?.[0] ?? 'm'),
@@ -794,9 +794,9 @@ function excitationsTable(excitations) {
 function inputsSection(c) {
   const {bodies, elements, excitations, foundations = [], gravity, damping} = c.model, part = (title, list, make) => [html('h3', {}, title), list.length ? make(list) : html('p', {}, 'None.')];
   return section('inputs', 'Inputs', part('Bodies', bodies, bodiesTables), part('Elements', elements, elementsTables), part('Excitations', excitations, excitationsTable),
-    foundations.length ? [html('h3', {}, 'Foundations that give'), table(['foundation', 'coordinate', num('mass [kg, kg m²]'), num('stiffness [N/m, N m/rad]'), num('damping')],
+    foundations.length ? [html('h3', {}, 'Flexible foundations'), table(['foundation', 'coordinate', num('mass [kg, kg m²]'), num('stiffness [N/m, N m/rad]'), num('damping')],
       foundations.flatMap(f => f.mass.map((row, i) => [f.name, i + 1, number(row[i]), number(f.stiffness[i][i]), number(f.damping[i][i])])))] : null,
-    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it enters static answers, and the geometric stiffness where elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
+    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it affects static answers, and the geometric stiffness if elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
 }
 
 // ---------------------------------------------------------------- all cases together
@@ -810,7 +810,7 @@ const allLimits = c => [...c.limits, ...(c.limit_lines ?? [])];
 const brokenLimits = c => allLimits(c).filter(l => !l.kept).length;
 const grows = c => (c.modes?.modes ?? []).some(m => m.angular_frequency === null) || (c.roots?.roots ?? []).some(r => r.kind === 'growing');
 
-/// Equal texts of several cases once, with the cases they belong to: [{text, origin, of: [index]}].
+/// Equal texts of several cases listed once, with their cases: [{text, origin, of: [index]}].
 function gathered(textsOf) {
   const found = new Map();
   cases.forEach((c, index) => textsOf(c).forEach(full => {
@@ -833,16 +833,16 @@ function buildNotices() {
   const clean = cases.length && !warnings.length && !failed.length;
   const exceeded = cases.flatMap((c, i) => brokenLimits(c) ? [`${caseName(i)} (${brokenLimits(c)} of ${allLimits(c).length})`] : []);
   put('notices', notice('alert', `⚠ ${count(warnings.length, 'warning')}`, warnings), notice('alert', `✗ ${count(failed.length, 'failed check')}`, failed),
-    notice('note', 'Free motions', gathered(c => c.free_motions)),
+    notice('note', 'Rigid-body modes', gathered(c => c.free_motions)),
     exceeded.length ? html('p', {class: 'alert', role: 'note'}, bad('✗ Limits are exceeded: '), `${exceeded.join(', ')}; see below.`) : null,
     clean ? html('p', {class: exceeded.length ? 'note' : 'calm'}, `${exceeded.length ? '' : '✓ '}No warnings; all checks of the data passed${cases.length > 1 ? ' in all cases' : ''}.`) : null);
 }
 
-/// What the map of a case, or else the first of the report, found at its design.
+/// Verdict on a case from its own map, or else from the first map of the report.
 const mapMark = c => (c.map ?? cases.find(other => other.map)?.map)?.marks.find(mark => (mark.case ?? '') === (c.name ?? ''));
 function mapCell(c) {
   const mark = mapMark(c), whose = c.map && c.name ? ' (own map)' : '';
-  return !mark ? '–' : 'kept' in mark ? verdict(mark.kept, 'kept' + whose, 'BROKEN' + whose) : bad('not computed');
+  return !mark ? '–' : 'kept' in mark ? verdict(mark.kept, 'met' + whose, 'VIOLATED' + whose) : bad('not computed');
 }
 
 function glanceRow(c, i) {
@@ -853,8 +853,8 @@ function glanceRow(c, i) {
   };
   return [html('button', {type: 'button', class: 'link', onclick: open}, caseName(i)), num(c.changes.length || '–'),
     c.warnings.length ? bad(`⚠ ${c.warnings.length}`) : 'none', verdict(!failed, 'ok', `${failed} FAILED`),
-    limits ? verdict(!broken, 'kept', `${broken} of ${limits} EXCEEDED`) : '–', ...(cases.some(mapMark) ? [mapCell(c)] : []),
-    grows(c) ? bad('▲ grows') : c.free_motions.length ? 'free motion' : 'stable',
+    limits ? verdict(!broken, 'met', `${broken} of ${limits} EXCEEDED`) : '–', ...(cases.some(mapMark) ? [mapCell(c)] : []),
+    grows(c) ? bad('▲ unstable') : c.free_motions.length ? 'rigid-body mode' : 'stable',
     ...omegaAndHertz(natural.length ? smallestOf(natural) : null), ...omegaAndHertz(natural.length ? largestOf(natural) : null)];
 }
 function buildGlance() {
@@ -867,11 +867,11 @@ function buildGlance() {
 // ---------------------------------------------------------------- the page
 
 function caseHead(c) {
-  const faults = [c.warnings.length ? count(c.warnings.length, 'warning') : '', failures(c).length ? count(failures(c).length, 'failed check') : '', grows(c) ? 'motion grows' : ''];
+  const faults = [c.warnings.length ? count(c.warnings.length, 'warning') : '', failures(c).length ? count(failures(c).length, 'failed check') : '', grows(c) ? 'unstable motion' : ''];
   const words = faults.filter(Boolean).join(', ');
   return section('case-head', cases.length > 1 ? `Case: ${caseName(view.case)}` : caseName(view.case),
-    words ? html('p', {class: 'bad'}, `⚠ Doubtful: ${words}; see the top of the page.`) : null,
-    c.changes.length ? [html('p', {}, 'Changes against the base model:'), html('ul', {class: 'changes'}, c.changes.map(text => html('li', {}, html('code', {}, text))))] : null);
+    words ? html('p', {class: 'bad'}, `⚠ Check the results: ${words}; see the top of the page.`) : null,
+    c.changes.length ? [html('p', {}, 'Changes from the base model:'), html('ul', {class: 'changes'}, c.changes.map(text => html('li', {}, html('code', {}, text))))] : null);
 }
 
 function buildCase() {
@@ -887,7 +887,7 @@ function buildCase() {
   byId('switches').hidden = !allPictures().length;
 }
 
-/// Controls and address follow the view; the pictures are drawn anew.
+/// Updates controls and address to the view and redraws the pictures.
 function refresh() {
   for (const key of SWITCHES) byId(key).checked = view[key];
   byId('case').value = view.case;
@@ -915,7 +915,7 @@ function writeAddress() {
   if (view.hidden.size) parts.push(`hide=${[...view.hidden].map(encodeURIComponent).join(',')}`);
   try {
     history.replaceState(null, '', `#${parts.join('&')}`);
-  } catch { /* some browsers refuse this for files */ }
+  } catch { /* some browsers do not allow this for files */ }
 }
 function decoded(text) {
   try { return decodeURIComponent(text); } catch { return ''; }

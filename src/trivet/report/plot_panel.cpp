@@ -33,7 +33,7 @@ namespace {
 
 constexpr int y_ticks = 5;
 
-/// Short marks at the powers of ten and, where there is room, at 2 … 9 times them.
+/// Values of short ticks: powers of ten and, if there is room, 2 … 9 times them.
 std::vector<double> minor_values(const Axis& axis) {
   constexpr double most_decades = 8;
   std::vector<double> values;

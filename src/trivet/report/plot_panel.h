@@ -9,15 +9,15 @@
 
 namespace trivet::report {
 
-/// What one axis of a plot covers.
+/// Range and label of one axis of a plot.
 struct Axis {
   double from = 0, to = 1;
   bool logarithmic = false;
   std::string label;
 
-  /// 0 at `from`, 1 at `to`, also beyond; a logarithmic axis takes values > 0.
+  /// Position of a value: 0 at `from`, 1 at `to`, extrapolated beyond; a logarithmic axis needs values > 0.
   [[nodiscard]] double position(double value) const;
-  /// 0 at `from`, 1 at `to`; values beyond stay at the edge.
+  /// Position of a value: 0 at `from`, 1 at `to`, limited to this range.
   [[nodiscard]] double share(double value) const;
   [[nodiscard]] std::vector<Tick> ticks(int wanted) const;
 };
@@ -31,15 +31,15 @@ struct PlotPanel {
   [[nodiscard]] PixelPoint at(double x_value, double y_value) const;
 };
 
-/// From the frame to the middle of the label of the y axis: beyond the labels of its ticks.
+/// Distance from the frame to the middle of the label of the y axis, outside the labels of its ticks.
 [[nodiscard]] double y_title_distance(const PlotPanel& panel);
 
-/// Grid, ticks with their labels, frame and axis labels.
+/// Draws grid, ticks with their labels, frame and axis labels.
 void draw_frame(SvgCanvas& canvas, const PlotPanel& panel);
 
-/// Okabe–Ito colours, told apart by colour-blind readers.
+/// Okabe–Ito colours, which colour-blind readers can distinguish.
 [[nodiscard]] const char* series_colour(std::size_t series);
-/// Stroke of a curve: its colour, and a dash for grey print; 36 differ.
+/// Stroke of a curve: its colour, and a dash for grey print; 36 are different.
 [[nodiscard]] std::string series_stroke(std::size_t series);
 
 }  // namespace trivet::report

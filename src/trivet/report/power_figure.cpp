@@ -16,7 +16,7 @@ using foundation::two_pi;
 constexpr double invisible_power = 1e-8;  // of the largest power
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Power one way, gaps where it flows the other way.
+/// Power in one direction, with gaps where it flows in the other.
 PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& power, double factor,
                    std::vector<std::string> key, std::string stroke) {
   PanelCurve curve{std::move(key), hertz, {}, std::move(stroke)};
@@ -24,7 +24,7 @@ PanelCurve one_way(const std::vector<double>& hertz, const Eigen::VectorXd& powe
   return curve;
 }
 
-/// Does anything enter the ground beyond round-off of what the excitations feed in? A rigid ground takes nothing.
+/// Is the power into the ground above the round-off of the input power? Rigid ground takes none.
 bool flows(const response::PowerFlow& power) {
   constexpr double round_off = 1e-12;
   return power.into_ground.cwiseAbs().maxCoeff() >
@@ -40,7 +40,7 @@ std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
   return found;
 }
 
-/// All of it: logarithmic, dotted where it comes out of the ground.
+/// Total power: logarithmic, dotted where it comes out of the ground.
 PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& hertz, const UnitPrefix& unit) {
   PanelRow row;
   row.curves.push_back(
@@ -52,8 +52,8 @@ PanelRow total_row(const response::PowerFlow& power, const std::vector<double>& 
   return row;
 }
 
-/// Mount by mount: linear with both signs, since what goes in at one mount may come out at another; logarithmic where
-/// nothing comes out.
+/// Power of each mount: linear with both signs, because power that enters at one mount may come out at another;
+/// logarithmic if none comes out.
 PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size_t>& mounts,
                    const std::vector<double>& hertz, const UnitPrefix& unit) {
   PanelRow row;
@@ -84,7 +84,7 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   std::vector<PanelRow> rows = {total_row(power, hertz, unit)};
-  if (mounts.size() == 1) rows.front().curves.front().key = {"all of it by " + power.mounts[mounts.front()]};
+  if (mounts.size() == 1) rows.front().curves.front().key = {"all through " + power.mounts[mounts.front()]};
   else rows.push_back(mount_row(power, mounts, hertz, unit));
   const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
   for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, "f [Hz]"};

@@ -21,7 +21,7 @@ void replace(std::string& text, const std::string& place, const std::string& con
   if (at != std::string::npos) text.replace(at, place.size(), content);
 }
 
-/// JSON inside a script element must not end it.
+/// Escapes JSON so that it cannot end the script element around it.
 std::string inside_script(const std::string& json) {
   std::string result;
   for (std::size_t i = 0; i < json.size(); ++i) {
@@ -31,7 +31,7 @@ std::string inside_script(const std::string& json) {
   return result;
 }
 
-/// One block per case; the script shows that of the selected case, without it the first shows.
+/// One block per case; the script shows that of the selected case, without scripts the first one is visible.
 std::string case_blocks(const std::vector<study::Answers>& answers) {
   std::string blocks;
   for (std::size_t i = 0; i < answers.size(); ++i)
@@ -46,7 +46,7 @@ std::string report_page(const project::Project& project, const std::vector<study
                         const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
   std::string page = page_html;
-  // From the end to the start: a name that looks like a place stands behind the place itself.
+  // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_js);
   replace(page, "{{results}}", inside_script(results));
   replace(page, "{{answers}}", case_blocks(answers));

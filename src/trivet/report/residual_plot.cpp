@@ -13,7 +13,7 @@ namespace {
 
 constexpr double plot_height = 200, above = 34, axis_below = 44, line_height = 15;
 constexpr std::size_t most_named = 8;
-constexpr double usual = 2;  // standard deviations that 95 % of the readings keep
+constexpr double usual = 2;  // standard deviations; 95 % of the readings are within
 
 /// Indices of outliers, the farthest first.
 std::vector<std::size_t> outliers(const std::vector<model::Residual>& residuals) {
@@ -50,7 +50,7 @@ void draw_residuals(SvgCanvas& canvas, PixelPoint corner, const std::vector<mode
                         plot_height,
                         {0, count + 1, false, "reading, in the order of the data"},
                         {-top, top, false, "residual / standard deviation"}};
-  canvas.text({corner.x + 490, corner.y + above - 12}, "Readings against the fit",
+  canvas.text({corner.x + 490, corner.y + above - 12}, "Readings compared with the fit",
               "text-anchor=\"middle\" font-size=\"13\" font-weight=\"bold\"");
   draw_frame(canvas, panel);
   canvas.line(panel.at(0, 0), panel.at(count + 1, 0), "stroke=\"#333\" stroke-width=\"0.8\"");

@@ -8,11 +8,11 @@
 
 namespace trivet::report {
 
-/// [pixels], width 980; outliers are listed below the plot.
+/// Height [pixels], with width 980; outliers are listed below the plot.
 [[nodiscard]] double residual_plot_height(const std::vector<model::Residual>& residuals);
 
-/// Residual of each reading over its own standard deviation, in the order of the data; outliers marked, numbered and
-/// named.
+/// Draws the residual of each reading over its standard deviation, in the order of the data; outliers marked, numbered
+/// and named.
 void draw_residuals(SvgCanvas& canvas, PixelPoint corner, const std::vector<model::Residual>& residuals);
 
 }  // namespace trivet::report

@@ -19,7 +19,7 @@ using foundation::two_pi;
 constexpr std::size_t most_orders = 5;
 constexpr double spiky = 30, invisible = 1e-4;
 
-/// The orders that make the highest amplitudes of a curve, ascending.
+/// The orders with the highest amplitudes of a curve, ascending.
 std::vector<std::size_t> tallest_orders(const response::RunUp& run_up, std::size_t curve) {
   constexpr double negligible = 1e-3;
   std::vector<std::pair<double, std::size_t>> heights;
@@ -40,7 +40,7 @@ double tallest(const std::vector<PanelCurve>& curves) {
   return top;
 }
 
-/// Linear from zero, or logarithmic where a linear axis would show one spike and nothing else.
+/// Linear axis from zero, or logarithmic if a linear one would show only a spike.
 Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   std::vector<double> overall;
   for (const double y : curves.front().y)
@@ -65,7 +65,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   const std::vector<std::size_t> shown = tallest_orders(run_up, curve);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const response::OrderCurves& order = run_up.orders[shown[i]];
-    const std::size_t style = i < 4 ? i : 5;  // black is the sum's
+    const std::size_t style = i < 4 ? i : 5;  // black is the colour of the sum
     PanelCurve one{{fmt::format("order {:g}, amplitude", order.order)}, rpm, {}, series_stroke(style)};
     for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
     row.curves.push_back(std::move(one));
@@ -83,7 +83,7 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   return row;
 }
 
-/// Amplitudes of a group that are worth a panel: not 1e-6 of the tallest of the same unit.
+/// Panels for the amplitudes of a group, except those below 1e-6 of the largest of the same unit.
 std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series) {
   constexpr double negligible = 1e-6;
   const auto height = [&](const GroupedCurve& s) { return highest_finite(run_up.overall[s.curve].rms); };

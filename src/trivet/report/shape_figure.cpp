@@ -19,7 +19,7 @@ namespace {
 using foundation::two_pi;
 constexpr double drawn_excursion = 0.12;  // of the size of the model
 
-/// How ground coordinates come onto paper, in metres: right and up.
+/// Projection of ground coordinates [m] onto the paper: right and up.
 struct View {
   const char* name;
   const char* right_label;
@@ -37,7 +37,7 @@ std::vector<View> views() {
 
 using Places = std::vector<response::MovingPlace>;
 
-/// Everything that is drawn, at rest or moved, as points and lines between them.
+/// The drawn model, at rest or displaced, as points and lines between them.
 struct Skeleton {
   std::vector<Eigen::Vector3d> poles, points, feet, heads;
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> limbs, springs;
@@ -67,7 +67,7 @@ Skeleton skeleton(const response::DeflectionShape& shape, double phase, double s
   return s;
 }
 
-/// The place that goes farthest, and the phase ωt at which it is there.
+/// The place with the largest excursion, and its phase ωt.
 struct Farthest {
   std::string name;
   double phase = 0, excursion = 0;
@@ -86,7 +86,7 @@ Farthest farthest(const response::DeflectionShape& shape) {
   return best;
 }
 
-/// Pixels per metre and what lies in the middle, the same for all views.
+/// Centre and size of the model [m], the same for all views.
 struct Frame {
   Eigen::Vector3d centre;
   double size;
@@ -124,7 +124,7 @@ class Drawing {
     for (const auto& r : s.poles)
       canvas_.rectangle({at(r).x - 3.5, at(r).y - 3.5}, 7, 7, fmt::format("fill=\"{}\"", colour));
   }
-  /// The ellipse on which a place goes round.
+  /// Draws the elliptical path of a place.
   void draw_path(const response::MovingPlace& place, double scale, const std::string& colour) {
     std::vector<PixelPoint> points;
     for (int i = 0; i <= 48; ++i) points.push_back(at(response::displaced(place, two_pi * i / 48, scale)));
@@ -185,8 +185,8 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   canvas.text(
       {490, 708},
       fmt::format(
-          "Grey: at rest. Blue: at ωt = {:.0f}°, where {} is farthest from rest, {:.4g} {}. Orange: paths of poles and "
-          "points. Motion × {}.",
+          "Grey: at rest. Blue: at ωt = {:.0f}°, when {} has the largest excursion, {:.4g} {}. Orange: paths of poles "
+          "and points. Motion × {}.",
           std::fmod(most.phase * 360 / two_pi + 360, 360), most.name, most.excursion * unit.factor, unit.unit,
           three_digits(scale)),
       "text-anchor=\"middle\"");

@@ -60,7 +60,7 @@ std::string earthquake_tables(const study::Answers& answers) {
                      std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, "m/s²")
                                                             : right("beyond the spectrum")});
   return html_table({{"answer"}, right("CQC"), right("SRSS")}, rows) +
-      hint(fmt::format("Estimated largest values. The modes within the spectrum hold {:.1f} % of the effective mass.",
+      hint(fmt::format("Estimated largest values. The modes within the spectrum have {:.1f} % of the effective mass.",
                        100 * e.effective_mass_share)) +
       folded("Modes of the estimate",
              html_table({right("f [Hz]"), right("damping ratio"), right("effective mass [kg]"),
@@ -84,7 +84,7 @@ std::string limit_line_table(const study::Answers& answers) {
                     number_cell(response::margin_level(c.least_margin)),
                     hertz_cell(c.least_margin_at),
                     {bands.empty() ? "–" : bands},
-                    {c.kept() ? "✓ kept" : "✗ EXCEEDED", false, !c.kept()}});
+                    {c.kept() ? "✓ met" : "✗ EXCEEDED", false, !c.kept()}});
   }
   return html_table({{"answer"},
                      {"limit line"},
@@ -105,9 +105,9 @@ std::string load_sharing_table(const study::Answers& answers) {
     for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
     rows.push_back(std::move(row));
   }
-  return html_table({{"mount"}, right("bears"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
-      hint(fmt::format("Along gravity, {:.5g} N in total; a negative share holds down. Deflections of end K against N "
-                       "in the element's axes.",
+  return html_table({{"mount"}, right("load"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
+      hint(fmt::format("Along gravity, {:.5g} N in total; a mount with a negative share pulls down. Deflections of "
+                       "end K relative to N in the element's axes.",
                        answers.load_sharing->bearing_in_total));
 }
 

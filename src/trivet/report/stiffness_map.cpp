@@ -17,7 +17,7 @@ constexpr double cell_size = 44;
 constexpr double left = 66, top = 52;  // of the cells in the map
 constexpr double round_off = 5e-4;     // shown as 0
 
-// Blue for negative, white for nothing, vermilion for positive: a pair that colour-blind readers tell apart.
+// Blue for negative, white for zero, vermilion for positive: colour-blind readers can distinguish them.
 using Colour = std::array<double, 3>;
 constexpr Colour negative = {0, 114, 178}, positive = {213, 94, 0};
 
@@ -28,7 +28,7 @@ std::string colour(double value) {
   return fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2));
 }
 
-/// K_ij/√(K_ii K_jj); 0 where a diagonal entry is.
+/// K_ij/√(K_ii K_jj); 0 if a diagonal entry is 0.
 double scaled(const elements::Matrix12& k, int i, int j) {
   const double scale = std::sqrt(std::abs(k(i, i) * k(j, j)));
   return scale > 0 ? k(i, j) / scale : 0;

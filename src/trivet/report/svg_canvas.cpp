@@ -17,7 +17,7 @@ std::string path_of(const std::vector<std::vector<PixelPoint>>& rings) {
   return path;
 }
 
-/// Any text as an identifier that is safe in a reference: FNV-1a.
+/// Hash of a text (FNV-1a) as an identifier that is safe in a reference.
 std::string identifier(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

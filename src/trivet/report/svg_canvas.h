@@ -12,22 +12,22 @@ struct PixelPoint {
   double y = 0;
 };
 
-/// Collects SVG elements; pixels, y downwards.
+/// Collects SVG elements; coordinates in pixels, y downwards.
 class SvgCanvas {
  public:
   SvgCanvas(double width, double height) : width_(width), height_(height) {}
 
   void line(PixelPoint a, PixelPoint b, std::string_view style);
   void polyline(const std::vector<PixelPoint>& points, std::string_view style);
-  /// Closed outlines, filled between each other (even–odd).
+  /// Closed outlines, filled even–odd.
   void area(const std::vector<std::vector<PixelPoint>>& rings, std::string_view style);
-  /// What is drawn until `end_clip` shows inside of closed outlines only (even–odd).
-  /// @param name  tells this outline apart from those of other pictures on one page
+  /// Clips everything drawn until `end_clip` to the inside of closed outlines (even–odd).
+  /// @param name  distinguishes this outline from those of other pictures on one page
   void begin_clip(const std::vector<std::vector<PixelPoint>>& rings, std::string_view name);
   void end_clip();
   void circle(PixelPoint centre, double radius, std::string_view style);
   void rectangle(PixelPoint corner, double width, double height, std::string_view style);
-  /// `attributes` may hold anchor, size, weight, transform.
+  /// `attributes` may contain anchor, size, weight, transform.
   void text(PixelPoint at, std::string_view content, std::string_view attributes);
 
   [[nodiscard]] std::string svg(std::string_view description) const;
@@ -37,7 +37,7 @@ class SvgCanvas {
   std::string body_;
 };
 
-/// Text safe inside XML and HTML.
+/// Text escaped for XML and HTML.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace trivet::report

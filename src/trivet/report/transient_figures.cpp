@@ -12,7 +12,7 @@
 namespace trivet::report {
 namespace {
 
-/// Time on the axis: milliseconds and less where all is over within a second.
+/// Unit of the time axis: milliseconds or less if the motion lasts less than a second.
 UnitPrefix time_unit(const Eigen::VectorXd& time) { return unit_prefix(time.cwiseAbs().maxCoeff(), "s"); }
 
 std::string extreme_words(const char* which, const response::Extreme& extreme, const UnitPrefix& unit,

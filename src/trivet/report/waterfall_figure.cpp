@@ -20,7 +20,7 @@ using foundation::rpm_per_rad_s;
 using foundation::two_pi;
 constexpr int spectra = 41;
 
-/// The curve with the highest rms among those of the first unit that moves at all.
+/// The curve with the highest rms among those with the unit of the first curve that is not zero.
 std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
   std::optional<std::size_t> best;
   for (std::size_t c = 0; c < run_up.overall.size(); ++c) {
@@ -33,7 +33,7 @@ std::optional<std::size_t> tallest_curve(const response::RunUp& run_up) {
   return best;
 }
 
-/// Frequency to the right, shaft speed backwards (up and to the right), amplitude upwards.
+/// Projection: frequency to the right, shaft speed to the back (up and to the right), amplitude upwards.
 struct Space {
   PixelPoint origin{90, 500};
   double width = 560, height = 190;
@@ -77,7 +77,7 @@ void draw_axes(SvgCanvas& canvas, const Space& s, const std::string& quantity) {
   canvas.text({x, y}, quantity, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 
-/// Lines of one order keep their colour; the farthest spectrum is drawn first.
+/// Draws the spectra, the farthest first; lines of one order have one colour.
 void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response::WaterfallLine>& lines,
                   const std::vector<double>& orders, double factor) {
   for (std::size_t i = lines.size(); i-- > 0;) {
@@ -123,7 +123,7 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
   space.rpm_to = run_up.speed.back() * rpm_per_rad_s;
   space.hertz_to =
-      orders.front() * run_up.speed.back() / two_pi;  // all of the lowest order, and whatever is visible of the others
+      orders.front() * run_up.speed.back() / two_pi;  // the whole lowest order, and the visible part of the others
   for (const response::WaterfallLine& line : lines)
     if (line.amplitude > 0.01 * largest) space.hertz_to = std::max(space.hertz_to, line.angular_frequency / two_pi);
   space.amplitude_to = largest * unit.factor;

@@ -15,23 +15,24 @@
 
 namespace trivet::results {
 
-/// A table of a result folder: "random.csv".
+/// A table in a result folder: "random.csv".
 struct CsvWriter {
   const char* file;
   std::string (*csv)(const project::Case& variant, const study::Answers& answers);
 };
 
-/// How the answer to one question is written. Each is defined in NAME_results.cpp.
+/// Writes the answer to one question. Each is defined in NAME_results.cpp.
 struct AnswerWriter {
-  const char* name = nullptr;  ///< of the question in [analyses], of its command, and its key in results.json; given by
-                               ///< answer_writers()
-  /// None: where `answers` has one of this name, as of all questions of project/analyses/question_table.h.
+  const char* name = nullptr;  ///< name of the question in [analyses], of its command and of its key in results.json;
+                               ///< set by answer_writers()
+  /// nullptr: there is an answer if `of_questions` has one of this name, as for all questions of
+  /// project/analyses/question_table.h.
   bool (*has_answer)(const project::Case& variant, const study::Answers& answers) = nullptr;
   json::Json (*json)(const project::Case& variant, const study::Answers& answers);
-  std::vector<CsvWriter> tables = {};  ///< of the result folder; the first one is what --csv prints
+  std::vector<CsvWriter> tables = {};  ///< tables of the result folder; --csv prints the first one
   std::string (*text)(const project::Case& variant, const study::Answers& answers);  ///< for the screen
   std::string (*summary)(const project::Case& variant,
-                         const study::Answers& answers) = nullptr;  ///< where `run` says less than the command
+                         const study::Answers& answers) = nullptr;  ///< shorter text for `run`; nullptr: `text`
 
   [[nodiscard]] bool is_there(const project::Case& variant, const study::Answers& answers) const {
     return has_answer ? has_answer(variant, answers) : answers.of_questions.contains(name);
@@ -44,7 +45,7 @@ extern const AnswerWriter modes_results, roots_results, response_results, peaks_
 TRIVET_QUESTIONS(TRIVET_WRITER)
 #undef TRIVET_WRITER
 
-/// All of them by their names, in the order of the result file.
+/// All of them with their names, in the order of the result file.
 [[nodiscard]] const std::vector<AnswerWriter>& answer_writers();
 
 [[nodiscard]] inline double hertz(double omega) { return omega / foundation::two_pi; }

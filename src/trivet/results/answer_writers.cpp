@@ -32,7 +32,7 @@ Json curve(const response::Curve& c) {
 
 namespace {
 
-/// The command `map` writes a map by its own options; here it is one of the answers of a run.
+/// The map as one of the answers of a run; the command `map` writes it with its own options.
 const AnswerWriter map_results = {
     .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
     .json = [](const project::Case&, const study::Answers& answers) { return json::design_map(*answers.map); },

@@ -39,7 +39,7 @@ constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"s
                                                                              {"xz", "product of inertia xz"},
                                                                              {"yz", "product of inertia yz"}}};
 
-/// A component of an array or of an adjustment: what it is part of, in words, and the unit of its bare numbers.
+/// A component of an array or of an adjustment: the name of the whole, and the unit of its numbers without a unit.
 struct ComponentOf {
   const char *table, *words, *unit;
 };
@@ -58,7 +58,7 @@ constexpr std::array<ComponentOf, 12> component_tables = {{{"at", "place", "m"},
 
 const ComponentOf* component_table(const std::vector<std::string>& keys) {
   if (keys.size() < 4) return nullptr;
-  const bool damps = keys[keys.size() - 3] == "damping";  // translation and rotation of a damping measure otherwise
+  const bool damps = keys[keys.size() - 3] == "damping";  // translation and rotation of a damping have other units
   const auto found = std::find_if(component_tables.begin(), component_tables.end(),
                                   [&](const ComponentOf& one) { return keys[keys.size() - 2] == one.table; });
   return damps || found == component_tables.end() ? nullptr : found;

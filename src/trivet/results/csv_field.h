@@ -9,7 +9,7 @@
 
 namespace trivet::results {
 
-/// A field of RFC 4180: in quotes where commas, quotes or line breaks ask for it.
+/// A field of RFC 4180: in quotes if it contains commas, quotes or line breaks.
 [[nodiscard]] inline std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
   std::string quoted = "\"";
@@ -20,7 +20,7 @@ namespace trivet::results {
   return quoted + "\"";
 }
 
-/// Shortest digits that read back the same; empty where there is no number.
+/// Shortest digits that read back the same number; empty for NaN.
 [[nodiscard]] inline std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
 
 template <typename T>

@@ -10,7 +10,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
 
-/// Largest answers to an earthquake.
+/// Largest response to an earthquake.
 namespace trivet::results {
 namespace json {
 namespace {
@@ -41,7 +41,7 @@ Json earthquake(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
-/// One row per answer, its largest values in each mode beside it.
+/// One row per answer, with its largest value in each mode.
 std::string earthquake_csv(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   std::string text = "name,unit,cqc,srss";
@@ -72,7 +72,7 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
                shown(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
   return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() +
       table.text() +
-      fmt::format("  the spectrum reaches modes with {} of the effective mass\n", percent(e.effective_mass_share));
+      fmt::format("  the spectrum covers modes with {} of the effective mass\n", percent(e.effective_mass_share));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 namespace trivet::results {
 
 /// {"name", "type", "stiffness": 12×12, "damping", "mass", "preload", "rigid_motion_residual": 12×6, "warnings", …}:
-/// what an element is in its local frame, order N, K, scale included, and what three springs in its place would change
+/// an element in its local frame, order N, K, scale included, and the effect of three springs in its place
 /// (docs/json.md).
 [[nodiscard]] std::string element_json(const project::Case& variant, std::size_t element,
                                        const study::ElementSummary& summary,

@@ -7,7 +7,7 @@
 namespace trivet::results {
 namespace {
 
-/// The excitations that the case selects for a question; none: all.
+/// The excitations that the case selects for a question; empty: all.
 std::vector<std::string> selected(const project::Analyses& asked, const std::string& question) {
   if (question == "peaks" && asked.peaks) return asked.peaks->wanted.excitations;
   if (const auto* own = asked.find<project::Question>(question)) return own->wanted.excitations;
@@ -26,7 +26,8 @@ std::string excited_at_once(const project::Case& variant, const std::string& que
     if (acts && project::drives(excitation, project::drive_of(question)))
       names += (count++ > 0 ? ", " : "") + excitation.name;
   }
-  return count > 1 ? "Excited at once by " + names + " (`excitations` of the question selects some)\n" : "";
+  return count > 1 ? "Excited simultaneously by " + names + " (set `excitations` of the analysis to select some)\n"
+                   : "";
 }
 
 }  // namespace trivet::results

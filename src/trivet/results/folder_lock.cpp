@@ -14,7 +14,7 @@ namespace trivet::results {
 namespace {
 
 constexpr std::chrono::seconds longest_wait(
-    60);  // publishing takes milliseconds, with gigabytes in the folder some seconds
+    60);  // publishing takes milliseconds, or some seconds with gigabytes in the folder
 constexpr std::chrono::milliseconds pause(10);
 
 }  // namespace

@@ -8,23 +8,23 @@
 
 namespace trivet::results {
 
-/// Held by one process at a time on one folder (flock); the system releases it when its holder ends, however that
-/// happens.
+/// Exclusive lock of one process on a folder (flock); the system releases it when the process ends for any reason.
 class FolderLock {
  public:
-  /// Waits for the lock. @param shown  what a message calls the folder  @throws std::runtime_error if others hold it
-  /// for a minute
+  /// Waits for the lock. @param shown  name of the folder in messages  @throws std::runtime_error if another process
+  /// holds it for a minute
   FolderLock(const foundation::FolderHandle& folder, const std::filesystem::path& shown);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;
 
-  /// Not if the file system has no locks.
+  /// False if the file system has no locks.
   [[nodiscard]] bool is_held() const { return error_ == 0; }
   [[nodiscard]] std::string reason() const;
 
  private:
-  foundation::FolderHandle own_;  ///< opened for this lock alone: two locks of one process exclude each other too
+  foundation::FolderHandle
+      own_;  ///< opened only for this lock, so that two locks of one process also exclude each other
   int error_ = 0;
 };
 

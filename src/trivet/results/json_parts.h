@@ -7,17 +7,17 @@
 
 #include "trivet/study/answers.h"
 
-/// How Trivet's things look as JSON values; shared by the single answers and the result file.
+/// JSON values of Trivet's data; shared by the single answers and the result file.
 namespace trivet::results::json {
 
 using Json = nlohmann::ordered_json;
 
-/// As text. File names need not be UTF-8, JSON must be: what is not becomes U+FFFD.
+/// JSON as text. Bytes that are not UTF-8 (possible in file names) become U+FFFD.
 [[nodiscard]] inline std::string text(const Json& json, int indent = -1) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A number, or null where it is not finite.
+/// A number, or null if it is not finite.
 inline Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 template <typename T>
@@ -44,14 +44,14 @@ Json rows(const Matrix& matrix) {
 }
 
 [[nodiscard]] Json warnings(const foundation::Problems& problems);
-/// Where an end of an element sits: "on", "at", "in_ground", "axes_in_ground".
+/// Position of an end of an element: "on", "at", "in_ground", "axes_in_ground".
 [[nodiscard]] Json end(const project::Case& variant, const model::End& end);
 [[nodiscard]] Json response(const study::Answers& answers);
-/// What a page needs to draw the response: the model of the curves where there is one, instead of a long table.
+/// The response for drawing in a page: the curve model if there is one, instead of a long table.
 [[nodiscard]] Json drawn_response(const study::Answers& answers);
 [[nodiscard]] Json limit_lines(const study::Answers& answers);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
-/// Of its cases the verdicts alone.
+/// Only the verdicts of the cases.
 [[nodiscard]] Json map_marks(const study::DesignMap& map);
 
 }  // namespace trivet::results::json

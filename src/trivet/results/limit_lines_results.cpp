@@ -5,7 +5,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
 
-/// Answers of the response against lines of the user.
+/// Answers of the response compared with limit lines of the user.
 namespace trivet::results {
 namespace json {
 
@@ -42,14 +42,14 @@ std::string limit_lines_text(const study::Answers& answers) {
                fmt::format("{:.4g} … {:.4g}", hertz(l.comparison.compared.from), hertz(l.comparison.compared.to)),
                shown(response::margin_level(l.comparison.least_margin), 4),
                shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
-               l.comparison.kept() ? "kept" : "EXCEEDED"});
+               l.comparison.kept() ? "met" : "EXCEEDED"});
   }
   return "Limit lines\n" + table.text();
 }
 
 namespace {
 
-/// One row per limit line; what is exceeded as "from … to" in hertz.
+/// One row per limit line; exceeded bands as "from … to" in hertz.
 std::string limit_lines_csv(const project::Case&, const study::Answers& answers) {
   std::string text =
       "limit line,name,unit,level,compared [Hz],least_margin,least_margin [dB],at [rad/s],exceeded [Hz],kept\n";

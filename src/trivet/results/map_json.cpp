@@ -54,7 +54,7 @@ Json lines(const study::DesignMap& map, const std::vector<design::MapLine>& all)
   return list;
 }
 
-/// Hands a text on in pieces.
+/// Passes a text to a sink in pieces.
 class Pieces {
  public:
   explicit Pieces(const TextSink& sink) : sink_(sink) {}
@@ -73,7 +73,7 @@ class Pieces {
   std::string text_;
 };
 
-/// Margins and governing rules; null where a design has no margin or no rule limits it.
+/// Margins and governing rules; a margin is null if the design has none or no rule limits it.
 void write_grid(const study::DesignMap& map, Pieces& out) {
   out.text() += "{\"order\":\"row after row of y, x running\",\"margin\":[";
   const char* separator = "";

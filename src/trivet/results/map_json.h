@@ -9,7 +9,7 @@
 
 namespace trivet::results {
 
-/// Takes a text piece by piece, so that the text of a million designs never stands in memory as a whole.
+/// Receives a text piece by piece, so that the text of a million designs is never in memory as a whole.
 using TextSink = std::function<void(std::string_view)>;
 
 /// The whole map; contract in docs/map.md. @param warnings  of the model and of the map

@@ -34,8 +34,8 @@ std::string asked_words(const study::DesignMap& map) {
   if (has(map, RuleKind::amplitude)) text = band_words(map.request.band);
   if (has(map, RuleKind::no_peak))
     text += fmt::format(
-        "{}resonance peaks wherever they lie, from {:g} % above the minimum beside them (rises below {:g} of a curve "
-        "are none)",
+        "{}resonance peaks at all frequencies, from {:g} % above the adjacent minimum (rises below {:g} of the curve "
+        "maximum are ignored)",
         text.empty() ? "" : "; ", 100 * map.request.peak_tolerance, map.request.min_prominence);
   return text;
 }
@@ -47,13 +47,12 @@ std::string feasible_words(const study::DesignMap& map) {
                                  map.kept, map.outcomes.size());
   if (map.steep > 0)
     text += fmt::format(
-        "; between {} of neighbours that limits on amplitudes govern the margin changes more than tenfold: what lies "
-        "between them, a resonance of little damping for instance, "
-        "may break a rule unseen; take more points there",
+        "; between {} of neighbours governed by amplitude limits the margin changes more than tenfold: a design "
+        "between them, at a lightly damped resonance for instance, may violate a rule unnoticed; use more points there",
         map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
   if (std::any_of(map.marks.begin(), map.marks.end(),
                   [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))
-    text += "; not to be trusted: a case contradicts all designs around it";
+    text += "; unreliable: a case contradicts all designs around it";
   return text;
 }
 
@@ -66,16 +65,15 @@ std::string best_words(const study::DesignMap& map) {
       fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
   if (std::isinf(best.margin))
     return fmt::format(
-        "Best design: {}; margin ∞ (no rule limits {} designs; of these the one farthest from all others and from the "
+        "Best design: {}; margin ∞ (no rule limits {} designs; this one is the farthest from all others and from the "
         "frame)",
         place, map.without_bound);
   const std::string& rule = map.rules[best.governing].words;
   if (best.margin == 0)
-    return fmt::format("No design keeps every rule, and none is nearer than another: margin 0 ({}); in their midst: {}",
-                       rule, place);
+    return fmt::format("No design is feasible and all have margin 0 ({}); the middle one: {}", rule, place);
   std::string text = fmt::format(
-      "{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design keeps every rule; the nearest", place,
-      best.margin, rule, map.equals > 1 ? fmt::format("; in the midst of {} as good ones", map.equals) : "");
+      "{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design is feasible; the nearest", place,
+      best.margin, rule, map.equals > 1 ? fmt::format("; the middle one of {} equally good designs", map.equals) : "");
   const std::vector<std::string> ends = best_ends(map);
   for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "; at " : " and ") + ends[k];
   return text + (ends.empty() ? "" : ", a better one may lie beyond");
@@ -105,7 +103,7 @@ std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
 }
 
 std::string unlimited_words(const study::DesignMap& map) {
-  return has(map, RuleKind::amplitude) ? "nothing moves" : "no peak";
+  return has(map, RuleKind::amplitude) ? "no motion" : "no peak";
 }
 
 }  // namespace trivet::results

@@ -8,23 +8,23 @@
 
 namespace trivet::results {
 
-/// What the rules are asked of: the band of the amplitudes, and what counts as a peak.
+/// The range of the rules: the band of the amplitudes, and the threshold for a peak.
 [[nodiscard]] std::string asked_words(const study::DesignMap& map);
 
-/// How much of the map is feasible, and what of it may have been missed between designs.
+/// The feasible share of the map, and what may have been missed between designs.
 [[nodiscard]] std::string feasible_words(const study::DesignMap& map);
 
-/// The best design, or the nearest, with its margin. Empty if there is none.
+/// The best design, or the nearest to feasible, with its margin. Empty if there is none.
 [[nodiscard]] std::string best_words(const study::DesignMap& map);
 
-/// Ends of the axes at which the best design stands ("the upper end of δ"): a better one may lie beyond. Not an end at
-/// 0, and none where margins do not lead there.
+/// Ends of the axes at which the best design is ("the upper end of δ"): a better one may lie beyond. Without ends at 0;
+/// empty if the margin is 0 or unbounded.
 [[nodiscard]] std::vector<std::string> best_ends(const study::DesignMap& map);
 
-/// Rules that govern somewhere, that of most designs first.
+/// Rules that govern at least one design, that with most designs first.
 [[nodiscard]] std::vector<std::size_t> governing_rules(const study::DesignMap& map);
 
-/// Why no rule limits a design of this map: "no peak" or "nothing moves".
+/// Reason why no rule limits a design of this map: "no peak" or "no motion".
 [[nodiscard]] std::string unlimited_words(const study::DesignMap& map);
 
 }  // namespace trivet::results

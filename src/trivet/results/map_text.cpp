@@ -27,18 +27,18 @@ std::string axis_words(const project::MapAxis& axis) {
                      axis.logarithmic ? ", logarithmic" : "");
 }
 
-/// A region smaller than a cell of the grid is not seen.
+/// A note for coarse grids: a region smaller than a cell is missed.
 std::string coarse_words(const study::DesignMap& map) {
   constexpr int enough = 21;
   const int fewest = std::min(map.grid.nx, map.grid.ny);
   return fewest >= enough
       ? ""
-      : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are not seen; take more points)",
+      : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are missed; use more points)",
                     100.0 / (fewest - 1));
 }
 
 std::string shares_text(const study::DesignMap& map) {
-  TextTable table({"rule", "governs, broken", "governs, kept"});
+  TextTable table({"rule", "governs, infeasible", "governs, feasible"});
   const auto percent = [&](std::size_t designs) {
     return fmt::format("{:.1f} %", 100.0 * static_cast<double>(designs) / static_cast<double>(map.outcomes.size()));
   };
@@ -50,7 +50,8 @@ std::string shares_text(const study::DesignMap& map) {
   }
   if (map.kept > limited) table.add({"no rule limits them: " + unlimited_words(map), "", percent(map.kept - limited)});
   const std::size_t silent = map.rules.size() - governing.size();
-  return table.text() + (silent > 0 ? fmt::format("  {} of {} rules govern nowhere\n", silent, map.rules.size()) : "");
+  return table.text() +
+      (silent > 0 ? fmt::format("  {} of {} rules govern no design\n", silent, map.rules.size()) : "");
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
@@ -60,9 +61,9 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name,
                                  place(mark.x, map.request.x), place(mark.y, map.request.y),
                                  !mark.judged                        ? "NOT COMPUTED"
-                                     : mark.judged->governing.kept() ? "keeps every rule"
-                                                                     : "BREAKS the rules");
-  if (!mark.of_this_model) text += ", a model of its own beside the two numbers";
+                                     : mark.judged->governing.kept() ? "meets every rule"
+                                                                     : "VIOLATES the rules");
+  if (!mark.of_this_model) text += "; its model differs by more than the two numbers";
   text += "\n";
   for (const std::string& words : verdict_words(map, mark)) text += "      " + words + "\n";
   return text;
@@ -80,7 +81,7 @@ std::string map_text(const study::DesignMap& map) {
   text += shares_text(map);
   for (const design::MissingReason& reason : map.report.missing)
     text +=
-        fmt::format("  {} design{} without an answer, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s",
+        fmt::format("  {} design{} not computed, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s",
                     reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)), reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);

@@ -7,7 +7,7 @@
 
 namespace trivet::results {
 
-/// A map for reading: where designs keep the rules, what governs, the best, and every marked case.
+/// A map as text: the feasible share, the governing rules, the best design and every marked case.
 [[nodiscard]] std::string map_text(const study::DesignMap& map);
 
 }  // namespace trivet::results

@@ -11,7 +11,7 @@
 namespace trivet::results {
 namespace {
 
-/// A peak that the tolerance allows is called slight only where a reader of the curve would hardly see it.
+/// A peak within the tolerance is called slight only if it is hardly visible in the curve.
 std::string peak_words(bool counted, double tallest) {
   constexpr double slight = 0.05;
   return counted ? "peaks" : tallest <= slight ? "rises slightly" : "has a peak within the tolerance";
@@ -22,7 +22,7 @@ std::string peak_words(bool counted, double tallest) {
 std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark) {
   std::vector<std::string> words;
   if (mark.has_own_rules)
-    words.push_back(fmt::format("judged by the rules of this map; its own map asks otherwise: {}",
+    words.push_back(fmt::format("judged by the rules of this map; its own map has other rules: {}",
                                 mark.name.empty() ? "map without --case" : "map --case \"" + mark.name + "\""));
   if (!mark.judged) {
     words.push_back("not computed: " + mark.failure);
@@ -36,7 +36,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
       words.push_back(
-          fmt::format("{} has no bound {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
+          fmt::format("{} is unbounded {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
       continue;
     }
     const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
@@ -56,7 +56,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
         if (!ruled || peak.curve != c || (design::margin(no_peak, prominence) < 1) != counted) continue;
         tallest = std::max(tallest, prominence);
         list += fmt::format("{}{:.4g} rad/s ({})", list.empty() ? "" : ", ", peak.angular_frequency,
-                            std::isinf(prominence) ? "no bound" : fmt::format("{:.3g} %", 100 * prominence));
+                            std::isinf(prominence) ? "unbounded" : fmt::format("{:.3g} %", 100 * prominence));
       }
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
     }

@@ -8,7 +8,7 @@
 
 namespace trivet::results {
 
-/// What was found at a mark, one sentence each: broken rules, then peaks, then the least margin.
+/// Findings at a mark, one sentence each: violated rules, then peaks, then the least margin.
 [[nodiscard]] std::vector<std::string> verdict_words(const study::DesignMap& map, const study::MapMark& mark);
 
 }  // namespace trivet::results

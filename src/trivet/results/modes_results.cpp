@@ -105,7 +105,7 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
     const double omega = mode.angular_frequency.value_or(nothing);
     table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7),
                shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
-               mode.name + (mode.repeated ? " (repeated root: one of an orthonormal basis)" : "")});
+               mode.name + (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : "")});
   }
   return "Undamped modes\n" + table.text();
 }

@@ -114,7 +114,7 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
     table.add({shown(rpm(c.speed)), shown(c.order, 4), shown(hertz(c.angular_frequency)), run.overall[c.curve].name,
                shown(c.amplitude), run.overall[c.curve].unit, percent(c.relative_height), mode_words(c.nearest_mode)});
   }
-  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest of their answer)\n" +
+  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest peak of the same answer)\n" +
       (tall.empty() ? std::string("  none in the range\n") : table.text());
   if (tall.size() > most_rows)
     text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
@@ -128,7 +128,7 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   return text + overall.text() +
       (answers.find<study::OrdersResult>("orders")->campbell.points.empty()
            ? ""
-           : "Campbell diagram: orders meet natural frequencies\n" + points.text());
+           : "Campbell diagram: intersections of orders and natural frequencies\n" + points.text());
 }
 
 }  // namespace

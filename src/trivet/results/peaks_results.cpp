@@ -86,7 +86,7 @@ std::string peaks_table(const project::Case&, const study::Answers& answers) {
                                         : std::string("Resonance peaks, 0 < ω < ∞\n")) +
       (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
-    if (curve.vanishes) text += fmt::format("  {}: zero but for round-off\n", curve.name);
+    if (curve.vanishes) text += fmt::format("  {}: zero except for round-off\n", curve.name);
     else if (curve.peaks == 0)
       text += fmt::format(
           "  {}: no resonance peak (prominence above {:g} of its maximum); the maximum is {} {} at ω = {} rad/s\n",
@@ -94,13 +94,12 @@ std::string peaks_table(const project::Case&, const study::Answers& answers) {
   }
   if (std::isfinite(found.searched_to))
     text += fmt::format(
-        "  searched from ω = {} to {} rad/s: with elements that depend on frequency in their own way, or with delays, "
-        "there is no last resonance; a `response.band` that ends higher extends the search, up to the end of the "
-        "tables\n",
+        "  searched from ω = {} to {} rad/s: with frequency-dependent elements or delays there is no last resonance; a "
+        "`response.band` with a higher end extends the search, up to the end of the tables\n",
         shown(found.searched_from, 3), shown(found.searched_to, 4));
   else if (found.searched_from > 0)
-    text +=
-        fmt::format("  searched from ω = {} rad/s: below it the free motion rules\n", shown(found.searched_from, 3));
+    text += fmt::format("  searched from ω = {} rad/s: below it the rigid-body mode dominates\n",
+                        shown(found.searched_from, 3));
   return text;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Nothing, or the head of an SVG file: declaration, comments and document type may stand before the element.
+/// Is the file empty or an SVG file? Declaration, comments and document type may precede the element.
 bool is_earlier_picture(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(4096, '\0');
@@ -41,19 +41,19 @@ PictureFile::PictureFile(const fs::path& target, const fs::path& project) {
   if (error && status.type() != fs::file_type::not_found) refuse(error.message());
   if (fs::exists(status)) {
     if (fs::equivalent(target_, project, error))
-      refuse("this is the project file itself; give the picture a name of its own");
+      refuse("this is the project file; choose another name for the picture");
     if (fs::is_symlink(status))
       refuse("this is a symbolic link, which is neither followed nor replaced; name the picture itself");
     if (fs::is_directory(status)) refuse("this is a folder; name a file inside it");
     if (!fs::is_regular_file(status) || !is_earlier_picture(target_))
-      refuse("it exists and holds something else than an SVG picture; choose another name");
+      refuse("it exists and is not an SVG picture; choose another name");
   }
   if (!fs::is_directory(target_.parent_path(), error))
-    refuse(fmt::format("there is no folder {}; make it, or choose another", target_.parent_path().string()));
+    refuse(fmt::format("there is no folder {}; create it, or choose another", target_.parent_path().string()));
   try {
     temporary_ = std::make_unique<foundation::TemporaryFolder>(target_.parent_path());
   } catch (const std::system_error& reason) {
-    refuse(fmt::format("cannot write there: {}; choose a folder where you may write", reason.code().message()));
+    refuse(fmt::format("cannot write there: {}; choose a folder with write permission", reason.code().message()));
   }
 }
 
@@ -63,8 +63,8 @@ void PictureFile::publish(const std::string& svg) const {
   const foundation::Undisturbed step;
   std::error_code error;
   fs::rename(temporary_->path() / name, target_,
-             error);  // replaces a link that was planted meanwhile, and does not follow it
-  if (error) throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), error.message()));
+             error);  // replaces a link that was created meanwhile, without following it
+  if (error) throw std::runtime_error(fmt::format("cannot replace {}: {}", target_.string(), error.message()));
 }
 
 }  // namespace trivet::results

@@ -9,18 +9,18 @@
 
 namespace trivet::results {
 
-/// A picture in the making, begun before the answer is computed: it is written to a temporary folder beside the target
-/// and takes its place as a whole, or not at all.
+/// A picture file, prepared before the answer is computed: it is written to a temporary folder next to the target and
+/// then replaces it as a whole, or not at all.
 class PictureFile {
  public:
-  /// A target that exists may be an earlier SVG picture, or empty.
-  /// @throws foundation::InvalidInput if it is `project`, a link, or holds something else, or if nothing can be written
-  /// in its folder
+  /// An existing target may be an earlier SVG picture or an empty file.
+  /// @throws foundation::InvalidInput if it is `project`, a link, or contains something else, or if its folder is not
+  /// writable
   PictureFile(const std::filesystem::path& target, const std::filesystem::path& project);
   PictureFile(const PictureFile&) = delete;
   PictureFile& operator=(const PictureFile&) = delete;
 
-  /// @throws std::runtime_error with the reason; an earlier picture then stays as it was
+  /// @throws std::runtime_error with the reason; an earlier picture then stays unchanged
   void publish(const std::string& svg) const;
 
  private:

@@ -68,7 +68,8 @@ std::string power_text(const project::Case& variant, const study::Answers& answe
   for (std::size_t m = 0; m < p.mounts.size(); ++m)
     add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
   add("in total", p.into_ground_in_total);
-  return excited_at_once(variant, "power") + "Mean power into the ground (negative: out of it)\n" + table.text();
+  return excited_at_once(variant, "power") + "Mean power into the ground (negative: out of the ground)\n" +
+      table.text();
 }
 
 }  // namespace

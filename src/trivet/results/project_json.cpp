@@ -34,7 +34,7 @@ std::string damping_words(const model::SystemDamping& damping) {
     for (const double ratio : m->ratios) ratios += fmt::format("{}{:.6g}", ratios.empty() ? "" : ", ", ratio);
     return "modal damping ratios " + ratios;
   }
-  return "none beside that of the elements";
+  return "only that of the elements";
 }
 
 Json facts_json(const model::Element& element) {
@@ -43,7 +43,7 @@ Json facts_json(const model::Element& element) {
   return list;
 }
 
-/// A real amplitude keeps its sign; a complex one is split into magnitude and phase.
+/// JSON of an excitation: a real amplitude keeps its sign, a complex one is split into magnitude and phase.
 Json excitation_json(const model::Description& d, const model::Excitation& excitation) {
   const model::Action& action = excitation.action;
   const bool real = action.amplitude.imag().isZero(0);
@@ -129,7 +129,7 @@ Json model_json(const project::Case& variant) {
 
 enum class Reader { file, page };
 
-/// Answers that the page shows itself; tables and figures of the others are in its text.
+/// Answers that the page draws itself; the others are static tables and figures in its text.
 const std::vector<std::string> drawn_by_page = {"modes", "roots", "peaks", "static", "limit_lines"};
 
 Json case_json(const project::Case& variant, const study::Answers& answers, Reader reader) {

@@ -11,11 +11,11 @@ namespace trivet::results {
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
 [[nodiscard]] std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
-/// What the report page needs of it: models instead of long tables of curves, and nothing of the answers that stand in
-/// the page as static figures.
+/// The part for the report page: models instead of long tables of curves, without the answers that are static figures
+/// in the page.
 [[nodiscard]] std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
-/// {"ok", "problems": [...], "deep": [...]}: the verdict of `trivet check --json`; "deep" only where solvers were
+/// {"ok", "problems": [...], "deep": [...]}: the verdict of `trivet check --json`; "deep" only if solvers were
 /// compared.
 [[nodiscard]] std::string problems_json(const foundation::Problems& problems,
                                         const std::vector<std::string>& free_motions,

@@ -68,20 +68,20 @@ namespace {
 
 using foundation::two_pi;
 
-/// "inf" where a number has no bound, empty where there is none.
+/// "inf" for an unbounded number, empty if there is none.
 std::string bounded(const std::optional<double>& value, bool infinite) { return infinite ? "inf" : csv_number(value); }
 
-/// ∞ where a number has no bound, NaN where there is none.
+/// ∞ for an unbounded number, NaN if there is none.
 double bounded_number(const std::optional<double>& value, bool infinite) {
   return infinite ? std::numeric_limits<double>::infinity() : value.value_or(nothing);
 }
 
-/// How the variances were found and how well, if any is finite.
+/// Method and error of the variances, if any is finite.
 std::string accuracy_text(const response::RandomResponse& random) {
   std::vector<double> errors;
   for (const response::RandomAnswer& a : random.answers)
     if (!std::isnan(a.estimated_error)) errors.push_back(a.estimated_error);
-  if (errors.empty()) return "  no variance is finite, so none has an error\n";
+  if (errors.empty()) return "  no variance is finite\n";
   return fmt::format("  {}, relative error of the {} about {:.1e}{}\n",
                      random.method == response::RandomMethod::poles ? "exact integration over the poles"
                                                                     : "adaptive quadrature over the poles",

@@ -15,7 +15,7 @@ namespace trivet::results {
 namespace json {
 namespace {
 
-/// Real and imaginary parts in turn: half as many brackets as pairs.
+/// Real and imaginary parts alternating in one list, which is shorter than a list of pairs.
 template <typename Vector>
 Json complex_list(const Vector& values) {
   Json result = Json::array();
@@ -103,10 +103,10 @@ Json drawn_response(const study::Answers& answers) {
 
 std::string limits_text(const study::Answers& answers) {
   if (answers.limits.empty()) return "";
-  TextTable table({"limit on", "allowed", "largest in band", "at ω [rad/s]", "largest anywhere", "unit", "verdict"});
+  TextTable table({"limit on", "allowed", "largest in band", "at ω [rad/s]", "largest at any ω", "unit", "verdict"});
   for (const study::LimitAnswer& limit : answers.limits)
     table.add({limit.name, shown(limit.limit), shown(limit.in_band), shown(limit.in_band_at), shown(limit.anywhere),
-               limit.unit, limit.kept ? "kept" : "EXCEEDED"});
+               limit.unit, limit.kept ? "met" : "EXCEEDED"});
   return "Limits\n" + table.text();
 }
 
@@ -163,15 +163,14 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
       answer.deep.worst_difference, answer.deep.allowed, answer.deep.verdict());
   if (answer.curves.interpolation_error > 0)
     text += fmt::format(
-        "  rows between the {} frequencies that were solved are interpolated by a rational model: off by at most "
-        "{:.1e} of their value where it was tested\n",
+        "  rows between the {} solved frequencies are interpolated by a rational model; its relative error is at most "
+        "{:.1e} at the tested frequencies\n",
         answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
-    text += fmt::format(
-        "  ω = {} rad/s: no steady state exists there (shown as –); {}\n", shown(omega, 9),
-        omega > 0
-            ? "it is an undamped resonance"
-            : "a body is free to move, or the ground is given by its velocity or acceleration and moves without bound");
+    text += fmt::format("  ω = {} rad/s: no steady state exists (shown as –); {}\n", shown(omega, 9),
+                        omega > 0 ? "it is an undamped resonance"
+                                  : "a body is free to move, or the motion of the ground is given by its velocity or "
+                                    "acceleration and unbounded");
   return text;
 }
 
@@ -180,7 +179,7 @@ std::string response_text(const project::Case& variant, const study::Answers& an
       limit_lines_text(answers);
 }
 
-/// Of `run`: the table is in the folder.
+/// Text for `run`, without the table, which is in the folder.
 std::string response_summary(const project::Case&, const study::Answers& answers) {
   const auto& check = answers.response->curves.check;
   return fmt::format(

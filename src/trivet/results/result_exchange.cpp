@@ -19,10 +19,10 @@ namespace {
 
 using Kind = foundation::FolderHandle::Kind;
 
-constexpr const char* manifest_of_both = "manifest-of-both.json";  // only ever in the folder of the new result
+constexpr const char* manifest_of_both = "manifest-of-both.json";  // only in the folder of the new result
 
 void require(bool success, const std::string& name) {
-  if (!success) throw std::runtime_error(fmt::format("cannot put {} in place: {}", name, std::strerror(errno)));
+  if (!success) throw std::runtime_error(fmt::format("cannot replace {}: {}", name, std::strerror(errno)));
 }
 
 /// The folder of a path in a result ("00-base" of "00-base/modes.csv"), and the name in it.
@@ -67,7 +67,7 @@ void remove_from(const foundation::FolderHandle& current, const std::string& pat
   if (folder.kind(place.name) == Kind::file && ours.is_ours(path, folder, place.name))
     unlinkat(folder.descriptor(), place.name.c_str(), 0);
   if (!place.folder.empty())
-    unlinkat(current.descriptor(), place.folder.c_str(), AT_REMOVEDIR);  // not if the user keeps something in it
+    unlinkat(current.descriptor(), place.folder.c_str(), AT_REMOVEDIR);  // fails if the user has files in it
 }
 
 }  // namespace
@@ -89,8 +89,7 @@ bool exchange_folders(const ResultExchange& exchange, const foundation::FolderHa
   const bool complete = users.move_latecomers_into(exchange.next);
   notes.insert(notes.end(), users.notes().begin(), users.notes().end());
   if (!complete)
-    throw std::runtime_error(
-        fmt::format("{} is in place, but something that came into it meanwhile could not be moved", name));
+    throw std::runtime_error(fmt::format("{} is replaced, but files created in it meanwhile could not be moved", name));
   return true;
 }
 

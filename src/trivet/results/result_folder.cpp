@@ -30,14 +30,15 @@ constexpr const char* advice = "choose another folder with -o";
 }
 
 [[noreturn]] void refuse_writing(const fs::path& target, const std::string& reason) {
-  throw std::runtime_error(fmt::format("cannot write beside {}: {}; {}", target.string(), reason, advice));
+  throw std::runtime_error(fmt::format("cannot write next to {}: {}; {}", target.string(), reason, advice));
 }
 
-/// With a name of its own at the end, so that its place can be named by the folder that holds it.
+/// Absolute path of the target that ends in a name, so that it can be addressed from its parent folder.
 fs::path absolute_target(const fs::path& given) {
   std::error_code error;
   fs::path target = fs::absolute(given, error);
-  if (error) refuse(given, fmt::format("counts from the current folder, which cannot be found ({})", error.message()));
+  if (error)
+    refuse(given, fmt::format("is relative to the current folder, which cannot be found ({})", error.message()));
   while (target.filename().empty() && target.has_relative_path()) target = target.parent_path();
   if (target.filename() == "." || target.filename() == "..") target = fs::canonical(target, error);
   if (error) refuse(given, fmt::format("cannot be found ({})", error.message()));
@@ -45,8 +46,8 @@ fs::path absolute_target(const fs::path& given) {
   return target;
 }
 
-/// The manifest of what is in place: an empty one for an empty folder. @throws std::runtime_error if it is not Trivet's
-/// to replace
+/// Manifest of the existing folder: an empty one for an empty folder. @throws std::runtime_error if Trivet must not
+/// replace the folder
 ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::path& target) {
   if (!folder.is_open()) refuse(target, fmt::format("cannot be read ({})", std::strerror(errno)));
   if (const auto manifest = ResultManifest::of(folder)) return *manifest;
@@ -55,11 +56,10 @@ ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::
                   [](const std::string& name) { return name.starts_with(foundation::temporary_name_start); }))
     return {};
   refuse(target,
-         fmt::format("exists and holds something else than an earlier result of trivet (no {} that names its files)",
-                     manifest_name));
+         fmt::format("exists and is not an earlier result of trivet (no {} that lists its files)", manifest_name));
 }
 
-/// What stands at a place, as a kind; an error of the system is one here.
+/// Kind of the file or folder at the target. @throws std::runtime_error for an error of the system
 Kind kind_at(const foundation::FolderHandle& parent, const fs::path& target) {
   struct stat status;
   if (fstatat(parent.descriptor(), target.filename().c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno != ENOENT)
@@ -79,7 +79,7 @@ ResultFolder::ResultFolder(const fs::path& target, const std::vector<std::string
     : target_(absolute_target(target)) {
   std::error_code error;
   if (fs::equivalent(target_, fs::current_path(error), error))
-    refuse(target_, "is the current folder, which is not replaced");
+    refuse(target_, "is the current folder, which cannot be replaced");
   try {
     make_parents();
     const foundation::FolderHandle parent(target_.parent_path());
@@ -133,11 +133,11 @@ void ResultFolder::check(const foundation::FolderHandle& parent, const std::vect
   for (const char* name : {"results.json", "report.html", manifest_name}) {
     const Kind found = current.kind(name);
     if (found != Kind::none && (found != Kind::file || !ours.names(name)))
-      refuse(target_ / name, fmt::format("is {} that is not from trivet, and its name is needed", words(found)));
+      refuse(target_ / name, fmt::format("is {} not written by trivet, and its name is needed", words(found)));
   }
   for (const std::string& name : folders)
     if (const Kind found = current.kind(name); found != Kind::none && found != Kind::folder)
-      refuse(target_ / name, fmt::format("is {} where the result needs a folder", words(found)));
+      refuse(target_ / name, fmt::format("is {}, but the result needs a folder of this name", words(found)));
   one_by_one_ = is_mount_point(current, parent);
 }
 
@@ -162,7 +162,7 @@ std::vector<std::string> ResultFolder::publish() {
   std::vector<std::string> notes;
   const Kind kind = kind_at(parent, target_);
   if (kind == Kind::none && renameat(temporary.descriptor(), new_result, parent.descriptor(), name.c_str()) != 0)
-    throw std::runtime_error(fmt::format("cannot put {} in place: {}", target_.string(), std::strerror(errno)));
+    throw std::runtime_error(fmt::format("cannot create {}: {}", target_.string(), std::strerror(errno)));
   if (kind != Kind::none) {
     if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", words(kind)));
     const foundation::FolderHandle current = parent.folder(name);
@@ -174,8 +174,9 @@ std::vector<std::string> ResultFolder::publish() {
   published_ = true;
   made_parents_.clear();
   if (!lock.is_held())
-    notes.push_back(fmt::format("{}: this file system has no locks ({}); do not let two runs write there at once",
-                                target_.parent_path().string(), lock.reason()));
+    notes.push_back(
+        fmt::format("{}: this file system has no locks ({}); do not let two runs write there at the same time",
+                    target_.parent_path().string(), lock.reason()));
   return notes;
 }
 

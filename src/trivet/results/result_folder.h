@@ -13,24 +13,24 @@
 
 namespace trivet::results {
 
-/// A result folder in the making: files go to a temporary folder beside the target, which takes the target's place in
-/// one step when `publish` is called; without it, everything written is removed again. Files of an earlier result go,
-/// everything else in the target stays: its manifest tells them apart. Only one process at a time publishes into the
-/// same place (docs/decisions/result-folders.md).
+/// A result folder that is being written: files go to a temporary folder next to the target, which replaces the target
+/// in one step when `publish` is called; without it, everything written is removed again. Files of an earlier result
+/// (listed in its manifest) are removed, everything else in the target stays. Only one process at a time publishes to
+/// the same target (docs/decisions/result-folders.md).
 class ResultFolder {
  public:
   /// @param folders  names of the folders that the result will have, "00-base"
-  /// @throws std::runtime_error if the target is a link or a file, holds something but no manifest, or needs a name
-  /// that the user has given to
-  ///         something else; or if nothing can be written there
+  /// @throws std::runtime_error if the target is a link or a file, contains something but no manifest, or needs a name
+  /// that the user uses for something else; or if it is not writable
   ResultFolder(const std::filesystem::path& target, const std::vector<std::string>& folders);
   ~ResultFolder();
   ResultFolder(const ResultFolder&) = delete;
   ResultFolder& operator=(const ResultFolder&) = delete;
 
-  /// Writes one file, `name` may hold a folder. @throws std::runtime_error with the reason (a full disk, for instance)
+  /// Writes one file; `name` may include a folder. @throws std::runtime_error with the reason (a full disk, for
+  /// instance)
   void write(const std::string& name, const std::string& content);
-  /// Puts the result in place. @returns what the user should know: files of theirs that got another name
+  /// Replaces the target by the result. @returns notes for the user: files of theirs that were renamed
   [[nodiscard]] std::vector<std::string> publish();
 
  private:
@@ -42,7 +42,7 @@ class ResultFolder {
 
   std::filesystem::path target_;  ///< absolute
   std::list<foundation::RegisteredFolder> made_parents_;
-  bool one_by_one_ = false;  ///< a mount point: it cannot change places with another folder
+  bool one_by_one_ = false;  ///< a mount point cannot be exchanged with another folder
   std::unique_ptr<foundation::TemporaryFolder> temporary_;
   foundation::FolderHandle working_;  ///< new_result in the temporary folder
   ResultManifest manifest_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t largest_manifest = 64u << 20;  // 400,000 files
 
-/// A name without a step out of the folder.
+/// Does a path stay inside the folder?
 bool stays_inside(const std::string& path) {
   std::size_t from = 0;
   while (from <= path.size()) {

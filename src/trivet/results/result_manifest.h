@@ -13,11 +13,10 @@ namespace trivet::results {
 /// The file of a result folder that names the files of Trivet in it.
 inline constexpr const char* manifest_name = "manifest.json";
 
-/// Which files of a result folder are Trivet's: those that have one of the listed contents. Everything else is the
-/// user's.
+/// List of Trivet's files in a result folder: those with one of the listed contents. All other files are the user's.
 class ResultManifest {
  public:
-  /// Of a folder; nothing if there is no manifest in it, or one that cannot be understood.
+  /// Manifest of a folder; empty if there is none or it cannot be read.
   [[nodiscard]] static std::optional<ResultManifest> of(const foundation::FolderHandle& folder);
 
   /// @param path  "00-base/modes.csv", relative to the folder
@@ -26,9 +25,9 @@ class ResultManifest {
   [[nodiscard]] std::string text() const;
 
   [[nodiscard]] bool names(const std::string& path) const { return path == manifest_name || files_.contains(path); }
-  /// Is this folder the place of a file that is listed?
+  /// Is a file in this folder listed?
   [[nodiscard]] bool names_folder(const std::string& path) const;
-  /// Is it listed, and unchanged since? @param folder  that holds it  @param name  its name there
+  /// Is the file listed and unchanged? @param folder  folder of the file  @param name  its name there
   [[nodiscard]] bool is_ours(const std::string& path, const foundation::FolderHandle& folder,
                              const std::string& name) const;
 

@@ -10,7 +10,7 @@
 namespace trivet::results {
 
 std::pair<std::string, std::string> shown_apart(double a, double b, int digits) {
-  constexpr double noticeable = 0.01;  // of their distance
+  constexpr double noticeable = 0.01;  // share of their difference
   const auto shown = [&](double x) { return fmt::format("{:.{}g}", x, digits); };
   const auto misses = [&](double x) {
     const std::string text = shown(x);

@@ -6,7 +6,7 @@
 
 namespace trivet::results {
 
-/// Two numbers in `digits` significant digits, or in as many more as show how far they are apart.
+/// Two numbers with `digits` significant digits, or with as many more as needed to show their difference.
 [[nodiscard]] std::pair<std::string, std::string> shown_apart(double a, double b, int digits);
 
 }  // namespace trivet::results

@@ -5,7 +5,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
 
-/// Static displacements and forces, and what each mount bears.
+/// Static displacements and forces, and the load on each mount.
 namespace trivet::results {
 namespace json {
 namespace {
@@ -51,11 +51,11 @@ std::string load_sharing_csv(const project::Case&, const study::Answers& answers
 }
 
 std::string load_sharing_text(const study::Answers& answers) {
-  TextTable table({"mount", "bears [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
+  TextTable table({"mount", "load [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
   for (const response::MountLoad& m : answers.load_sharing->mounts)
     table.add({m.element, shown(m.bearing), percent(m.share), shown(m.deflection(0), 4), shown(m.deflection(1), 4),
                shown(m.deflection(2), 4)});
-  return "Load sharing (deflection of end K against N in the element's axes)\n" + table.text();
+  return "Load sharing (deflection of end K relative to N in the element's axes)\n" + table.text();
 }
 
 std::string static_text(const project::Case&, const study::Answers& answers) {

@@ -9,7 +9,7 @@
 namespace trivet::results {
 namespace {
 
-/// Characters on the screen: UTF-8 continuation bytes take no place.
+/// Number of characters on the screen: UTF-8 continuation bytes do not count.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -22,7 +22,7 @@ bool is_number(const std::string& text) {
 
 constexpr std::size_t screen = 150, gap = 3;  // columns of characters
 
-/// The first column of a row, and those from `first` to before `last`.
+/// The first column of a row, and the columns `first` … `last` − 1.
 std::string line(const std::vector<std::string>& row, std::size_t first, std::size_t last,
                  const std::vector<std::size_t>& widest, const std::vector<bool>& numeric) {
   std::string text;

@@ -9,11 +9,11 @@
 
 namespace trivet::results {
 
-/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. One that is
-/// wider than a screen comes in parts below each other, each with the first column.
+/// A table for the terminal: columns as wide as their widest entry, numbers right-aligned, words left. A table wider
+/// than the screen is split into parts below each other, each with the first column.
 class TextTable {
  public:
-  /// @param together  columns after the first that are not parted: 2 for amplitude and phase
+  /// @param together  number of columns after the first that are not separated: 2 for amplitude and phase
   explicit TextTable(std::vector<std::string> header, std::size_t together = 1)
       : rows_{std::move(header)}, together_(together) {}
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
@@ -24,16 +24,16 @@ class TextTable {
   std::size_t together_;
 };
 
-/// Six significant digits, or a dash where there is no number.
+/// A number with six significant digits, or a dash for NaN.
 [[nodiscard]] std::string shown(double value, int digits = 6);
 
 /// A cell without a number.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-/// "12.3 %"; "0.005 %" where one decimal would show nothing. Below 1e-9 there is nothing but round-off.
+/// "12.3 %"; "0.005 %" if one decimal would show 0. Below 1e-9 there is only round-off.
 [[nodiscard]] std::string percent(double share);
 
-/// 0 where a value is round-off of others of its kind.
+/// The value, or 0 if it is round-off of the largest of its kind.
 [[nodiscard]] double without_round_off(double value, double largest);
 
 }  // namespace trivet::results

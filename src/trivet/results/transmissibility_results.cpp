@@ -8,7 +8,7 @@
 #include "trivet/results/text_table.h"
 #include "trivet/study/transmissibility_answer.h"
 
-/// Force or motion that the mounts let through.
+/// Force or motion that the mounts transmit.
 namespace trivet::results {
 namespace json {
 namespace {
@@ -76,8 +76,9 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
                                                                    : "–",
                shown(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
-  const std::string shares =
-      t.is_share(1) ? "  the force of a single mount is its share: isolation is that of the ground\n" : "";
+  const std::string shares = t.is_share(1)
+      ? "  the force of a single mount is only a share; isolation is that of the total force on the ground\n"
+      : "";
   return "Transmissibility: " + t.words + "\n" + table.text() + shares;
 }
 

@@ -20,8 +20,8 @@ constexpr int most_kept = 10000;
 
 std::string inside(const std::string& path, const std::string& name) { return path.empty() ? name : path + "/" + name; }
 
-/// Rights, owner and times of the folder that the user made. Only the superuser may give a file away; for others the
-/// owner is right already.
+/// Copies rights, owner and times of a folder of the user. Only the superuser may change the owner; for others it is
+/// already right.
 void copy_rights(const foundation::FolderHandle& from, const foundation::FolderHandle& to) {
   struct stat status;
   if (fstat(from.descriptor(), &status) != 0) return;
@@ -43,25 +43,25 @@ std::string kept_name(const std::string& name, const foundation::FolderHandle& o
         fmt::format("{}.kept-{}{}", stem, i, extension.size() > longest_extension ? "" : extension);
     if (one.kind(free) == Kind::none && other.kind(free) == Kind::none) return free;
   }
-  throw std::runtime_error(fmt::format("{}: no free name was found under which it can be kept; move it away", name));
+  throw std::runtime_error(fmt::format("{}: found no free name to keep it under; move it away", name));
 }
 
 std::string kept_words(const std::string& path, const std::string& new_name, bool listed) {
   const std::string new_path = (std::filesystem::path(path).parent_path() / new_name).string();
-  return fmt::format("{} {}; it is kept as {}", path,
-                     listed ? "was changed since trivet wrote it" : "is not from trivet, and its name was needed",
-                     new_path);
+  return fmt::format(
+      "{} {}; it is kept as {}", path,
+      listed ? "was changed since trivet wrote it" : "was not written by trivet, and its name was needed", new_path);
 }
 
 bool UsersFiles::link_into(const foundation::FolderHandle& next) { return link("", earlier_, next); }
 
 bool UsersFiles::link(const std::string& path, const foundation::FolderHandle& from,
                       const foundation::FolderHandle& to) {
-  if (!from.is_open() || !to.is_open()) return false;  // no right to look into it: the other method names the path
+  if (!from.is_open() || !to.is_open()) return false;  // no permission to read it: the other method reports the path
   for (const std::string& name : from.names()) {
     const std::string whole = inside(path, name);
     const Kind kind = from.kind(name);
-    if (kind == Kind::folder && to.kind(name) == Kind::folder) {  // both have it: a case of both results
+    if (kind == Kind::folder && to.kind(name) == Kind::folder) {  // in both: a case of both results
       if (!link(whole, from.folder(name), to.folder(name))) return false;
       continue;
     }
@@ -85,8 +85,7 @@ bool UsersFiles::link_folder(const std::string& path, const std::string& name, c
   if (!from.is_open()) return false;
   const foundation::FolderHandle made = to.made_folder(name);
   if (!made.is_open() || !link(path, from, made)) return false;
-  if (ours_.names_folder(
-          path)) {  // a case that no longer exists: its folder stays only if the user keeps something in it
+  if (ours_.names_folder(path)) {  // a case that no longer exists: its folder stays only if the user has files in it
     unlinkat(to.descriptor(), name.c_str(), AT_REMOVEDIR);
     return true;
   }

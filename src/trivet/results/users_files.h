@@ -10,21 +10,21 @@
 
 namespace trivet::results {
 
-/// What a result folder holds and Trivet did not write, or the user has edited since, on its way into the next result.
+/// Transfers files of the user, and Trivet's files that the user has edited, from a result folder to the next one.
 class UsersFiles {
  public:
-  /// @param earlier   the folder that is in place  @param ours  its manifest
+  /// @param earlier   the existing folder  @param ours  its manifest
   UsersFiles(const foundation::FolderHandle& earlier, const ResultManifest& ours) : earlier_(earlier), ours_(ours) {}
 
-  /// Gives every file a second name (a hard link) in the new result, and makes its folders there. The earlier folder
-  /// stays as it is. A file whose name the new result needs is called NAME.kept-1 there. @returns false if the file
-  /// system cannot do that for one of them
+  /// Creates a hard link to every file in the new result, with its folders. The earlier folder stays unchanged. If the
+  /// new result needs the name of a file, the file is named NAME.kept-1 there. @returns false if the file system cannot
+  /// do this for one of them
   [[nodiscard]] bool link_into(const foundation::FolderHandle& next);
-  /// Moves what has come into the earlier folder since then into the result that is now in place. @returns false if
-  /// something stayed behind
+  /// Moves files created in the earlier folder since then into the current result. @returns false if one could not be
+  /// moved
   [[nodiscard]] bool move_latecomers_into(const foundation::FolderHandle& current);
 
-  /// One sentence for each file that got another name.
+  /// One sentence for each renamed file.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -39,12 +39,11 @@ class UsersFiles {
   std::vector<std::string> notes_;
 };
 
-/// "modes.kept-1.csv": a name that is free in both folders.
+/// "modes.kept-1.csv": a name that is unused in both folders.
 [[nodiscard]] std::string kept_name(const std::string& name, const foundation::FolderHandle& one,
                                     const foundation::FolderHandle& other);
 
-/// The sentence about a file that got another name. @param listed  whether the manifest names it, so that the user has
-/// edited it
+/// The sentence about a renamed file. @param listed  the manifest lists it, so the user has edited it
 [[nodiscard]] std::string kept_words(const std::string& path, const std::string& new_name, bool listed);
 
 }  // namespace trivet::results

@@ -6,8 +6,8 @@
 
 #include "trivet/study/answers.h"
 
-/// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; the table behind it
-/// is in answer_writers.cpp. Each of these needs the answer to be there.
+/// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; their table is in
+/// answer_writers.cpp. Each requires that the answer exists.
 namespace trivet::results {
 
 [[nodiscard]] std::string answer_json(const std::string& question, const project::Case& variant,
@@ -27,7 +27,7 @@ struct AnswerFile {
 /// All answers of a case for the screen.
 [[nodiscard]] std::string answers_summary(const project::Case& variant, const study::Answers& answers);
 
-/// Which excitations act together in the answer of a question, if there are several.
+/// Line with the excitations that act together in the answer to a question; empty if there is only one.
 [[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& question);
 
 [[nodiscard]] std::string limits_text(const study::Answers& answers);

@@ -14,8 +14,7 @@ namespace {
 
 using foundation::Problems;
 
-constexpr double flat =
-    1e-7;  // coordinates of a binary file are no better than 6e-8 of the extent: volume ≤ flat·area·extent is none
+constexpr double flat = 1e-7;  // binary coordinates: 6e-8 of the extent at best; volume ≤ flat·area·extent counts as 0
 constexpr double degenerate = 1e-12;  // area over squared longest edge
 constexpr std::size_t holes_told = 5;
 
@@ -36,7 +35,7 @@ class Connected {
   std::vector<int> parent_;
 };
 
-/// An edge between two vertices, low < high, with how often triangles run along it upwards and downwards.
+/// An edge between two vertices, low < high, with the number of triangles that run along it upwards and downwards.
 struct Edge {
   int low, high, up, down;
 };
@@ -106,8 +105,8 @@ void check_edges(const TriangleSurface& surface, Problems& problems) {
     problems.warning("file",
                      fmt::format("{} edges belong to more than two triangles, {} in the file's units", shared.size(),
                                  place(surface, shared)),
-                     "parts that touch in an edge enclose their volumes side by side",
-                     "nothing, if parts are meant to touch there");
+                     "parts that touch along an edge are separate volumes",
+                     "no action is needed if parts should touch there");
 }
 
 void check_triangles(const TriangleSurface& surface, Problems& problems) {
@@ -123,7 +122,8 @@ void check_triangles(const TriangleSurface& surface, Problems& problems) {
     problems.warning("file",
                      fmt::format("{} degenerate triangles, the first at {} in the file's units", count,
                                  point(surface.vertices.col(surface.triangles(0, first)))),
-                     "a triangle without area encloses nothing", "nothing: they do not change the result");
+                     "a triangle without area encloses no volume",
+                     "no action is needed: they do not change the result");
 }
 
 struct Shell {
@@ -132,8 +132,8 @@ struct Shell {
   Eigen::AlignedBox3d box;
 };
 
-/// Sums of the tetrahedra from `reference` to each triangle, their second moment about `reference`: det/120 (Σ v vᵀ + s
-/// sᵀ), s = Σ v.
+/// Sums over the tetrahedra from the origin to each triangle; second moment about the origin: det/120 (Σ v vᵀ + s sᵀ),
+/// s = Σ v.
 struct TetrahedronSums {
   double volume = 0, area = 0;
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
@@ -167,7 +167,7 @@ std::vector<Shell> shells_of(const TriangleSurface& surface) {
   for (auto& [root, shell] : shells) {
     const TetrahedronSums& sum = sums[root];
     shell.area = sum.area;
-    if (sum.area == 0) continue;  // degenerate triangles by themselves
+    if (sum.area == 0) continue;  // degenerate triangles only
     shell.integrals.volume = sum.volume;
     if (sum.volume != 0) {
       const Eigen::Vector3d centre = sum.first / sum.volume;

@@ -20,7 +20,7 @@ namespace {
 
 using foundation::Problems;
 
-constexpr std::size_t step_header_bytes = 4096;  // blanks and comments may stand before the first word of a STEP file
+constexpr std::size_t step_header_bytes = 4096;  // blanks and comments may precede the first word of a STEP file
 constexpr std::size_t words_told = 300;
 constexpr const char* gmsh_time_limit = "TRIVET_GMSH_SECONDS";
 constexpr double longest_time = 604800;  // [s] a week
@@ -36,8 +36,8 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
   std::ifstream stream;
   if (std::filesystem::is_regular_file(file, not_a_file)) stream.open(file, std::ios::binary);  // a pipe would block
   if (!stream.is_open())
-    return refused(fmt::format("{}: cannot be read", file.string()), "a STEP file is wanted",
-                   "check its name and its rights");
+    return refused(fmt::format("{}: cannot be read", file.string()), "a STEP file is needed",
+                   "check its name and its permissions");
   std::string begin(step_header_bytes, '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
   begin.resize(static_cast<std::size_t>(stream.gcount()));
@@ -47,7 +47,7 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
   return {};
 }
 
-/// gmsh's complaints without terminal colours and frames of asterisks, on one line.
+/// Messages of gmsh without terminal colours and frames of asterisks, on one line.
 std::string complaints(const std::string& output) {
   std::string text;
   for (std::size_t i = 0; i < output.size(); ++i) {
@@ -58,13 +58,13 @@ std::string complaints(const std::string& output) {
   return text.size() > words_told ? "…" + text.substr(text.size() - words_told) : text;
 }
 
-/// The user's path never enters the script: a link stands for it.
+/// Writes the script, and a link to the STEP file so that the user's path never enters the script.
 foundation::Expected<void> prepare(const GmshJob& job) {
   std::error_code error;
   const std::filesystem::path file = std::filesystem::absolute(job.step_file, error);
   if (!error) std::filesystem::create_symlink(file, job.folder / "part.step", error);
   if (error)
-    return refused(fmt::format("{}: cannot be brought to gmsh: {}", job.step_file.string(), error.message()),
+    return refused(fmt::format("{}: cannot be linked for gmsh: {}", job.step_file.string(), error.message()),
                    "gmsh works in a temporary folder", "check the folder in TMPDIR and the current one");
   errno = 0;
   std::ofstream script(job.folder / "job.geo");
@@ -72,11 +72,11 @@ foundation::Expected<void> prepare(const GmshJob& job) {
   script.close();
   if (!script)
     return refused(fmt::format("{}: {}", job.folder.string(), errno ? std::strerror(errno) : "cannot be written"),
-                   "gmsh works in a temporary folder", "make room, or set TMPDIR to a folder with room");
+                   "gmsh works in a temporary folder", "free some space, or set TMPDIR to a folder with space");
   return {};
 }
 
-/// What it wrote is read as files: a pipe would block, a folder fail.
+/// Results must be regular files: reading a pipe would block, a folder would fail.
 foundation::Expected<void> check_results(const GmshJob& job) {
   std::error_code error;
   for (std::filesystem::directory_iterator entry(job.folder, error), end; !error && entry != end;
@@ -84,14 +84,14 @@ foundation::Expected<void> check_results(const GmshJob& job) {
     const std::string extension = entry->path().extension().string();
     const bool is_result = extension == ".txt" || extension == ".msh";
     if (is_result && !std::filesystem::is_regular_file(entry->symlink_status(error)))
-      return refused(
-          fmt::format("{}: gmsh wrote {}, which is no file", job.step_file.string(), entry->path().filename().string()),
-          "gmsh writes its results to files", "check the program gmsh: `gmsh --version`");
+      return refused(fmt::format("{}: gmsh wrote {}, which is not a file", job.step_file.string(),
+                                 entry->path().filename().string()),
+                     "gmsh writes its results to files", "check the program gmsh: `gmsh --version`");
   }
   return {};
 }
 
-/// The limit of the job, or the user's. Nothing if the user's is no number of seconds.
+/// Time limit of the job, or the user's; nullopt if the user's is not a number of seconds in the range.
 std::optional<double> time_limit(const GmshJob& job) {
   const char* given = std::getenv(gmsh_time_limit);
   if (!given || !*given) return job.time_limit;
@@ -134,15 +134,15 @@ foundation::Expected<void> run_gmsh(const GmshJob& job, const foundation::Progre
   }
   if (outcome.end == foundation::CommandOutcome::End::time_limit)
     return refused(
-        fmt::format("{}: gmsh had not finished after {:.4g} s and was ended", job.step_file.string(), *limit),
+        fmt::format("{}: gmsh had not finished after {:.4g} s and was stopped", job.step_file.string(), *limit),
         "gmsh must read and mesh the solids of the file in time",
-        fmt::format("take larger elements if it was meshing, or set {} to more seconds", gmsh_time_limit));
+        fmt::format("use larger elements if it was meshing, or set {} to more seconds", gmsh_time_limit));
   if (!outcome.succeeded())
     return refused(
         fmt::format("{}: gmsh failed ({}): {}", job.step_file.string(), how_it_ended(outcome, command),
                     complaints(outcome.output)),
         "gmsh must be able to read and mesh the solids of the file",
-        "take smaller elements if it was meshing; else heal the solid in the CAD program and export it again");
+        "use smaller elements if it was meshing; otherwise repair the solid in the CAD program and export it again");
   return check_results(job);
 }
 

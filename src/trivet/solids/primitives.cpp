@@ -49,7 +49,7 @@ void check(const Tube& tube, Problems& problems) {
                    fmt::format("{:.6g} m, outer_diameter = {:.6g} m: wall {:.6g} m", tube.inner_diameter,
                                tube.outer_diameter, (tube.outer_diameter - tube.inner_diameter) / 2),
                    "a tube's inner diameter must be below its outer diameter",
-                   "exchange the two, or take a cylinder if it has no bore");
+                   "exchange the two, or use a cylinder if it has no bore");
 }
 
 void check(const Sphere& sphere, Problems& problems) { check_length(problems, "diameter", sphere.diameter); }

@@ -11,8 +11,7 @@ namespace trivet::solids {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-// Bodies of simple shape. The origin of a shape's frame is the middle of its length, its axis is z. All lengths [m], >
-// 0.
+// Simple shapes. The origin of a shape's frame is at the middle of its length, its axis is z. All lengths [m], > 0.
 
 struct Box {
   double length_x = not_given, length_y = not_given, length_z = not_given;
@@ -33,7 +32,7 @@ struct Cone {
 };
 using Primitive = std::variant<Box, Cylinder, Tube, Sphere, Cone>;
 
-/// Every rule of the shape that its lengths break, with the length's name as subject.
+/// Rules of the shape that its lengths violate, with the length's name as subject.
 [[nodiscard]] foundation::Problems problems(const Primitive& primitive);
 
 /// Exact volume, centre and second moment in the shape's frame.

@@ -36,7 +36,7 @@ struct Measure {
     if (!(stl.length_unit > 0) || !std::isfinite(stl.length_unit)) {
       Problems found;
       found.error("unit", std::isnan(stl.length_unit) ? "not given" : fmt::format("{:.6g} m", stl.length_unit),
-                  "an STL file does not say its length unit, which must be > 0",
+                  "an STL file does not state its length unit, which must be > 0",
                   "give the unit of the file, \"mm\" for most");
       return tl::unexpected(found);
     }
@@ -59,7 +59,7 @@ struct Measure {
     for (const int number : step.solids) {
       if (number < 1 || static_cast<std::size_t>(number) > volumes->size())
         found.error("solids", fmt::format("{}; {} holds {} solids", number, step.file.string(), volumes->size()),
-                    fmt::format("solids are numbered from 1 to {}", volumes->size()), "name solids that are there");
+                    fmt::format("solids are numbered from 1 to {}", volumes->size()), "name existing solids");
       else if (!taken.insert(number).second)
         found.error("solids", fmt::format("{} is named twice", number), "each solid counts once", "name it once");
       else total = sum(total, (*volumes)[static_cast<std::size_t>(number) - 1]);
@@ -78,7 +78,7 @@ void check_part(const Part& part, Problems& problems) {
   const Eigen::Matrix3d& r = part.pose.rotation;
   if (!((r.transpose() * r - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= orthonormal) ||
       !(r.col(0).cross(r.col(1)).dot(r.col(2)) > 0))
-    problems.error("orientation", "is no rotation", "its three axes must be orthonormal and right-handed",
+    problems.error("orientation", "is not a rotation", "its three axes must be orthonormal and right-handed",
                    "give it by axis and angle");
   if (!part.pose.position.allFinite())
     problems.error("position", "is not finite", "a position is three finite lengths",
@@ -90,7 +90,7 @@ void add_prefixed(Problems& problems, const std::string& name, Problems found) {
   problems.add(found);
 }
 
-/// Round-off of very small or very large lengths leaves the range of numbers before it leaves the rules above.
+/// Very small or very large lengths can pass the checks above and still overflow or underflow.
 bool representable(const spatial::MassProperties& p) {
   return std::isnormal(p.mass) && p.centre.allFinite() && p.inertia_about_centre.allFinite() &&
       std::isnormal(p.inertia_about_centre.trace());

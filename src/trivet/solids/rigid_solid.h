@@ -12,16 +12,16 @@
 
 namespace trivet::solids {
 
-/// A closed surface of triangles. STL files do not say their unit, so it must be given.
+/// A closed surface of triangles. STL files do not state their unit, so it must be given.
 struct StlSolid {
   std::filesystem::path file;
-  double length_unit = not_given;  ///< [m] > 0: length of the file's 1; 0.001 for millimetres
+  double length_unit = not_given;  ///< [m] > 0: length of 1 in the file; 0.001 for millimetres
 };
 
-/// Solids of a STEP file, which says its unit itself.
+/// Solids of a STEP file, which states its unit.
 struct StepSolid {
   std::filesystem::path file;
-  std::vector<int> solids = {};  ///< which, numbered from 1 in the order of the file; empty: all
+  std::vector<int> solids = {};  ///< their numbers from 1 in the order of the file; empty: all
 };
 
 /// A piece of uniform density.
@@ -35,7 +35,7 @@ struct Part {
 struct PartResult {
   std::string name;
   double volume = 0;                   ///< [m³]
-  spatial::MassProperties properties;  ///< about the pole's axes, as the sum's
+  spatial::MassProperties properties;  ///< from the pole in body axes, as for the sum
 };
 
 struct RigidSolid {
@@ -44,7 +44,7 @@ struct RigidSolid {
   foundation::Problems remarks;  ///< warnings
 };
 
-/// Mass, centre and inertia of parts that add up; where parts overlap, both count. Subjects of problems are the part's
+/// Mass, centre and inertia of all parts together; overlapping volumes count twice. Subjects of problems are the part's
 /// name and the key, "flange.density".
 [[nodiscard]] foundation::Expected<RigidSolid> rigid_solid(const std::vector<Part>& parts,
                                                            const foundation::Progress& progress = {});

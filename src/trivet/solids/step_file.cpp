@@ -57,7 +57,7 @@ foundation::Expected<std::vector<VolumeIntegrals>> step_volumes(const std::files
   std::size_t count = 0;
   Problems problems;
   if (!(stream >> count) || count == 0) {
-    problems.error("file", fmt::format("{}: holds no solid", file.string()),
+    problems.error("file", fmt::format("{}: contains no solid", file.string()),
                    "volumes are needed, not surfaces or curves alone", "export the part as a solid body");
     return tl::unexpected(problems);
   }
@@ -73,7 +73,7 @@ foundation::Expected<std::vector<VolumeIntegrals>> step_volumes(const std::files
       problems.error(
           "file",
           fmt::format("{}: solid {} of {} has the volume {:.6g} m³", file.string(), i + 1, count, volumes[i].volume),
-          "a solid has a volume > 0", "heal the solid in the CAD program and export it again");
+          "a solid has a volume > 0", "repair the solid in the CAD program and export it again");
   if (problems.has_errors()) return tl::unexpected(problems);
   return volumes;
 }

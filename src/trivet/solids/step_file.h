@@ -11,8 +11,9 @@
 namespace trivet::solids {
 
 /// Volume, centre and second moment [m] of every solid in a STEP file, in the order and the frame of the file,
-/// integrated over its exact surfaces (not over triangles) by the OpenCASCADE kernel of gmsh. The file's own length
-/// unit is heeded. Problems have the subject "file": no gmsh, not a STEP file, no solid in it, a solid without volume.
+/// integrated over its exact surfaces (not over triangles) by the OpenCASCADE kernel of gmsh. The length unit of
+/// the file is applied. Problems have the subject "file": no gmsh, not a STEP file, no solid in it, a solid without
+/// volume.
 [[nodiscard]] foundation::Expected<std::vector<VolumeIntegrals>> step_volumes(
     const std::filesystem::path& file, const foundation::Progress& progress = {});
 

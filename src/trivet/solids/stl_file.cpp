@@ -30,7 +30,7 @@ struct CornerHash {
   }
 };
 
-/// Gathers corners, three to a triangle.
+/// Collects corners, three per triangle.
 class Builder {
  public:
   void add(const Corner& corner) {
@@ -74,14 +74,15 @@ foundation::Expected<TriangleSurface> read_binary(const std::filesystem::path& f
       std::array<float, 3> x;  // little-endian by the format
       std::memcpy(x.data(), bytes.data() + header_bytes + i * triangle_bytes + 12 * (j + 1), sizeof x);
       if (!finite({x[0], x[1], x[2]}))
-        return refused(file, fmt::format("triangle {} of {} has a coordinate that is no finite number", i + 1, count));
+        return refused(file,
+                       fmt::format("triangle {} of {} has a coordinate that is not a finite number", i + 1, count));
       builder.add({x[0], x[1], x[2]});
     }
   }
   return builder.surface();
 }
 
-/// Words of a text with the line they stand in.
+/// Words of a text with their line numbers.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}
@@ -164,7 +165,7 @@ foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file
 
   std::uint32_t count = 0;
   if (bytes.size() >= header_bytes) std::memcpy(&count, bytes.data() + header_bytes - 4, 4);
-  // Binary headers may begin with "solid" too: the size decides.
+  // Binary headers may also begin with "solid": the size decides.
   const bool binary =
       bytes.size() >= header_bytes && bytes.size() == header_bytes + std::size_t{count} * triangle_bytes;
   const bool text = !binary && bytes.find('\0') == std::string::npos && Words(bytes).next() == "solid";
@@ -172,11 +173,11 @@ foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file
     return refused(file,
                    bytes.size() < header_bytes
                        ? fmt::format("{} bytes, neither text nor a binary STL file", bytes.size())
-                       : fmt::format("{} bytes; a binary file of {} triangles, as its header says, has {}",
+                       : fmt::format("{} bytes; a binary file of {} triangles, as stated in its header, has {}",
                                      bytes.size(), count, header_bytes + std::size_t{count} * triangle_bytes));
   foundation::Expected<TriangleSurface> surface =
       binary ? read_binary(file, bytes, progress) : read_text(file, bytes, progress);
-  if (surface && surface->triangles.cols() == 0) return refused(file, "holds no triangle");
+  if (surface && surface->triangles.cols() == 0) return refused(file, "contains no triangle");
   return surface;
 }
 

@@ -9,15 +9,15 @@
 
 namespace trivet::solids {
 
-/// Triangles of a surface, in the units of their file. Vertices of equal coordinates are one vertex, numbered as they
-/// first occur.
+/// Triangles of a surface, in the units of their file. Vertices with equal coordinates are one vertex, numbered in
+/// order of first occurrence.
 struct TriangleSurface {
   Eigen::Matrix3Xd vertices;
   Eigen::Matrix3Xi triangles;  ///< three vertex numbers from 0, counterclockwise seen from outside
 };
 
-/// Reads an STL file, binary or text. Normals in the file are not used: the order of the vertices says what is outside.
-/// A problem's subject is "file".
+/// Reads an STL file, binary or text. Normals in the file are not used: the order of the vertices determines the
+/// outside. Problems have the subject "file".
 [[nodiscard]] foundation::Expected<TriangleSurface> read_stl(const std::filesystem::path& file,
                                                              const foundation::Progress& progress = {});
 

@@ -13,13 +13,13 @@ struct VolumeIntegrals {
   Eigen::Matrix3d second_moment = Eigen::Matrix3d::Zero();
 };
 
-/// The same volume seen from the parent frame in which its frame stands at `pose`.
+/// The same volume in the parent frame, in which its frame has the pose `pose`.
 [[nodiscard]] VolumeIntegrals placed(const VolumeIntegrals& integrals, const spatial::Pose& pose);
 
-/// Volumes side by side (overlaps count twice).
+/// Sum of two volumes (overlaps count twice).
 [[nodiscard]] VolumeIntegrals sum(const VolumeIntegrals& first, const VolumeIntegrals& second);
 
-/// J = ρ (tr(M) I − M) with M the second moment. @param density [kg/m³], > 0
+/// Mass properties, J = ρ (tr(M) I − M) with M the second moment. @param density [kg/m³], > 0
 [[nodiscard]] spatial::MassProperties mass_properties(const VolumeIntegrals& integrals, double density);
 
 }  // namespace trivet::solids

@@ -62,11 +62,11 @@ std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
   if (moments(0) <= rounding) {
     const Vector6 mass = numerics::symmetric_eigenvalues(mass_matrix(p));
     const auto negative = (mass.array() < 0).count();
-    broken.push_back({found,
-                      fmt::format("all three must be > 0, or some motion has negative kinetic energy (the 6×6 mass "
-                                  "matrix has {} positive and "
-                                  "{} negative eigenvalues, the lowest {:.6g})",
-                                  6 - negative, negative, mass(0))});
+    broken.push_back(
+        {found,
+         fmt::format("all three must be > 0, otherwise some motion has negative kinetic energy (the 6×6 mass "
+                     "matrix has {} positive and {} negative eigenvalues, the lowest {:.6g})",
+                     6 - negative, negative, mass(0))});
   }
   if (moments(0) + moments(1) < moments(2) - rounding)
     broken.push_back(

@@ -10,13 +10,13 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
-/// Place and orientation of a frame in its parent: x_parent = position + rotation · x_frame.
+/// Position and orientation of a frame in its parent: x_parent = position + rotation · x_frame.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
 };
 
-/// Small motion of a body seen at a point: translation [m] of the point, rotation [rad].
+/// Small motion of a body at a point: translation [m] of the point, rotation [rad].
 struct Displacement {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();

@@ -29,7 +29,7 @@ bool is_driven(const model::System& system) {
                      [](const model::Excitation& e) { return std::holds_alternative<model::Harmonic>(e.course); });
 }
 
-/// What every question about harmonic forces shares.
+/// Channels and load of a question about harmonic forces.
 struct Loaded {
   std::vector<assembly::Channel> channels;
   assembly::Loading load;
@@ -59,7 +59,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
       result.push_back(curve.value.unaryExpr([](const std::complex<double>& z) { return response::phase(z); }).real());
     return result;
   }
-  // Whole turns are counted from ω = 0 along a grid that no turn can hide in, whatever points were asked for.
+  // Whole turns are counted from ω = 0 along a grid fine enough to miss none, for any requested points.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
   const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks,
@@ -85,7 +85,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   return result;
 }
 
-/// At most `most` of the numbers, from the first to the last.
+/// At most `most` of the numbers, first and last included.
 std::vector<double> spread(const std::vector<double>& all, int most) {
   const std::size_t count = std::min(all.size(), static_cast<std::size_t>(most));
   if (count < 2) return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
@@ -103,7 +103,8 @@ class CaseStudy {
         modes_(modal::modes(system_, assembled_)),
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
-  /// A force along a guide, an unbalance that turns about the only free direction …
+  /// Warns of excitations without effect: a force along a guide, an unbalance that turns about the only free direction
+  /// …
   void note_idle(const project::Analyses& analyses, foundation::Problems& warnings) const {
     for (const std::vector<std::string>* selected :
          {analyses.response ? &analyses.response->wanted.excitations : nullptr,
@@ -111,7 +112,7 @@ class CaseStudy {
           analyses.map ? &analyses.map->excitations : nullptr})
       if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
         warnings.warning("excitations", "they act on no free coordinate", "all answers are 0",
-                         "look at the directions of forces and guides");
+                         "check the directions of forces and guides");
         return;
       }
   }
@@ -149,7 +150,7 @@ class CaseStudy {
     const auto attempt_question = [&](const auto& compute) {
       try {
         attempt(compute);
-      } catch (const foundation::InvalidInput& reason) {  // a question that this model cannot be asked
+      } catch (const foundation::InvalidInput& reason) {  // a question that does not apply to this model
         refuse(reason);
       }
     };
@@ -175,8 +176,8 @@ class CaseStudy {
     if (analyses.load_sharing && result.statics) {
       try {
         result.load_sharing = response::load_sharing(system_, assembled_);
-      } catch (const foundation::NotComputable&) {  // nobody asked for it: a model without mounts under its weight
-                                                    // shares no load
+      } catch (const foundation::NotComputable&) {  // load sharing was not requested, and a model without mounts
+                                                    // under its weight has none
       }
     }
     for (const QuestionAnswer& question : question_answers())
@@ -189,7 +190,7 @@ class CaseStudy {
       });
   }
 
-  /// Totals on the ground are those of elements: what a guide carries is not among them, and that must be said.
+  /// Warns that totals on the ground are forces of elements, without the forces that guides carry.
   void note_guides(const project::Analyses& analyses, foundation::Problems& warnings) const {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
     if (analyses.response)
@@ -205,11 +206,11 @@ class CaseStudy {
     for (const model::Body& body : system_.bodies())
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
         warnings.warning("ground", "body \"" + body.name + "\" is guided",
-                         "totals on the ground are the forces of elements; what guides carry is not in them",
-                         "add it where it matters");
+                         "totals on the ground are the forces of elements, without the forces that guides carry",
+                         "add these if they matter");
   }
 
-  /// Motions of the ground that a question brings with it, past the guides of a body.
+  /// Warns of ground motions implied by a question that the guides of a body do not follow.
   void note_guided_questions(const project::Analyses& analyses, foundation::Problems& warnings) const {
     const auto warn = [&](const char* question, const response::Direction& direction) {
       model::Action::Amplitude motion = model::Action::Amplitude::Zero();
@@ -225,45 +226,44 @@ class CaseStudy {
       warn("earthquake", response::Direction{shaken->direction, false});
   }
 
-  /// Undamped modes know one stiffness, that at rest.
+  /// Warns of frequency-dependent elements: undamped modes use one stiffness, the static one.
   void note_relaxation(foundation::Problems& warnings) const {
     constexpr double noticeable = 0.2;
     for (const model::Element& element : system_.elements()) {
       if (element.is_foundation && element.law.frequency_dependence)
-        warnings.warning("elements." + element.name, "ground by its mobility",
-                         "modes, roots, mode numbers and the Campbell diagram take it for the spring of its first row: "
-                         "its inertia and resonances are not in them",
-                         "trust the response, its peaks and critical speeds, which are exact");
+        warnings.warning("elements." + element.name, "flexible ground given by its mobility",
+                         "modes, roots, mode numbers and the Campbell diagram use the spring stiffness of its first "
+                         "row, without its inertia and resonances",
+                         "use the response, its peaks and critical speeds, which are exact");
       else if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
         warnings.warning("elements." + element.name,
                          fmt::format("its table begins at {:.4g} Hz",
                                      element.law.frequency_dependence->from / (2 * std::numbers::pi)),
-                         "undamped modes take its first row for rest",
-                         "add rows at lower frequencies where they matter");
+                         "undamped modes use its first row as the static stiffness",
+                         "add rows at lower frequencies if they matter");
       const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
       if (!relaxing || std::holds_alternative<elements::KelvinVoigt>(*relaxing)) continue;
       double gain = 0;
       for (const modal::Mode& mode : modes_.list)
         gain = std::max(gain, elements::relative_modulus(*relaxing, mode.angular_frequency.value_or(0)).real() - 1);
       if (gain > noticeable)
-        warnings.warning("elements." + element.name,
-                         fmt::format("in vibration up to {:.3g} times as stiff as at rest", 1 + gain),
-                         "undamped modes are those of the stiffness at rest",
-                         "take natural frequencies from the damped roots or the peaks");
+        warnings.warning(
+            "elements." + element.name, fmt::format("dynamically up to {:.3g} times as stiff as statically", 1 + gain),
+            "undamped modes use the static stiffness", "use natural frequencies from the damped roots or the peaks");
     }
   }
 
-  /// Static answers know one stiffness too, that of vibration.
+  /// Warns that static answers also use one stiffness, the dynamic one.
   void note_stiffening(const project::Analyses& analyses, foundation::Problems& warnings) const {
     if (!analyses.static_of) return;
     for (const model::Element& element : system_.elements())
       if (element.stiffening != 1)
         warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
-                         "static answers are computed with the stiffness of vibration; at rest the element gives more",
+                         "static answers use the dynamic stiffness; under static load the element is softer",
                          "run static with stiffening = 1");
   }
 
-  /// A massless spring is right only well below its own first natural frequency.
+  /// Warns of massless springs: they are valid only well below their own first natural frequency.
   void note_missing_mass(foundation::Problems& warnings) const {
     constexpr double safe = 0.3;
     double top = search_to_;
@@ -272,15 +272,16 @@ class CaseStudy {
       const double own = element.massless_up_to;
       if (!(top > safe * own)) continue;
       warnings.warning("elements." + element.name,
-                       fmt::format("massless, with a first natural frequency of its own at {:.4g} Hz; the model is "
-                                   "asked about up to {:.4g} Hz",
+                       fmt::format("massless, but its own first natural frequency is {:.4g} Hz; the model is "
+                                   "computed up to {:.4g} Hz",
                                    own / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
-                       "without its mass a spring is right only well below its own natural frequencies",
-                       "set level = \"with_mass\" or \"exact\", or heed only what lies well below");
+                       "a massless spring is valid only well below its own natural frequencies",
+                       "set level = \"with_mass\" or \"exact\", or use only results well below");
     }
   }
 
-  /// The automatic grid, the peaks and the limits ask for the same curves: each set is searched once.
+  /// Peaks of a set of curves. The automatic grid, the peaks and the limits use the same curves: each set is searched
+  /// once.
   const response::Peaks& peaks_of(const project::Wanted& wanted,
                                   double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
@@ -328,8 +329,8 @@ class CaseStudy {
       result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
     }
     foundation::report_progress(progress_, "response", 0.5);
-    // Solving constant matrices costs less than evaluating a model of the curves; an exact spring or a table is another
-    // matter.
+    // With constant matrices solving costs less than evaluating the curve model; with exact springs or tables it costs
+    // more.
     result.curves = result.model && assembled_.frequency_dependent()
         ? response::interpolated(*result.model, asked.channels, peaks, grid)
         : response::frequency_response(assembled_, asked.channels, asked.load, grid);
@@ -358,20 +359,21 @@ class CaseStudy {
     return result;
   }
 
-  /// A motion in space under a ground given by its acceleration has no bound as ω → 0: the search begins above 0.
+  /// Is the amplitude unbounded as ω → 0 (an absolute motion under a ground given by its acceleration)? The search for
+  /// peaks begins above 0 and does not show it.
   bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const Loaded& asked) const {
-    constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // of ω⁻¹ it is 4
+    constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // a curve ∝ ω⁻¹ grows by 4
     const response::CurveSummary& summary = found.curves[curve];
     const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(),
                                          [](const assembly::ElementMap& map) { return map.defined_from > 0; });
-    if (from_tables) return false;  // nothing is known below them
+    if (from_tables) return false;  // unknown below the tables
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
     const auto still =
         response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
     return std::abs(still.curves[curve].value(0)) > growth * summary.highest;
   }
 
-  /// The largest amplitude of one curve in a band stands at an end of the band or at a peak inside it.
+  /// Compares a limit with the largest amplitude of its curve in a band: at an end of the band or at a peak inside it.
   LimitAnswer judged(const project::Limit& limit, const project::Wanted& wanted, const response::Band& band) {
     const response::Peaks& found = peaks_of(wanted);
     const auto curve =
@@ -407,14 +409,14 @@ class CaseStudy {
     response::Peaks peaks;
   };
   const ResponseAnswer* response_ = nullptr;  // while limits are judged
-  double search_to_ = 0;  // peaks of frequency-dependent systems are sought over the band of the response at least
+  double search_to_ = 0;  // peaks of frequency-dependent systems are searched at least over the band of the response
   std::deque<Searched> searched_;  // references to its elements stay valid
 };
 
 }  // namespace
 
 Answers answers(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress) {
-  // A file's own questions were held to these sizes when it was read; those of a command line come here first.
+  // The analyses of a file were checked against these sizes when it was read; those of a command line are checked here.
   const foundation::Problems sizes = project::too_large(variant.system.description(), analyses);
   if (sizes.has_errors())
     throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +

@@ -20,7 +20,6 @@
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/design_map.h"
 
-/// Answers to what a project asks, case by case.
 namespace trivet::study {
 
 struct ResponseAnswer {
@@ -29,7 +28,7 @@ struct ResponseAnswer {
   response::DeepCheck deep;
   response::Band band;
   assembly::Quantity quantity = assembly::Quantity::displacement;
-  /// Where no frequencies were asked for: the curves between those of the table, their extrema, and whether phases are
+  /// Without given frequencies: a model of the curves between those of the table, their extrema, and whether phases are
   /// continuous.
   std::optional<response::CurveModel> model;
   std::vector<std::vector<response::Extremum>> extrema;
@@ -42,7 +41,7 @@ struct PeaksAnswer {
   double peak_tolerance = 0;
 };
 
-/// A limit and the largest amplitude of its curve in the band and anywhere.
+/// A limit with the largest amplitude of its curve, in the band and at all frequencies.
 struct LimitAnswer {
   std::string name;
   std::string unit;
@@ -62,7 +61,7 @@ struct LimitLineResult {
 struct Answers {
   std::string case_name;
   std::vector<std::string> changes;
-  foundation::Problems warnings;  ///< of data, modes and roots: they belong to every answer
+  foundation::Problems warnings;  ///< of data, modes and roots: they concern every answer
   std::vector<std::string> free_motions;
   modal::Modes modes;
   modal::Roots roots;
@@ -72,12 +71,12 @@ struct Answers {
   std::optional<response::LoadSharing> load_sharing;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
-  std::optional<DesignMap> map;       ///< of the base model, where a run computes it
-  std::vector<std::string> failures;  ///< what was asked for and could not be computed, and why
+  std::optional<DesignMap> map;       ///< map of the base model, if a run computes it
+  std::vector<std::string> failures;  ///< requests that could not be computed, with the reason
   std::map<std::string, std::any>
       of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
 
-  /// The answer to such a question, whose type is that of its NAME_answer.cpp; none if there is no such answer. @throws
+  /// The answer to such a question, with the type of its NAME_answer.cpp; nullptr if there is none. @throws
   /// std::bad_any_cast for another type
   template <typename Answer>
   [[nodiscard]] const Answer* find(const std::string& question) const {
@@ -86,13 +85,13 @@ struct Answers {
   }
 };
 
-/// Everything a case asks for; what cannot be computed is listed in `failures` and in the warnings, the rest goes on.
-/// `analyses` may differ from the case's own (a single answer from the command line).
+/// Computes everything that `analyses` requests of a case; failures are listed in `failures` and in the warnings, the
+/// rest is computed. `analyses` may differ from the case's own (a single answer from the command line).
 [[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses,
                               const foundation::Progress& progress = {});
 
-/// The fast solver against a second one at 64 frequencies over the band of the case, under its harmonic forces, or
-/// under a force on every coordinate if it has none.
+/// Compares the fast solver with a second one at 64 frequencies over the band of the case, under its harmonic forces,
+/// or under a force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
 }  // namespace trivet::study

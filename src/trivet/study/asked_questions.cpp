@@ -25,7 +25,7 @@ Analyses roots_of(const Case&) {
   return asked;
 }
 
-/// @throws foundation::InvalidInput where the model has no excitation of the kind that the question needs
+/// @throws foundation::InvalidInput if the model has no excitation of the kind that the question needs
 void require_excitation(const std::string& question, const Case& variant) {
   const project::Drive drive = project::drive_of(question);
   const auto& excitations = variant.system.description().excitations;
@@ -64,7 +64,7 @@ Analyses static_of(const Case& variant) {
   return asked;
 }
 
-/// The file's own question; where it has none, the question as it is by default.
+/// The question of the file; if it has none, the question with defaults.
 Analyses own_question(const QuestionAnswer& question, const Case& variant) {
   Analyses asked;
   const auto found = variant.analyses.questions.find(question.name);
@@ -78,7 +78,7 @@ Analyses own_question(const QuestionAnswer& question, const Case& variant) {
 Analyses limit_lines_of(const Case& variant) {
   if (variant.analyses.limit_lines.empty())
     throw foundation::InvalidInput(
-        "limit_lines: say which: add [limit_lines.NAME] with of = \"BODY.z\" and rows = [[10, 2e-3], [60, 2e-3]]");
+        "limit_lines: none given; add [limit_lines.NAME] with of = \"BODY.z\" and rows = [[10, 2e-3], [60, 2e-3]]");
   Analyses asked = response_of(variant);
   asked.response->at.clear();
   asked.limit_lines = variant.analyses.limit_lines;
@@ -104,7 +104,7 @@ const std::vector<AskedQuestion>& asked_questions() {
                        return own_question(question, variant);
                      }});
     all.push_back({"limit_lines",
-                   "answers of the response against lines over frequency",
+                   "response curves compared with limit lines over frequency",
                    {"response", "limit_lines"},
                    limit_lines_of});
     return all;

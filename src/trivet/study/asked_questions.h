@@ -9,19 +9,19 @@
 
 namespace trivet::study {
 
-/// A question that can be asked of a case by itself, as a command does.
+/// An analysis that a command can request separately.
 struct AskedQuestion {
-  const char* name;                   ///< of its table in [analyses]; `limit_lines` of its own
+  const char* name;                   ///< name of its table in [analyses]; `limit_lines` has a table of its own
   const char* about;                  ///< one line of help
-  std::vector<std::string> looks_at;  ///< tables of the file whose errors stop it
-  /// What is asked: the file's own question, else one with everything at its default. @throws foundation::InvalidInput
-  /// if the file must say more, with what to add
+  std::vector<std::string> looks_at;  ///< tables of the file; errors in them stop the analysis
+  /// The request: that of the file, otherwise one with defaults. @throws foundation::InvalidInput if the file must
+  /// specify more, with what to add
   std::function<project::Analyses(const project::Case& variant)> asked;
 };
 
 [[nodiscard]] const std::vector<AskedQuestion>& asked_questions();
 
-/// By its name, which must be that of one of them.
+/// The question of this name. @throws foundation::InvalidInput if there is none
 [[nodiscard]] const AskedQuestion& asked_question(const std::string& name);
 
 }  // namespace trivet::study

@@ -41,7 +41,7 @@ void require_rigid_ground(const CaseContext& c, const std::string& question) {
   if (const auto standing = model::element_on_modes(c.system.description()))
     throw foundation::NotComputable(
         question + ": \"" + *standing +
-        "\" stands on the modes of a foundation, which do not say how they follow a rigid motion of the ground");
+        "\" is mounted on a modal foundation, for which a rigid motion of the ground is not defined");
 }
 
 }  // namespace trivet::study

@@ -4,7 +4,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/study/answers.h"
 
-/// What every answer to a case starts from, and what several of them need.
+/// The data that every answer for a case starts from.
 namespace trivet::study {
 
 struct CaseContext {
@@ -15,24 +15,24 @@ struct CaseContext {
   const foundation::Progress& progress;
 };
 
-/// Up to well above the natural frequencies, but not beyond the tables of elements.
+/// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
 [[nodiscard]] response::Band default_band(const CaseContext& context);
 
-/// Is an excitation of this name among those selected? None selected: all.
+/// Is an excitation of this name selected? An empty list selects all.
 [[nodiscard]] bool selected(const std::vector<std::string>& names, const std::string& name);
 
 [[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context, const project::Wanted& wanted);
 
-/// Frequencies that show curves and their peaks in a band.
+/// Frequencies in a band that resolve the curves and their peaks.
 [[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
                                             const assembly::Loading& loading, const response::Peaks& peaks,
                                             const response::Band& band);
 
-/// @throws foundation::NotComputable where elements stand on modes, which do not say how they follow a rigid motion of
-/// the ground
+/// @throws foundation::NotComputable if elements are mounted on a modal foundation, for which a rigid motion of the
+/// ground is not defined
 void require_rigid_ground(const CaseContext& context, const std::string& question);
 
-/// @throws foundation::NotComputable with the reason where there is no answer
+/// @throws foundation::NotComputable with the reason if there is no answer
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
                                                              const std::vector<project::LimitLineRequest>& requests,
                                                              const project::Wanted& wanted, const response::Band& band);

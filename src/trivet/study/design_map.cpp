@@ -66,7 +66,7 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   count(map);
   if (map.unknown == map.outcomes.size())
     throw foundation::NotComputable(
-        fmt::format("map: none of the {} designs has an answer; the first: {}", map.outcomes.size(),
+        fmt::format("map: none of the {} designs could be computed; the first: {}", map.outcomes.size(),
                     map.report.missing.empty() ? "no reason was given" : map.report.missing.front().words));
   const std::function<bool(std::size_t)> kept = [&](std::size_t k) { return map.outcomes[k].kept(); };
   const std::vector<design::CrossedEdge> edges = design::crossed_edges(map.grid, kept);

@@ -14,29 +14,29 @@
 
 namespace trivet::study {
 
-/// One rule over the whole map.
+/// Numbers of designs that one rule governs.
 struct RuleShare {
-  std::size_t kept = 0;    ///< kept designs whose least margin is that of this rule
-  std::size_t broken = 0;  ///< likewise among designs that break a rule
+  std::size_t kept = 0;    ///< feasible designs with the least margin from this rule
+  std::size_t broken = 0;  ///< the same for infeasible designs
 };
 
 struct DesignMap {
-  std::string case_name;  ///< whose model it is
+  std::string case_name;  ///< case of the model
   project::MapRequest request;
   design::MapGrid grid;
   std::vector<design::MapRule> rules;
-  std::vector<design::DesignOutcome> outcomes;   ///< of the nodes, row after row
-  std::vector<RuleShare> shares;                 ///< of the rules
-  std::size_t kept = 0, unknown = 0;             ///< designs
+  std::vector<design::DesignOutcome> outcomes;   ///< at the nodes, row by row
+  std::vector<RuleShare> shares;                 ///< per rule
+  std::size_t kept = 0, unknown = 0;             ///< numbers of designs
   design::MapContours feasible;                  ///< margin ≥ 1, crossings searched on the exact peaks
   double boundary_tolerance = 0;                 ///< of the crossings, as a share of each axis
   design::DrawnGrid drawn;                       ///< the designs that pictures show
-  std::vector<design::MarginLine> margin_lines;  ///< straight between these
+  std::vector<design::MarginLine> margin_lines;  ///< straight between drawn designs
   std::optional<std::size_t> best;               ///< see best_design
-  std::size_t without_bound = 0;                 ///< designs that no rule limits
-  std::size_t equals = 0;                        ///< designs as good as the best
+  std::size_t without_bound = 0;                 ///< number of designs that no rule limits
+  std::size_t equals = 0;                        ///< number of designs as good as the best
   std::size_t steep = 0;                         ///< see steep_neighbours
-  design::BandPassages passages;                 ///< broken designs between kept ones
+  design::BandPassages passages;                 ///< infeasible designs between feasible ones
   std::vector<MapMark> marks;
   design::EvaluationReport report;
   foundation::Problems warnings;  ///< see map_warnings
@@ -56,9 +56,9 @@ struct MapOptions {
                                    const project::MapRequest& request, const MapOptions& options = {},
                                    const foundation::Progress& progress = {});
 
-/// The base model has a map if its file asks for one. A case has one of its own where its map is another than that of
-/// the base model: other numbers, rules or frequencies. A case with another model only is a point on the map of the
-/// base model, or has none there.
+/// Does a run compute a map of this case? For the base model if its file requests one; for a case if its map differs
+/// from that of the base model: other numbers, rules or frequencies. A case with only another model is at most a point
+/// on the map of the base model.
 [[nodiscard]] bool has_own_map(const project::Project& project, const project::Case& variant);
 
 }  // namespace trivet::study

@@ -17,15 +17,15 @@ response::EarthquakeResponse answer_earthquake(const CaseContext& c, const proje
   warnings.add(result.warnings);
   if (!(result.effective_mass_share > 0))
     throw foundation::NotComputable(
-        "earthquake: the spectrum reaches none of the modes that this motion of the ground drives");
+        "earthquake: the spectrum covers none of the modes that this ground motion excites");
   return result;
 }
 
 }  // namespace
 
 const QuestionAnswer earthquake_answer =
-    answered_by<answer_earthquake>("largest answers to an earthquake by its response spectrum",
-                                   "earthquake: say by which spectrum: add earthquake = {direction = \"x\", rows = "
+    answered_by<answer_earthquake>("largest response to an earthquake by its response spectrum",
+                                   "earthquake: no spectrum given; add earthquake = {direction = \"x\", rows = "
                                    "[[0.02, 3], [0.1, 9], …]} to [analyses]");
 
 }  // namespace trivet::study

@@ -9,14 +9,14 @@ namespace {
 
 using spatial::Vector6;
 
-/// Displacement of an end in its local axes while the bodies move as in a mode.
+/// Displacement of an end in its local axes in a mode.
 Vector6 end_displacement(const model::End& end, const modal::Mode& mode) {
   if (!end.body) return Vector6::Zero();
   const Vector6 body = mode.shape.segment<6>(6 * static_cast<Eigen::Index>(*end.body));
   return spatial::both_blocks(end.axes).transpose() * spatial::rigid_motion(end.at) * body;
 }
 
-/// Motion of K beyond what it would do if the element moved rigidly with N.
+/// Motion of K relative to a rigid motion of the element with N.
 Vector6 deformation(const model::Element& element, const model::Span& span, const modal::Mode& mode) {
   const Vector6 n_in_axes_of_k = spatial::both_blocks(span.n_from_k).transpose() * end_displacement(element.n, mode);
   return end_displacement(element.k, mode) - spatial::rigid_motion(span.arm) * n_in_axes_of_k;

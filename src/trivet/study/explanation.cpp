@@ -36,14 +36,14 @@ response::Question question_of(const project::Wanted& wanted, const response::Pe
   return question;
 }
 
-/// An undamped resonance is looked at through its mode; without one it cannot be explained.
+/// An undamped resonance is examined by its mode; without a mode it cannot be explained.
 response::PeakPlace place_of(const response::Peak& peak) {
   response::PeakPlace place{peak.curve, peak.angular_frequency, {}};
   if (std::isinf(peak.amplitude)) place.unbounded_mode = peak.nearest_mode;
   return place;
 }
 
-/// Peaks that are more than round-off of a motion which a symmetry keeps out of their channel.
+/// Peaks except those that are only round-off of a motion which is zero in their channel by symmetry.
 std::vector<response::Peak> above_round_off(const project::Case& variant, const assembly::Assembled& assembled,
                                             const response::Question& question,
                                             const std::vector<response::Peak>& peaks) {
@@ -54,8 +54,8 @@ std::vector<response::Peak> above_round_off(const project::Case& variant, const 
   return result;
 }
 
-/// By height over the highest bounded peak of the curve, then by prominence over it; unbounded ones are the tallest.
-/// Returned in their old order.
+/// The highest peaks by height, then by prominence, relative to the highest bounded peak of the curve; unbounded peaks
+/// rank highest. Returned in the original order.
 std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, int most) {
   std::vector<std::size_t> order(peaks.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -76,18 +76,19 @@ std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, in
   return result;
 }
 
-/// In single precision: what is equal but for round-off keeps the order of the model.
+/// Strength of a parameter's effect, in single precision: values equal except for round-off keep the order of the
+/// model.
 float strength(const Sensitivity& s, const std::vector<response::Parameter>& parameters, bool unbounded) {
   return static_cast<float>(std::abs((unbounded ? s.frequency : s.height).value_or(0)) * parameters[s.parameter].size);
 }
 
-/// A stiffness that a trial may change, with words for it.
+/// A stiffness that a trial may change, with its description.
 struct Candidate {
   std::string parameter, words;
 };
 
-/// Stiffness of an element along the direction with most of its strain energy; the element as a whole if directions say
-/// less.
+/// Stiffness of an element along the direction with most of its strain energy; that of the whole element if there is no
+/// parameter for the direction.
 std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, const ExplainedPeak& peak,
                                    const std::vector<response::Parameter>& parameters) {
   const model::Element& element = variant.system.elements()[e];
@@ -136,8 +137,8 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
   return found;
 }
 
-/// The element and direction with most of the strain energy. If they hardly change the peak, which shows another
-/// motion, the stiffness of that element that does, or of any element.
+/// The element and direction with most of the strain energy. If they hardly change the peak because it shows another
+/// motion, the strongest stiffness of that element, or else of any element.
 std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
                               const std::vector<response::Parameter>& parameters) {
   constexpr double idle = 0.01;  // of the strongest effect
@@ -153,7 +154,7 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
     if (effect(chosen->parameter, peak, parameters) < enough) {
       const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness_factor.all");
       const auto& shares = peak.shares.elements[first];
-      peak.notes.push_back(fmt::format("{} hardly changes this peak, though it has {:.3g} % of the strain energy",
+      peak.notes.push_back(fmt::format("{} hardly changes this peak, although it has {:.3g} % of the strain energy",
                                        chosen->words, 100 * (whole ? shares.stored : shares.by_direction.maxCoeff())));
       chosen = strongest(variant, first, peak, parameters);
       if (!chosen || effect(chosen->parameter, peak, parameters) < enough) chosen = best;
@@ -162,7 +163,7 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
   return Trial{chosen->parameter, chosen->words, 0.1, {}, {}, {}, {}};
 }
 
-/// The peak of the changed model that lies nearest to where it is expected.
+/// Finds the peak of the changed model nearest to the predicted frequency.
 void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter,
                  const ExplainedPeak& peak, Trial& trial) {
   constexpr double beyond_recognition = 0.2;
@@ -182,7 +183,7 @@ void solve_again(const project::Case& variant, const response::Question& questio
     }
 }
 
-/// Close modes turn into each other: heights then change faster than their slopes can tell.
+/// Notes close modes: they mix under small changes, so that slopes predict heights badly.
 void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
   constexpr double close = 0.02;
   if (!peak.peak.nearest_mode) return;
@@ -191,8 +192,8 @@ void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
     const double apart = std::abs(mode.angular_frequency.value_or(0) / *own.angular_frequency - 1);
     if (mode.number != own.number && apart < close && !own.repeated)
       peak.notes.push_back(
-          fmt::format("mode {} stands only {:.2g} % from mode {}: small changes mix the two, and first order holds for "
-                      "still smaller ones",
+          fmt::format("mode {} is only {:.2g} % away from mode {}: small changes mix the two, and first-order values "
+                      "hold only for still smaller ones",
                       mode.number, 100 * apart, own.number));
   }
 }
@@ -232,7 +233,7 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
   result.warnings = found.warnings;
   for (const response::Peak& peak : peaks.list)
     if (std::isinf(peak.amplitude) && !peak.nearest_mode)
-      throw foundation::NotComputable("explain: an unbounded peak stands at no undamped mode");
+      throw foundation::NotComputable("explain: an unbounded peak belongs to no undamped mode");
   const std::vector<response::Peak> real = above_round_off(variant, assembled, question, peaks.list);
   const std::vector<response::Peak> chosen = tallest(real, request.most);
   result.left_out = static_cast<int>(real.size() - chosen.size());
@@ -242,7 +243,7 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
       response::peak_sensitivities(variant.system, assembled, question, places, progress);
   result.parameters = std::move(table.parameters);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    foundation::report_progress(progress, "peaks solved again",
+    foundation::report_progress(progress, "peaks recomputed",
                                 static_cast<double>(i) / static_cast<double>(chosen.size()));
     ExplainedPeak& peak = result.peaks.emplace_back();
     peak.name = peaks.curves[chosen[i].curve].name;

@@ -13,7 +13,7 @@
 namespace trivet::study {
 namespace {
 
-constexpr double one_makes_it = 0.9;  // share from which a second mode is not worth a word
+constexpr double one_makes_it = 0.9;  // from this share on, a second mode is not mentioned
 constexpr double worth_a_word = 0.05;
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
@@ -35,7 +35,7 @@ std::string modes_words(const Explanation& explanation, const ExplainedPeak& pea
   std::stable_sort(modes.begin(), modes.end(),
                    [](const auto& a, const auto& b) { return std::abs(a.share) > std::abs(b.share); });
   if (modes.empty()) return "";
-  std::string words = fmt::format("Mode {}, {}, makes {} of it", modes[0].mode,
+  std::string words = fmt::format("Mode {}, {}, contributes {} of it", modes[0].mode,
                                   mode_of(explanation, modes[0].mode).name, percent(modes[0].share));
   if (std::abs(modes[0].share - 1) <= 1 - one_makes_it) return words;
   for (std::size_t i = 1; i < std::min<std::size_t>(modes.size(), 3); ++i)
@@ -59,7 +59,7 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   const auto damping = std::max_element(elements.begin(), elements.end(),
                                         [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
   if (damping->dissipated > peak.shares.system_damping)
-    words += fmt::format("; \"{}\" takes {} of the dissipated power",
+    words += fmt::format("; \"{}\" dissipates {} of the power",
                          variant.system.elements()[static_cast<std::size_t>(damping - elements.begin())].name,
                          percent(damping->dissipated));
   return words;
@@ -70,9 +70,9 @@ std::string trial_words(const ExplainedPeak& peak) {
   const Trial& trial = *peak.trial;
   std::string words = fmt::format("+{:.0f} % on {}", 100 * trial.amount, trial.words);
   if (!trial.angular_frequency) return words + " leaves no such peak nearby";
-  words += fmt::format(" moves it to {}", place_words(*trial.angular_frequency));
+  words += fmt::format(" moves the peak to {}", place_words(*trial.angular_frequency));
   if (trial.amplitude) words += fmt::format(" and {}", value_words(*trial.amplitude, peak.unit));
-  words += " (solved again";
+  words += " (recomputed";
   if (trial.predicted_angular_frequency)
     words += fmt::format("; to first order {:.4g} rad/s", *trial.predicted_angular_frequency);
   if (trial.predicted_amplitude)
@@ -85,7 +85,7 @@ std::string lever_words(const Explanation& explanation, const ExplainedPeak& pea
   if (peak.sensitivities.empty() || !peak.sensitivities.front().height) return "";
   const response::Sensitivity& first = peak.sensitivities.front();
   const response::Parameter& parameter = explanation.parameters[first.parameter];
-  return fmt::format("Its height answers most to {}: {} gives {:+.3g} %", parameter.name, parameter.change,
+  return fmt::format("Its height is most sensitive to {}: {} gives {:+.3g} %", parameter.name, parameter.change,
                      100 * *first.height * parameter.size);
 }
 

@@ -15,11 +15,11 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::array<double, 3> shares = {0, 0.47, 1};  // of both axes; no design of symmetry in the middle
+constexpr std::array<double, 3> shares = {0, 0.47, 1};  // of both axes; 0.47 avoids a symmetric design in the middle
 constexpr std::array<double, 3> frequencies = {0.0137, 0.117, 0.83};  // of the highest natural frequency
-constexpr double unchanged = 1e-11;  // of an amplitude, solved with another load or matrix
+constexpr double unchanged = 1e-11;  // of an amplitude; round-off with another load or matrix is below it
 
-/// Amplitudes at one design, answers × frequencies; round-off is 0.
+/// Amplitudes at one design, answers × frequencies; amplitudes of round-off size are 0.
 using Amplitudes = Eigen::Array<double, Eigen::Dynamic, static_cast<int>(frequencies.size())>;
 
 std::vector<std::string> answers_of(const std::vector<design::MapRule>& rules) {

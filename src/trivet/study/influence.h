@@ -9,13 +9,13 @@
 
 namespace trivet::study {
 
-/// What the two numbers of a map do to the answers of its rules, seen at 3 × 3 designs and three frequencies of each.
+/// Effect of the two numbers of a map on the answers of its rules, from 3 × 3 designs at three frequencies each.
 struct Influence {
-  std::vector<std::string> still;  ///< answers that are zero but for round-off in all of these
+  std::vector<std::string> still;  ///< answers that are zero except for round-off in all of them
   bool by_x = true, by_y = true;   ///< false: no answer changes its amplitude along this axis
 };
 
-/// Says nothing where one of these designs has no model or no answer.
+/// Reports no findings if one of these designs has no model or no answer.
 [[nodiscard]] Influence influence(const project::Case& variant, const project::MapRequest& request,
                                   const std::vector<design::MapRule>& rules);
 

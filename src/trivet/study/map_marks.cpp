@@ -12,7 +12,7 @@
 namespace trivet::study {
 namespace {
 
-/// Why some work cannot be done; empty if it was.
+/// Reason why `work` failed; empty if it succeeded.
 std::string why_not(const std::function<void()>& work) {
   try {
     work();
@@ -26,12 +26,12 @@ std::string why_not(const std::function<void()>& work) {
 
 void judge(const project::Case& variant, const design::DesignEvaluation& evaluation, MapMark& mark) {
   mark.failure = why_not([&] { mark.judged = evaluation.judged(variant.system); });
-  // What cannot be compared is not known to be a design of this map.
+  // If the comparison fails, the case does not count as a design of this map.
   static_cast<void>(
       why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
 }
 
-/// Would the map of this case ask otherwise? Grids and lists of cases aside.
+/// Does the map of this case differ, apart from grids and lists of cases?
 bool has_other_rules(const project::Case& variant, const project::MapRequest& request) {
   if (!variant.analyses.map) return false;
   project::MapRequest own = *variant.analyses.map;

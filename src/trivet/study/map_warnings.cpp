@@ -14,7 +14,7 @@
 namespace trivet::study {
 namespace {
 
-/// Grid lines on both sides of a place, or the one it lies on.
+/// Grid lines on both sides of a place, or the one through it.
 std::vector<int> lines_around(double share, int points) {
   constexpr double on_it = 1e-9;
   const double place = share * (points - 1), nearest = std::round(place);
@@ -27,10 +27,10 @@ void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings
     if (contradicts(map, mark))
       warnings.warning("map: " + (mark.name.empty() ? std::string("base model") : mark.name),
                        mark.judged->governing.kept()
-                           ? "keeps every rule, while all designs of the grid around it break one"
-                           : "breaks a rule that all designs of the grid around it keep",
-                       "the map is too coarse there, and its feasible share is not to be trusted",
-                       "take more points, or narrower ranges around it");
+                           ? "meets every rule, but all designs of the grid around it violate one"
+                           : "violates a rule that all designs of the grid around it meet",
+                       "the map is too coarse there, and its feasible share is unreliable",
+                       "use more points, or narrower ranges around it");
 }
 
 void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
@@ -41,18 +41,17 @@ void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
     if (needed > 0) points += fmt::format("{}{} points along {}", points.empty() ? "" : " and ", needed, axis->name);
   warnings.warning(
       "map",
-      fmt::format(
-          "between {} of neighbouring designs that keep every rule a resonance passes over the band and breaks one",
-          found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs)),
+      fmt::format("between {} of neighbouring feasible designs a resonance crosses the band and violates a rule",
+                  found.pairs == 1 ? "one pair" : fmt::format("{} pairs", found.pairs)),
       "the map is too coarse there, and its feasible share too large",
-      fmt::format("take {}, or narrower ranges around it", points));
+      fmt::format("use {}, or narrower ranges around it", points));
 }
 
 void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   const Influence found = influence(variant, map.request, map.rules);
   for (const std::string& name : found.still)
-    warnings.warning("map: " + name, "does not move (zero but for round-off)", "its rules say nothing",
-                     "look at the directions of forces and guides, or remove the rules");
+    warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
+                     "check the directions of forces and guides, or remove the rules");
   const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
     return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end();
   });
@@ -60,12 +59,12 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes)
       warnings.warning("map: " + axis->name, "the axis changes no answer",
-                       "amplitudes of all rules are the same along it", "take a number that the answers depend on");
+                       "amplitudes of all rules are the same along it", "choose a number that affects the answers");
 }
 
-/// A range that was typed in another unit than the number of the model.
+/// Warns of a range that may be in another unit than the number of the model.
 void warn_of_another_scale(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
-  constexpr double unlikely = 100;  // a design that differs as much is another machine
+  constexpr double unlikely = 100;  // designs that differ this much are hardly of one machine
   for (const project::MapAxis* axis : {&map.request.x, &map.request.y}) {
     const std::optional<double> own = project::ModelNumber(*axis).read(variant);
     if (!own || *own == 0) continue;
@@ -74,11 +73,11 @@ void warn_of_another_scale(const project::Case& variant, const DesignMap& map, f
     if (std::abs(*own) <= unlikely * high && std::abs(*own) * unlikely >= low) continue;
     warnings.warning("map: " + axis->name, fmt::format("{:.6g} … {:.6g}", axis->from, axis->to),
                      fmt::format("the model itself has {:.6g}, far from all designs of the map", *own),
-                     "look at the unit of the range");
+                     "check the unit of the range");
   }
 }
 
-/// A motion of the ground given by its velocity or acceleration drifts off at rest.
+/// Warns of ground motions given by velocity or acceleration: their displacement is unbounded at ω = 0.
 void warn_of_drift(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   if (map.request.band && map.request.band->from > 0) return;
   const auto unbounded = [&](const design::DesignOutcome& d) {
@@ -106,7 +105,7 @@ void warn_of_unphysical(const project::Case& variant, foundation::Problems& warn
   for (const model::Body& body : variant.system.bodies())
     if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
       warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)",
-                       "every design is doubtful", "mend mass and inertia before the map is used");
+                       "every design is doubtful", "correct mass and inertia before the map is used");
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
       response::order_loadings(c.system, c.assembled, asked.wanted.excitations);
   if (orders.empty())
     throw foundation::NotComputable(
-        "orders: the model has no excitation that goes with a shaft; add [excitations.NAME] with type = \"orders\" or "
+        "orders: the model has no excitation by a rotating shaft; add [excitations.NAME] with type = \"orders\" or "
         "\"unbalance\"");
   response::RunUpOptions options;
   options.speed = asked.speed;
@@ -25,6 +25,6 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
 
 const QuestionAnswer orders_answer = answered_by<answer_orders>(
     "run-up: response over shaft speed, critical speeds",
-    "orders: say over which speeds: add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
+    "orders: no range of speeds given; add orders = {speed = [\"600 rpm\", \"3000 rpm\"]} to [analyses]");
 
 }  // namespace trivet::study

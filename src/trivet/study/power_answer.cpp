@@ -17,7 +17,7 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
   const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots,
                                                 {response::PeakOptions{}.min_prominence, band.to}, c.progress);
   std::vector<double> grid = grid_over(c, channels, loading, peaks, band);
-  // At rest nothing moves; on an undamped resonance no steady power exists.
+  // At ω = 0 nothing moves; at an undamped resonance there is no steady power.
   const response::FrequencyResponse defined = response::frequency_response(c.assembled, channels, loading, grid);
   std::erase_if(grid, [&](double w) {
     return w == 0 ||

@@ -9,14 +9,14 @@
 
 namespace trivet::study {
 
-/// How one question of project/analyses/question_table.h is answered. Each is defined in NAME_answer.cpp.
+/// Computes the answer to one question of project/analyses/question_table.h. Each is defined in NAME_answer.cpp.
 struct QuestionAnswer {
-  const char* name = nullptr;  ///< given by question_answers()
+  const char* name = nullptr;  ///< set by question_answers()
   const char* about;           ///< one line of help for its command
-  const char* to_add;          ///< what the file must say; none: the question asks for something sensible by itself
+  const char* to_add;          ///< what the file must specify; nullptr: the defaults suffice
   std::shared_ptr<const project::Question> (*by_default)();
-  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason where there is no answer; warnings of
-  /// the computation go to the list
+  /// @throws foundation::NotComputable, foundation::InvalidInput with the reason if there is no answer; warnings of the
+  /// computation are added to the list
   std::any (*answer)(const CaseContext& context, const project::Question& asked, foundation::Problems& warnings);
 };
 
@@ -37,7 +37,7 @@ struct Signature<answer> {
 
 }  // namespace detail
 
-/// A question that is answered by a function of its own types: Answer (const CaseContext&, const Asked&,
+/// A question answered by a function with its own types: Answer (const CaseContext&, const Asked&,
 /// foundation::Problems& warnings).
 template <auto answer>
 [[nodiscard]] constexpr QuestionAnswer answered_by(const char* about, const char* to_add = nullptr) {
@@ -48,7 +48,7 @@ template <auto answer>
 TRIVET_QUESTIONS(TRIVET_ANSWER)
 #undef TRIVET_ANSWER
 
-/// All of them by their names, in the order of the table.
+/// All of them with their names, in the order of the table.
 [[nodiscard]] const std::vector<QuestionAnswer>& question_answers();
 
 }  // namespace trivet::study

@@ -21,8 +21,8 @@ std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   return static_cast<std::size_t>(at);
 }
 
-/// Of every body or point all of whose three translations were asked for, with the rotations that were; none if one of
-/// these has no number.
+/// Total values of every body or point with all three translations requested, with the requested rotations; none if one
+/// of these has no value.
 std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& channels,
                                      const response::RandomResponse& response,
                                      const std::array<excitation::WeightedAxis, 6>& axes) {

@@ -20,6 +20,6 @@ std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const
 }  // namespace
 
 const QuestionAnswer shapes_answer = answered_by<answer_shapes>(
-    "operating deflection shapes", "shapes: say at which frequencies: add shapes = {at = [\"25 Hz\"]} to [analyses]");
+    "operating deflection shapes", "shapes: no frequencies given; add shapes = {at = [\"25 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -30,7 +30,7 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
       const std::string reason =
           "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
       if (!asked.wanted.excitations.empty()) throw foundation::NotComputable(reason);
-      warnings.warning(reason, "left out", "", "");
+      warnings.warning(reason, "ignored", "", "");
       continue;
     }
     const excitation::Signal along = excitation::scaled(history->signal, action.amplitude.head<3>().norm());
@@ -45,9 +45,9 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
 
 }  // namespace
 
-const QuestionAnswer shock_spectrum_answer =
-    answered_by<answer_shock_spectrum>("shock response spectra of ground motions in time",
-                                       "shock_spectrum: say over which natural frequencies: add shock_spectrum = {band "
-                                       "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
+const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>(
+    "shock response spectra of ground motions in time",
+    "shock_spectrum: no range of natural frequencies given; add shock_spectrum = {band "
+    "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
 
 }  // namespace trivet::study

@@ -8,7 +8,7 @@
 
 namespace trivet::study {
 
-/// Of one time excitation, over natural frequencies.
+/// Shock response spectrum of one time excitation.
 struct ShockSpectrumResult {
   std::string excitation;
   std::string unit;  ///< of the spectrum: m/s²

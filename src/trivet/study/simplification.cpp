@@ -42,7 +42,7 @@ std::vector<std::string> left_out(const model::Element& element) {
 bool is_inner(const Mode& mode) { return mode.element_kinetic_energy_share.sum() > 0.5; }
 
 /// Σ φᵀAψ over the bodies, at their centres of mass; negative principal moments of an unphysical body count by their
-/// size.
+/// absolute value.
 double mass_product(const model::System& system, const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
   double sum = 0;
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
@@ -57,8 +57,8 @@ double mass_product(const model::System& system, const Eigen::VectorXd& phi, con
   return sum;
 }
 
-/// Modes of one natural frequency: their shapes are any basis of what they span, so that a shape is compared with all
-/// of them.
+/// Modes of one natural frequency: their shapes are an arbitrary basis of one subspace, so that a shape is compared
+/// with all of them.
 struct Group {
   std::vector<const Mode*> modes;
   std::size_t taken = 0;
@@ -90,7 +90,7 @@ double likeness(const model::System& system, const Mode& mode, const Group& grou
   return sum;
 }
 
-/// Every mode finds its partner, the most alike first.
+/// Pairs the modes of both models, the most similar first.
 std::vector<ModeComparison> paired(const model::System& system, const modal::Modes& full,
                                    const modal::Modes& simplified) {
   std::vector<ModeComparison> result;
@@ -136,7 +136,7 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
   return result;
 }
 
-/// Highest peaks of both models, or why there are none; the modes stand without them.
+/// Adds the highest peaks of both models, or the reason why there are none.
 void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress,
                    Simplification& result) {
   project::Analyses wanted;

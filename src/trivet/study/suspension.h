@@ -8,16 +8,16 @@
 
 namespace trivet::study {
 
-/// The suspension of every body of a case.
+/// Suspension properties of every body of a case.
 struct SuspensionAnswer {
   std::vector<modal::BodySuspension> bodies;
   std::vector<double> excitations;                     ///< [rad/s]
-  std::vector<modal::FrequencySeparation> separation;  ///< of the whole system
+  std::vector<modal::FrequencySeparation> separation;  ///< for the whole system
   foundation::Problems warnings;
 };
 
-/// @param torques  moments whose roll axes are asked for, body axes; x, y and z if empty
-/// @param excitations  angular frequencies to hold against the natural ones [rad/s], > 0
+/// @param torques  moments for which roll axes are computed, in body axes; x, y and z if empty
+/// @param excitations  angular frequencies to compare with the natural ones [rad/s], > 0
 [[nodiscard]] SuspensionAnswer suspension(const project::Case& variant,
                                           const std::vector<Eigen::Vector3d>& torques = {},
                                           const std::vector<double>& excitations = {});

@@ -39,14 +39,15 @@ TransientResult answer_transient(const CaseContext& c, const project::TransientQ
   options.initial = initial_state(c, asked);
   if (inputs.empty() && !options.initial)
     throw foundation::NotComputable(
-        "transient: nothing sets the model in motion; add [excitations.NAME] with type = \"time\", or initial values");
+        "transient: the model has no time excitation and no initial values; add [excitations.NAME] with type = "
+        "\"time\", or initial values");
   TransientResult result{
       response::transient_response(c.system, c.assembled, channels_of(c, asked.wanted), inputs, options, c.progress),
       asked.wanted.quantity};
   warnings.add(result.response.warnings);
   if (asked.nearest_linear_system && !c.assembled.frequency_dependent())
-    warnings.warning("analyses.transient.nearest_linear_system", "true",
-                     "no element depends on frequency in a way that needs it", "remove it");
+    warnings.warning("analyses.transient.nearest_linear_system", "true", "no element needs it, so it has no effect",
+                     "remove it");
   return result;
 }
 

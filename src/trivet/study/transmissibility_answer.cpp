@@ -48,8 +48,9 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
 
 }  // namespace
 
-const QuestionAnswer transmissibility_answer = answered_by<answer_transmissibility>(
-    "force or motion that the mounts let through",
-    "transmissibility: say of what: add transmissibility = {force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
+const QuestionAnswer transmissibility_answer =
+    answered_by<answer_transmissibility>("force or motion that the mounts transmit",
+                                         "transmissibility: no force or base motion given; add transmissibility = "
+                                         "{force = \"EXCITATION\"} or {base = \"z\"} to [analyses]");
 
 }  // namespace trivet::study

@@ -17,9 +17,9 @@ struct TransmissibilityResult {
   response::Peaks peaks;
   std::vector<response::Crossover> crossovers;
   response::Band band;
-  bool of_force = false;  ///< forces on the ground, in total and of each mount; else motions
+  bool of_force = false;  ///< forces on the ground, in total and of each mount; otherwise motions
 
-  /// The force of one of several mounts over the whole exciting force: a share, which says nothing of isolation.
+  /// True for the force of one of several mounts over the whole exciting force: a share, not a measure of isolation.
   [[nodiscard]] bool is_share(std::size_t curve) const { return of_force && curve > 0 && curves.curves.size() > 2; }
 };
 

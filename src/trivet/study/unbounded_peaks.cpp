@@ -29,10 +29,10 @@ std::vector<std::string> unbounded(const model::System& system, const project::M
   return names;
 }
 
-/// The base model may have a symmetry that the designs have not. A middle without a model tells nothing.
+/// The base model may have a symmetry that the designs do not have. Without a model in the middle all names remain.
 void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request,
                               std::vector<std::string>& names) {
-  constexpr double middle = 0.47;  // of both axes; no design of symmetry
+  constexpr double middle = 0.47;  // of both axes; avoids a symmetric design
   const auto system = project::changed_system(variant,
                                               {{project::ModelNumber(request.x), request.x.at(middle)},
                                                {project::ModelNumber(request.y), request.y.at(middle)}});
@@ -62,11 +62,10 @@ void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequ
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   throw foundation::NotComputable(
-      fmt::format("map: no_peak asked of {}{}: a curve that vanishes at rest and at high frequency has a peak over "
-                  "nothing in every design; "
-                  "name other answers in no_peak, and limit the amplitude of {}{}",
+      fmt::format("map: no_peak of {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
+                  "design; name other answers in no_peak, and limit the amplitude of {}{}",
                   name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
-                  request.quantity == assembly::Quantity::displacement ? "" : ", or take quantity = \"displacement\""));
+                  request.quantity == assembly::Quantity::displacement ? "" : ", or set quantity = \"displacement\""));
 }
 
 }  // namespace trivet::study

@@ -5,8 +5,8 @@
 
 namespace trivet::study {
 
-/// A no-peak rule can never be kept by an answer that vanishes both at rest and towards ω = ∞, in the base model of the
-/// map and in its middle.
+/// Rejects no-peak rules of answers that vanish both at ω = 0 and towards ω = ∞, in the base model of the map and in
+/// the middle of the map: such a rule can never be met.
 /// @throws foundation::NotComputable with these answers, the reason and what to do
 void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request);
 

@@ -17,7 +17,7 @@
 namespace trivet::study {
 namespace {
 
-/// A map where the file asks for one, the cases as points on it.
+/// Computes the map that the file requests, with the cases as points on it.
 void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
              Answers& answers) {
   try {
@@ -30,16 +30,17 @@ void add_map(const project::Project& project, const project::Case& variant, cons
   }
 }
 
-/// `lowest`: the scaled eigenvalue that tells whether it gives energy.
+/// @param lowest  lowest scaled eigenvalue; negative if the element generates energy
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v,
                       double lowest, bool symmetric, std::vector<CheckLine>& lines) {
   if (v.highest_eigenvalue == 0) return;
-  lines.push_back({subject, quantity + " resists no rigid motion", fmt::format("{:.1e} of its scale", v.rigid_residual),
+  lines.push_back({subject, quantity + " gives no force under rigid motion",
+                   fmt::format("{:.1e} of its scale", v.rigid_residual),
                    v.rigid_residual <= elements::silent_residual});
   if (symmetric) {
     lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry),
                      v.asymmetry <= elements::rounding_of_data});
-    lines.push_back({subject, quantity + " gives no energy",
+    lines.push_back({subject, quantity + " generates no energy",
                      fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest),
                      lowest >= -elements::rounding_of_data * std::max(1.0, v.highest_eigenvalue)});
   }
@@ -83,7 +84,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
     const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k),
                                   of_b = study::matrix_verdict(variant, element, b);
-    // Turned as a whole, a preloaded element does work: N is held.
+    // A preloaded element does work when rotated as a whole, so N is held.
     add_matrix_lines(subject, "stiffness", of_k,
                      element.law.preload ? elements::lowest_of_held_end(k) : of_k.lowest_eigenvalue, element.symmetric,
                      lines);

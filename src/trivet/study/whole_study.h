@@ -9,13 +9,13 @@
 
 namespace trivet::study {
 
-/// Everything that a project asks, in all its cases; maps of the base model and of cases that ask another one.
+/// Computes all analyses of a project in all its cases; maps of the base model and of cases with a map of their own.
 /// @param progress  "CASE: task" and the share of the whole
-/// @param done  takes each case when it is answered
+/// @param done  receives each case when it is complete
 [[nodiscard]] std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress = {},
                                        const std::function<void(std::size_t index, const Answers&)>& done = {});
 
-/// One check that the data passed or failed, in words.
+/// One check that the data passed or failed, as text.
 struct CheckLine {
   std::string subject;
   std::string what;
@@ -24,20 +24,20 @@ struct CheckLine {
   bool operator==(const CheckLine&) const = default;
 };
 
-/// Checks of every body and element of a case, with their figures.
+/// Checks of every body and element of a case, with their values.
 [[nodiscard]] std::vector<CheckLine> check_lines(const project::Case& variant);
 
-/// What can be said of a case without answering its questions.
+/// Checks of a case without its analyses.
 struct CaseCheck {
   std::string case_name;
   foundation::Problems warnings;  ///< of the data, the modes and the roots
-  std::vector<CheckLine> lines;   ///< of a case other than the base model: those that differ from it
+  std::vector<CheckLine> lines;   ///< for cases other than the base model: only those that differ from it
   std::vector<std::string> free_motions;
-  std::vector<std::string> notes;           ///< of the base model: bodies that gravity tilts
-  std::optional<response::DeepCheck> deep;  ///< two solvers compared, if that was asked for
+  std::vector<std::string> notes;           ///< for the base model: bodies that gravity tilts
+  std::optional<response::DeepCheck> deep;  ///< comparison of two solvers, if requested
 };
 
-/// All cases of a project. @param deep  compare the solver with a second, independent one
+/// Checks of all cases of a project. @param deep  compare the solver with a second, independent one
 [[nodiscard]] std::vector<CaseCheck> check(const project::Project& project, bool deep = false);
 
 }  // namespace trivet::study

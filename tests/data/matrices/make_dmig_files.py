@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the DMIG files of this folder out of chain.npy and beam_complex.npy; run it here with pyNastran 1.4."""
+"""Writes the DMIG files of this folder from chain.npy and beam_complex.npy; run it here with pyNastran 1.4."""
 import io
 
 import numpy as np

@@ -36,7 +36,7 @@ def chain():
 whole = beam(LENGTH * ELEMENTS)
 lossy = whole * (1 + 0.02j)
 np.save("beam.npy", whole)
-np.save("beam_by_columns.npy", np.asfortranarray(whole + np.triu(np.ones((12, 12)))))  # unsymmetric: a mixed-up order shows
+np.save("beam_by_columns.npy", np.asfortranarray(whole + np.triu(np.ones((12, 12)))))  # unsymmetric, to detect a wrong order
 np.save("beam_complex.npy", lossy)
 np.save("chain.npy", chain())
 with open("beam_version_2.npy", "wb") as file:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From where on no slope of several |y|² changes its sign any more, one design per lane: in u = 1/x the rest of the
-// axis is one panel.
+// Start of the last piece of the axis, on which no slope of several |y|² changes sign, one design per lane: in u = 1/x
+// the rest of the axis is one panel.
 #if defined(TRIVET_NUMERICS_AXIS_TAIL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
 #undef TRIVET_NUMERICS_AXIS_TAIL_INL_H_
@@ -16,9 +16,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Where the last piece of the axis begins, on which every slope keeps its sign to x = ∞ or nothing matters any more.
-/// In u = 1/x a curve has the same form, with poles 1/z, and one panel reaches from there to u = 0.
-/// @param complete  leaves the lanes where that is proven
+/// Start x of the last piece of the axis, on which every slope keeps its sign up to x = ∞ or no peak that counts
+/// remains. In u = 1/x a curve has the same form, with poles 1/z, and one panel extends from there to u = 0.
+/// @param complete  reduced to the lanes in which this is proven
 template <typename Size>
 HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
                                     const PeakQuestion& question, const WalkOptions& options, LaneMask& complete) {
@@ -66,7 +66,7 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
         own = hn::And(
             own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
       all_settled = hn::And(all_settled, own);
-      curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x falls as u rises
+      curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x decreases as u increases
     }
     settled = hn::Or(settled, all_settled);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// All sign changes of the slopes of several |y|², one design per lane, with a proof: a walk along x = ω² in panels, on
-// each of which f' is a polynomial p0 + p1 t + … + p4 t⁴ and a remainder that the distances of the poles bound. A panel
-// is left behind when every curve's slope has no zero on it, or is monotonic with a known sign at its end, or the curve
-// cannot matter there; otherwise it is made shorter.
+// Finds and proves all sign changes of the slopes of several |y|², one design per lane, by a scan along x = ω² in
+// panels. On each panel f' is a polynomial p0 + p1 t + … + p4 t⁴ plus a remainder bounded by the distances of the
+// poles. A panel is done if every curve's slope has no zero on it, or is monotonic with a known sign at its end, or the
+// curve cannot matter there; otherwise the panel is shortened.
 #if defined(TRIVET_NUMERICS_AXIS_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_AXIS_WALK_INL_H_
 #undef TRIVET_NUMERICS_AXIS_WALK_INL_H_
@@ -19,52 +19,52 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// What of a walk is the same for all curves of a pack.
+/// Data of a scan that all curves of a pack share.
 template <typename Size>
 struct WalkedPack {
   SquarePoles<Size> poles;
-  Pack from, to;   ///< of x; both finite on the walk
+  Pack from, to;   ///< range of x; both finite during the scan
   LaneMask asked;  ///< lanes with good roots
-  // where only the highest values are asked:
+  // if only the highest values are requested:
   Zones<Size> zones;
-  LaneMask open[Size::most];  ///< zones in which some curve may be higher than its best value known
+  LaneMask open[Size::most];  ///< zones in which some curve may exceed its best known value
 };
 
-/// One curve of a pack on the walk.
+/// One curve of a pack during the scan.
 struct WalkedCurve {
   SquaredResponse f;
-  Pack best;                      ///< highest value of f seen on the band
-  Pack sign;                      ///< of the slope, last known: −1, 1, or 0
-  Pack tail;                      ///< the same beyond the walk, to x = ∞; 0 if there is nothing
-  Pack covered_from, covered_to;  ///< where nothing is higher than `best`, as is known already
-  LaneMask open[most_pairs];      ///< zones in which something may be
-  // of the panel at hand
-  Pack p0, p1, p2;   ///< its slope at the middle is p0 + p1 (x − centre) + p2 (x − centre)² …
-  Pack start, rest;  ///< slope at its start, and what the slope may be off
-  Pack most;         ///< f is nowhere higher
-  Pack after;        ///< sign at its end; 0 if not known
+  Pack best;                      ///< highest value of f found on the band
+  Pack sign;                      ///< last known sign of the slope: −1, 1, or 0
+  Pack tail;                      ///< sign beyond the scan, up to x = ∞; 0 if there is none
+  Pack covered_from, covered_to;  ///< range already known to have no value above `best`
+  LaneMask open[most_pairs];      ///< zones that may contain a higher value
+  // of the current panel
+  Pack p0, p1, p2;   ///< the slope is p0 + p1 (x − centre) + p2 (x − centre)² …
+  Pack start, rest;  ///< slope at its start, and error bound of the slope
+  Pack most;         ///< upper bound of f
+  Pack after;        ///< sign of the slope at its end; 0 if unknown
 };
 
-/// 1/(x − z) and what follows from it at the middle of a panel.
+/// Powers of 1/(x − z) at the middle of a panel, and bounds derived from them.
 struct PanelPowers {
   PairPack w[6];       ///< powers 1 … 6
   Pack plain, turned;  ///< bounds on the remainder: for C.first, and for C.second
 };
 
-constexpr double most_share = 0.43;   ///< of a panel's half width in the distance of its middle from the nearest pole
-constexpr double least_share = 1e-5;  ///< where no sign can be told on shorter panels, the walk is given up
+constexpr double most_share = 0.43;   ///< largest half width of a panel / distance of its middle from the nearest pole
+constexpr double least_share = 1e-5;  ///< the scan fails if a sign needs shorter panels
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
 constexpr double round_off =
-    6e-15;  ///< of a sum of C wᵐ over twelve poles and of the polynomial it goes into, against Σ |C| |w|ᵐ
-constexpr double low_share = 0.01;  ///< of what a peak must rise by: a curve that is lower has no peak that counts
-constexpr double most_doubt = 0.2;  ///< of the same: heights that round-off hides are taken as they are below
-/// The remainder of f'' against that of f' over the half panel: its terms i ≥ 5 count i times, on average fewer
-/// than 6.5 times.
+    6e-15;  ///< of a sum of C wᵐ over twelve poles and of the polynomial built from it, relative to Σ |C| |w|ᵐ
+constexpr double low_share = 0.01;  ///< share of the required rise of a peak: a lower curve has no peak that counts
+constexpr double most_doubt = 0.2;  ///< the same share: below it, heights hidden by round-off are accepted
+/// Ratio of the remainder of f'' to that of f' over half a panel: its terms i ≥ 5 count i times, on average less than
+/// 6.5 times.
 constexpr double slope_of_rest = 7;
 
-/// Half width of the panel that starts at x so that it is `share` of the distance of its middle from the nearest pole;
-/// a little less by (4a + 3b)/5 ≤ √(a² + b²).
+/// Half width of the panel that starts at x: `share` of the distance of its middle from the nearest pole, slightly less
+/// because (4a + 3b)/5 ≤ √(a² + b²).
 template <typename Size>
 HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, const Pack& share) {
   const Pack square = hn::Mul(share, share);
@@ -91,24 +91,24 @@ HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre
     for (int m = 1; m < 6; ++m) p.w[m] = times_turned(p.w[m - 1], p.w[0], unit_aside);
     const Pack modulus = modulus_above(poles.real[k], p.w[0]), aside = hn::Abs(p.w[0].second),
                r = hn::Mul(half, modulus);
-    // Σ_{i ≥ 5} (i + 1) ρⁱ and Σ_{i ≥ 5} (i + 1)(i + 2) ρⁱ from above, ρ ≤ 0.47
+    // Upper bounds on Σ_{i ≥ 5} (i + 1) ρⁱ and Σ_{i ≥ 5} (i + 1)(i + 2) ρⁱ, ρ ≤ 0.47.
     const Pack square = hn::Mul(r, r), fifth = hn::Mul(hn::Mul(square, square), r);
     const Pack tail =
         hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(18.7), all(8.0)), all(7.0)), all(6.0)));
     const Pack turned_tail =
         hn::Mul(fifth, hn::MulAdd(r, hn::MulAdd(r, hn::MulAdd(r, all(207.0), all(72.0)), all(56.0)), all(42.0)));
     p.plain = hn::Mul(hn::Mul(modulus, modulus), hn::Add(tail, all(round_off)));
-    // The part of wᵐ that belongs to j is at most m |b| |w|ᵐ⁻¹.
+    // The j component of wᵐ is at most m |b| |w|ᵐ⁻¹.
     p.turned = hn::Mul(hn::Mul(modulus, aside), hn::Add(turned_tail, all(2 * round_off)));
   });
 }
 
 struct WalkOptions {
-  bool every_extremum = true;  ///< or only what can be the highest of its curve
-  double matters = 1e-6;       ///< share of the highest amplitude that a peak must rise by
+  bool every_extremum = true;  ///< false: only those that can be the highest of their curve
+  double matters = 1e-6;       ///< required rise of a peak, as a share of the highest amplitude
 };
 
-/// Lanes where a curve is known to stay below its best value between two places.
+/// Lanes in which a curve is known to stay below its best value between x and `end`.
 template <typename Size>
 HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const WalkedCurve& curve,
                                     const Pack& x, const Pack& end) {
@@ -117,7 +117,7 @@ HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* sh
   return hn::Or(hn::Not(open), hn::And(hn::Ge(x, curve.covered_from), hn::Le(end, curve.covered_to)));
 }
 
-/// Slope of one curve on the panel at hand. @return lanes where nothing more is to be found out
+/// Slope of one curve on the current panel. @return lanes in which the panel is done for this curve
 template <typename Size>
 HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre,
                              const Pack& half, const WalkOptions& options, const LaneMask& covered,
@@ -136,14 +136,13 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
     s4 = sum_of(C, p.w[5], s4);
     rest = hn::MulAdd(hn::Abs(C.first), p.plain, hn::MulAdd(hn::Abs(C.second), p.turned, rest));
   });
-  // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ and a remainder.
+  // The slope at centre + t half, |t| ≤ 1, is Σ cᵢ tⁱ plus a remainder.
   const Pack square = hn::Mul(half, half);
   const Pack c0 = hn::Sub(curve.f.slope, s0), p1 = hn::Add(s1, s1), p2 = hn::Mul(all(-3.0), s2), c1 = hn::Mul(half, p1),
              c2 = hn::Mul(square, p2);
   const Pack c3 = hn::Mul(hn::Mul(square, half), hn::Mul(all(4.0), s3)),
              c4 = hn::Mul(hn::Mul(square, square), hn::Mul(all(-5.0), s4));
-  // Bernstein's coefficients: the polynomial lies between the least and the largest, its own slope between twice their
-  // differences.
+  // Bernstein coefficients: they bound the polynomial, and twice their differences bound its derivative.
   const Pack even = hn::Add(c0, c4), odd = hn::Add(c1, c3), middle = hn::Mul(all(0.5), hn::Sub(c1, c3)),
              ends = hn::Add(even, c2), inner = hn::Sub(c0, c4);
   const Pack b0 = hn::Sub(ends, odd), b1 = hn::Sub(inner, middle), b2 = hn::NegMulAdd(all(1.0 / 3), c2, even),
@@ -160,14 +159,14 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   curve.after = hn::IfThenElseZero(turns, hn::CopySign(all(1.0), b4));
   const Pack swing = hn::Mul(half, hn::Add(rest, hn::Max(hn::Abs(lowest), hn::Abs(highest))));
   curve.most = hn::Add(value, swing);
-  // A coordinate that nothing moves has nothing to find.
+  // A curve that is exactly zero has no extrema.
   const LaneMask known = hn::Or(turns, hn::And(hn::Eq(value, zero), hn::Eq(swing, zero)));
   if (!options.every_extremum) {
     curve.after = hn::IfThenZeroElse(covered, curve.after);
     curve.sign = hn::IfThenZeroElse(covered, curve.sign);
     return hn::Or(hn::Or(known, covered), hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
   }
-  // So low that no peak is there, or so flat that none is hidden. (The slope of |y|² is 2|y| times that of |y|.)
+  // Too low for a peak that counts, or too flat to hide one. (The slope of |y|² is 2|y| times that of |y|.)
   constexpr double flat_share = 0.03, flat_top = 1e-10;
   const Pack matters = hn::Mul(all(options.matters * options.matters), curve.best), change = hn::Add(swing, swing);
   const LaneMask low = hn::Lt(curve.most, hn::Mul(all(low_share * low_share), matters));
@@ -177,16 +176,16 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
   return hn::Or(known, hn::Or(low, flat));
 }
 
-/// A panel on which a curve need not be looked at.
+/// Skips a panel that does not matter for a curve.
 HWY_INLINE void pass(WalkedCurve& curve) { curve.after = curve.sign = hn::Zero(Lanes()); }
 
-/// Where the sign has changed on a panel that is left behind.
+/// Notes the sign changes on panels that are done.
 HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half,
                               bool every, int channel, FoundExtrema& found) {
   const Pack zero = hn::Zero(Lanes());
   LaneMask changed = hn::And(left, hn::Lt(hn::Mul(curve.sign, curve.after), zero));
   if (!every) {
-    // What was passed by as too low leaves no sign: then that at the start of the panel counts.
+    // After a skipped panel the sign is unknown: then the sign at the start of this panel counts.
     const LaneMask rising =
         hn::Or(hn::Gt(curve.sign, zero), hn::And(hn::Eq(curve.sign, zero), hn::Gt(curve.start, hn::Neg(curve.rest))));
     changed = hn::And(hn::And(left, rising),
@@ -209,8 +208,7 @@ HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, co
   }
 }
 
-/// The next place where it pays to look again when only the highest values are asked: some widths of a resonance before
-/// or behind it.
+/// Next x worth a check if only the highest values are requested: some widths of a resonance before or after it.
 template <typename Size>
 HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
   constexpr double widths = 6;
@@ -225,7 +223,8 @@ HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
   return stop;
 }
 
-/// Lanes where every curve stays below its best value between x and `stop`, by the distances of the poles alone.
+/// Lanes in which every curve stays below its best value between x and `stop`, proven by the distances of the poles
+/// alone.
 template <typename Size>
 HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x,
                                   const Pack& stop) {
@@ -247,7 +246,7 @@ HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurv
   return below;
 }
 
-/// The next place in an open zone.
+/// Next x in an open zone.
 template <typename Size>
 HWY_INLINE Pack next_open(const WalkedPack<Size>& pack, const Pack& x) {
   Pack next = pack.to;
@@ -258,7 +257,7 @@ HWY_INLINE Pack next_open(const WalkedPack<Size>& pack, const Pack& x) {
   return next;
 }
 
-/// Passes from stop to stop as far as nothing there can be the highest.
+/// Moves x from stop to stop as long as no curve can exceed its best value there.
 template <typename Size>
 HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, Pack& x, LaneMask live) {
   LaneMask hopping = live;
@@ -278,7 +277,7 @@ HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int
   return hn::And(live, hn::Lt(x, pack.to));
 }
 
-/// @return lanes whose walk came to its end
+/// Scans the axis panel by panel. @return lanes in which the scan was completed
 template <typename Size>
 HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options,
                            FoundExtrema& found) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The highest maximum of each |y|², found from its resonances, and how far around it nothing can be higher. With y = x
-// − x*, L the part of f that belongs to the pole next to x* and R the rest, f'(x*) = 0 makes
+// Highest maximum of each |y|², found from its resonances, and the range around it in which nothing is higher. With y =
+// x − x*, L the part of f from the pole next to x* and R the rest, f'(x*) = 0 gives
 //   f − f* = (L − L* − L'* y) + (R − R* − R'* y) = −y² (α + β y)/D(x) + (≤ ½ max|R''| y²),
-// D = |x − z|², β = L'*, α = L* + D'* L'*: f is nowhere higher where (α − |β y|)/D stays above ½ max|R''|. It stays
-// above by a tenth of α/D, so that a slope that is not quite zero, as far as Halley's step would change f by s, costs
-// some 10 s at most.
+// D = |x − z|², β = L'*, α = L* + D'* L'*: f is not higher as long as (α − |β y|)/D exceeds ½ max|R''|. It must exceed
+// it by a tenth of α/D: then a slope that is not exactly zero, with a Halley step that would change f by s, raises f by
+// about 10 s at most.
 #if defined(TRIVET_NUMERICS_CERTAIN_TOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
 #undef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
@@ -20,19 +20,18 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// The highest of a curve's resonances.
 struct Top {
   Pack at, value;
-  Pack pole;         ///< whose resonance it is
-  Pack away;         ///< how far from that pole the range in which nothing is higher reaches on either side
-  LaneMask settled;  ///< the slope vanishes there as far as can be told, and all around is lower within the range that
-                     ///< is covered
+  Pack pole;         ///< pole of the resonance
+  Pack away;         ///< distance from that pole on either side within which nothing is higher
+  LaneMask settled;  ///< the slope is zero there within round-off, and the curve is lower in the covered range
 };
 
-/// The part of a curve that belongs to one of its poles, another in each lane.
+/// The part of a curve from one of its poles, which differs from lane to lane.
 struct Resonance {
   Pack pole, centre, aside, unit;
   PairPack C;
 };
 
-/// The one whose curve is highest right above its pole.
+/// The resonance with the highest curve at the centre of its pole.
 template <typename Size>
 HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse& f,
                                        const Pack* above_poles) {
@@ -52,8 +51,7 @@ HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const Squ
   return best;
 }
 
-/// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that distance times the
-/// share.
+/// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that range.
 template <typename Size>
 HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own,
                                const Pack& x, Pack& bend, Pack& reach_of_it) {
@@ -70,12 +68,12 @@ HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResp
   reach_of_it = hn::Div(all(share), nearest);
 }
 
-/// @param above_poles  the curve right above each pole (anything low for real ones)
+/// @param above_poles  value of the curve at the centre of each pole (any low value for real poles)
 template <typename Size>
 HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles, WalkedCurve& curve) {
   constexpr int steps = 3;
   constexpr double settled = 1e-11;  // slope × step, as a share of the value
-  constexpr double off_centre = 3;   // half widths of its pole within which the top is looked for
+  constexpr double off_centre = 3;   // search range of the top, in half widths of its pole
   const SquaredResponse& f = curve.f;
   const Resonance own = highest_resonance(pack.poles, f, above_poles);
   const Pack width = hn::Mul(all(off_centre), own.aside);
@@ -98,7 +96,7 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   const Pack beta = hn::Div(hn::NegMulAdd(L, twice, own.C.first), D), alpha = hn::MulAdd(twice, beta, L);
   Pack bend, range;
   bend_of_others(pack.poles, f, own, x, bend, range);
-  // As far as D allows, with some reserve; then is it so at the end of that range, where D is largest and |β y| too?
+  // Range allowed by D, with some reserve; then the condition is checked at its end, where D and |β y| are largest.
   constexpr double reserve = 0.7;
   const Pack allowed = hn::Sqrt(hn::Max(hn::Zero(Lanes()), hn::Mul(all(reserve), hn::Div(alpha, bend))));
   range = hn::Min(range, hn::Sub(allowed, hn::Abs(twice)));
@@ -116,17 +114,17 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   return top;
 }
 
-/// Finds the zones in which a curve may be higher than its best value: where the sum of what each pair of poles can add
-/// there at most is.
+/// Finds the zones in which a curve may exceed its best value: where the sum of the upper bounds of all pairs of poles
+/// does.
 template <typename Size>
 HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurve* curves, int channels) {
   const SquarePoles<Size>& poles = pack.poles;
   const Zones<Size>& zones = pack.zones;
   const Pack zero = hn::Zero(Lanes());
   struct {
-    PairPack most[Size::most];   // of 1/(x − z)
-    LaneMask right[Size::most];  // the zone lies above that pole
-    LaneMask crowded;            // another pole stands in it
+    PairPack most[Size::most];   // bounds of 1/(x − z)
+    LaneMask right[Size::most];  // the zone is above that pole
+    LaneMask crowded;            // another pole is in it
   } zone[Size::most];
   each(zones.count, [&](int m) TRIVET_LANES {
     zone[m].crowded = hn::Lt(zero, zero);
@@ -141,7 +139,7 @@ HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurv
   for (int c = 0; c < channels; ++c) {
     WalkedCurve& curve = curves[c];
     const SquaredResponse& f = curve.f;
-    Pack up[Size::most], down[Size::most], aside[Size::most];  // what of C counts above a pole, below it, and of b
+    Pack up[Size::most], down[Size::most], aside[Size::most];  // parts of C above a pole, below it, and for b
     each(poles.count, [&](int k) TRIVET_LANES {
       up[k] = hn::Max(f.C[k].first, zero);
       down[k] = hn::Max(hn::Neg(f.C[k].first), zero);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which curves the poles of a table tell to nine digits: the load must move them by more than round-off, and their sums
-// must not cancel.
+// Determines which curves the poles of a table give to nine digits: the load must move them by more than round-off, and
+// their sums must not cancel.
 #if defined(TRIVET_NUMERICS_COUPLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_COUPLING_INL_H_
 #undef TRIVET_NUMERICS_COUPLING_INL_H_
@@ -17,13 +17,12 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 HWY_INLINE Pack squared_size(const PairPack& r) { return hn::MulAdd(r.first, r.first, hn::Mul(r.second, r.second)); }
 
-/// Residues of a pack of designs, and what a curve is measured by: coordinates j count by √A_jj.
+/// Residues of a pack of designs, and scales for a curve: coordinate j is weighted by √A_jj.
 struct PackOfResidues {
   PairPack r[most_pairs][most_pairs];  ///< [pair][coordinate]
   Pack unit[most_pairs];               ///< 1/√A_jj
-  /// Squares, by pair of poles. A curve whose residues are far below the one has resonances far below what other
-  /// coordinates do: at that pole, or at rest by any. Below the other, the load being what it is, a residue begins to
-  /// lose its digits.
+  /// Squares, by pair of poles. Residues of a curve far below `visible` mean resonances far below the motion of other
+  /// coordinates: at that pole, or at rest from any pole. Residues far below `possible` lose digits under this load.
   Pack visible[most_pairs], possible[most_pairs];
 };
 
@@ -55,12 +54,12 @@ HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, cons
   });
 }
 
-/// Residues of a curve that takes part in what its coordinates do by round-off only are set to zero.
+/// Sets the residues of a curve to zero if it takes part in the motion of its coordinates by round-off only.
 /// @param weight  of every pole: (Σ_j |row_j| / √A_jj)²
-/// @return lanes where that is so, or where it takes so much part that its residues have their digits
+/// @return lanes in which that is so, or in which the residues are accurate
 template <typename Size>
 HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const Pack* weight, PairPack* r) {
-  constexpr double least_known = 1e-6;  // residues are off by some 1e-15 of what is possible
+  constexpr double least_known = 1e-6;  // residues have errors of some 1e-15 of `possible`
   LaneMask none = hn::Eq(all(0.0), all(0.0)), little = none;
   each(n, [&](int k) TRIVET_LANES {
     const Pack size = squared_size(r[k]);
@@ -75,7 +74,7 @@ HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const
   return hn::Or(none, hn::Not(little));
 }
 
-/// A row times the residues of one pair of poles; its zeros are skipped.
+/// A row times the residues of one pair of poles; zeros of the row are skipped.
 HWY_INLINE PairPack row_times(const Eigen::VectorXd& row, const PairPack* r) {
   PairPack sum = {hn::Zero(Lanes()), hn::Zero(Lanes())};
   for (Eigen::Index j = 0; j < row.size(); ++j)
@@ -92,7 +91,7 @@ HWY_INLINE Pack weight_of(const Eigen::VectorXd& row, const Pack* unit) {
   return sum;
 }
 
-/// Residues of one channel. @return lanes where they have their digits
+/// Residues of one channel. @return lanes in which they are accurate
 template <typename Size>
 HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const PolePairs& poles,
                                   const ObservedRow& row, PairPack* r) {
@@ -112,8 +111,9 @@ HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const 
   return drop_round_off(n, residues, weight, r);
 }
 
-/// Lanes where a value keeps nine digits (an amplitude twice as many as its square loses), of terms with such moduli.
-/// @param of_sums  round-off of a sum against its terms
+/// Lanes in which a value of terms with these moduli keeps nine digits (an amplitude has half the relative error of its
+/// square).
+/// @param of_sums  round-off of a sum relative to its terms
 HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
   constexpr double nine_digits = 2e-10;
   return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(nine_digits), value));

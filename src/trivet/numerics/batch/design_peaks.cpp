@@ -27,17 +27,17 @@ void check(const Designs& designs, const DesignPeakOptions& options) {
     throw foundation::InvalidInput(std::string("peaks of designs: ") + rule);
   };
   if (!(options.from >= 0) || !(options.to > options.from) || std::isinf(options.from))
-    refuse("a band needs 0 ≤ from < to");
-  if (!(options.min_prominence >= 0)) refuse("a prominence is a share ≥ 0");
-  if (options.rows.size() > 0 && options.rows.cols() != n) refuse("a row needs one number for every coordinate");
+    refuse("the band must satisfy 0 ≤ from < to");
+  if (!(options.min_prominence >= 0)) refuse("the prominence must be a share ≥ 0");
+  if (options.rows.size() > 0 && options.rows.cols() != n) refuse("a row must have one number for every coordinate");
   if (options.rows_on_velocity.size() > 0 &&
       (options.rows_on_velocity.rows() != options.rows.rows() || options.rows_on_velocity.cols() != n))
-    refuse("rows on velocity need the shape of the rows on displacement");
+    refuse("rows on velocity must have the same shape as rows on displacement");
   if (!options.derivative.empty() &&
       static_cast<Eigen::Index>(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
-    refuse("derivatives need one number for every channel");
+    refuse("derivatives must have one number for every channel");
   for (const int d : options.derivative)
-    if (d < 0 || d > 2) refuse("a derivative is 0, 1 or 2");
+    if (d < 0 || d > 2) refuse("a derivative must be 0, 1 or 2");
 }
 
 std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& options) {
@@ -46,7 +46,7 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
   std::vector<ObservedRow> result;
   for (Eigen::Index c = 0; c < rows.rows(); ++c) {
     const auto at = static_cast<std::size_t>(c);
-    // A row of zeros is none: whether a curve falls towards ω = ∞ hangs on it.
+    // A row of zeros counts as empty, because rows on velocity decide whether a curve falls towards ω = ∞.
     const bool on_velocity = options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.row(c) != 0).any();
     result.push_back({rows.row(c),
                       on_velocity ? Eigen::VectorXd(options.rows_on_velocity.row(c).matrix()) : Eigen::VectorXd(),
@@ -67,7 +67,7 @@ ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search
   return answer;
 }
 
-/// The designs of one designs_per_piece on their way to an answer.
+/// Solves the designs of one piece.
 class Piece {
  public:
   Piece(const Designs& designs, const PeakQuestion& question, DesignPeaks& result)
@@ -100,7 +100,7 @@ class Piece {
     result_.largest_rise(d, c) = answer.largest_rise;
   }
 
-  /// One lane of a table that was searched, if its proof is complete.
+  /// Takes the results of one lane of a table if their proof is complete.
   bool take(Eigen::Index d, int lane, DesignStatus as) {
     if (!answers_.complete[lane]) return false;
     for (std::size_t c = 0; c < question_.rows.size(); ++c)
@@ -152,7 +152,7 @@ class Piece {
     AxisSearch search;
     try {
       search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to});
-    } catch (const foundation::NotComputable&) {  // one design is no reason to lose the others
+    } catch (const foundation::NotComputable&) {  // one failed design must not stop the others
       status(d) = DesignStatus::undecided;
       return;
     }

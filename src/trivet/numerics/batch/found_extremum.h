@@ -5,7 +5,7 @@
 
 namespace trivet::numerics {
 
-/// A zero of the slope of one curve of one lane, or a place near it.
+/// A zero of the slope of one curve in one lane, or an x near it.
 struct FoundExtremum {
   int lane = 0;
   int channel = 0;
@@ -13,8 +13,8 @@ struct FoundExtremum {
   double lower = 0;  ///< ends of its panel
   double upper = 0;
   bool maximum = false;
-  double value = 0;   ///< half of |y|², once refined
-  double missed = 0;  ///< what a further step would change of it, and round-off
+  double value = 0;   ///< half of |y|², after refinement
+  double missed = 0;  ///< error of `value`: change by a further step, and round-off
 };
 
 using FoundExtrema = std::vector<FoundExtremum>;

@@ -7,15 +7,15 @@
 
 namespace trivet::numerics {
 
-/// Largest |q_j| of eight designs over a list of frequencies, and the lowest ω where it stands [rad/s].
+/// Largest |q_j| of eight designs over a list of frequencies, and the lowest ω [rad/s] at which it occurs.
 struct TableMaxima {
   alignas(64) RootTable::Row amplitude[most_pairs], angular_frequency[most_pairs];
-  bool known[table_lanes];  ///< to nine digits: no sum cancels, and the load moves each coordinate beyond round-off or
-                            ///< not at all (then the amplitude is 0)
+  bool known[table_lanes];  ///< known to nine digits: no sum cancels, and the load moves each coordinate by more than
+                            ///< round-off or not at all (then the amplitude is 0)
 };
 
-/// By partial fractions of |q_j|² in ω², a few operations a frequency; of designs whose roots are good.
-/// @param omega  one at least
+/// From partial fractions of |q_j|² in ω², a few operations per frequency; for designs with good roots.
+/// @param omega  at least one
 void maxima_from_roots(const RootTable& table, const std::vector<double>& omega, TableMaxima& maxima);
 
 }  // namespace trivet::numerics

@@ -8,7 +8,7 @@
 
 namespace trivet::numerics {
 
-/// What is asked of every design.
+/// Request for every design.
 struct PeakQuestion {
   std::vector<ObservedRow> rows;
   double from = 0, to = 0;  ///< [rad/s]
@@ -16,7 +16,7 @@ struct PeakQuestion {
   double min_prominence = 1e-6;
 };
 
-/// The answer for one channel of one design.
+/// Result for one channel of one design.
 struct ChannelPeaks {
   double highest = 0;
   double highest_at = 0;
@@ -24,7 +24,7 @@ struct ChannelPeaks {
   double largest_rise = 0;
 };
 
-/// Channels × designs of a table; complete: with a proof.
+/// Channels × designs of a table; `complete`: proven.
 struct TablePeaks {
   std::vector<ChannelPeaks> channels;  ///< [channel * table_lanes + lane]
   bool complete[table_lanes];

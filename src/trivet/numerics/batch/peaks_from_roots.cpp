@@ -19,7 +19,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Values of all curves at x, which may be their highest.
+/// Values of all curves at x; updates their best values.
 template <typename Size>
 HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels,
                              Pack* values) {
@@ -32,7 +32,7 @@ HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, Walked
   }
 }
 
-/// Signs of the slopes where the walk begins; 0 where round-off hides them.
+/// Signs of the slopes at the start of the scan; 0 if round-off hides them.
 template <typename Size>
 HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
                               const PeakQuestion& question) {
@@ -42,19 +42,19 @@ HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves,
   for (int c = 0; c < channels; ++c) {
     settle(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
     curves[c].sign = curves[c].after;
-    // |y|² begins like x^derivative at rest.
+    // |y|² starts like x^derivative at rest.
     if (question.from == 0 && question.rows[static_cast<std::size_t>(c)].derivative > 0) curves[c].sign = all(1.0);
   }
 }
 
 constexpr double accuracy_of_rise = 1e-6;  // relative; margins are kept in single precision
 
-/// How far a height may be off, as a share of what a peak must rise by: nothing to speak of near the top (1e-10) and
-/// where no peaks are counted; ∞ where the steps towards it did not settle.
+/// Possible error of a height, as a share of the required rise of a peak. Near the top, and if no peaks are counted,
+/// the refinement must converge to 1e-10; ∞ if it did not converge.
 inline double doubt(const FoundExtremum& e, double best, const PeakQuestion& question) {
   constexpr double settled = 1e-10, near_top = 0.25, none = 0, all = std::numeric_limits<double>::infinity();
   const double least = question.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
-  // Where the walk passed by as too low, an extremum stands next to it, or the curve goes on as before.
+  // If the scan skipped a panel as too low, an extremum is next to it, or the curve continues as before.
   if (e.missed <= settled * e.value) return highest > 2 * low_share * least ? none : low_share;
   if (!question.count_peaks || (e.maximum && e.value > near_top * best)) return all;
   if (highest < most_doubt * least) return highest / least;
@@ -80,8 +80,7 @@ class PackOfCurves {
     const SquarePoles<Size>& poles = pack_.poles;
     see_values(pack_, pack_.from, curves_.get(), channels_, at_start());
     for (int c = 0; c < channels_ && question_.from == 0; ++c)
-      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0)
-        at_start()[c] = hn::Zero(Lanes());  // to the last digit
+      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // exactly
     for (int k = 0; k < poles.count; ++k) {
       const Pack above =
           hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
@@ -91,7 +90,7 @@ class PackOfCurves {
     if (!question_.count_peaks) find_tops();
     else first_signs(pack_, curves_.get(), channels_, question_);
     complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
-    // A slope that turned where the walk could not tell its sign, and that keeps the new one to x = ∞.
+    // Rejects a slope that changed sign unseen by the scan and that keeps the new sign up to x = ∞.
     for (int c = 0; c < channels_; ++c)
       complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
     refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows, round_off_), found_);
@@ -103,7 +102,7 @@ class PackOfCurves {
         start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
     bool known[table_lanes];
     store_mask(complete_, peaks.complete + lane_);
-    // The extrema of one curve, ascending, as a chain.
+    // The extrema of one curve, ascending, as a linked list.
     std::vector<int> first(static_cast<std::size_t>(channels_ * lanes), -1), next(found_.size(), -1);
     for (std::size_t e = found_.size(); e-- > 0;) {
       int& head = first[static_cast<std::size_t>(found_[e].channel * lanes + found_[e].lane)];
@@ -138,7 +137,7 @@ class PackOfCurves {
           const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
           heights.push_back(amplitude(e.value));
-          // What the walk passed by as too low may be lower still beside such a minimum.
+          // A panel skipped as too low may be even lower than such a minimum.
           const bool hidden =
               std::sqrt(std::abs(e.value)) <= 2 * low_share * question_.min_prominence * std::sqrt(numbers[2][i]);
           doubts.push_back(std::max(share(e.missed, e.value), hidden ? 1.0 : 0.0));
@@ -148,13 +147,14 @@ class PackOfCurves {
         doubts.push_back(end_doubts[i]);
         see(heights.back(), question_.to);
         highest[i] = answer.highest, highest_at[i] = answer.highest_at;
-        // Nor may anything seen on the way have been higher.
+        // No value found during the search may be higher.
         if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
           peaks.complete[lane_ + i] = false;
         if (!question_.count_peaks) continue;
         const double least = question_.min_prominence * answer.highest;
         const PeakCount count = prominent_peaks(heights, least);
-        if (count.closest < 2 * doubtful) peaks.complete[lane_ + i] = false;  // what is in doubt may decide
+        if (count.closest < 2 * doubtful)
+          peaks.complete[lane_ + i] = false;  // the doubtful part could change the count
         if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise))
           peaks.complete[lane_ + i] = false;
         answer.peaks = count.peaks;
@@ -171,11 +171,11 @@ class PackOfCurves {
   [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
   [[nodiscard]] Pack* at_poles() const { return values_.get() + 2 * channels_; }  ///< [pole][channel]
   static double share(double missed, double value) { return missed <= 0 ? 0 : 0.5 * missed / std::abs(value); }
-  /// What round-off may do to a height at an end of the band, as a share of it.
+  /// Relative error of a height at an end of the band by round-off.
   [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
     const SquaredResponse& f = curves_[channel].f;
     if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0)
-      return hn::Zero(Lanes());  // nothing moves at rest
+      return hn::Zero(Lanes());  // zero at rest
     const Pack missed =
         hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
     return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
@@ -225,11 +225,11 @@ class PackOfCurves {
     }
     pack_.to = hn::Max(pack_.from, beginning_of_tail(pack_, curves_.get(), channels_, question_, options(), complete_));
     for (int c = 0; c < channels_; ++c) {
-      const Pack slope = curves_[c].f.slope;  // a curve that grows without end
+      const Pack slope = curves_[c].f.slope;  // positive if the curve grows without bound
       const LaneMask grows = hn::Gt(slope, hn::Zero(Lanes()));
       at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
       if (question_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
-      // Whether it does is not known where that sum is round-off, residues behind it included (conditions up to 1e3).
+      // The growth is unknown if that sum is round-off, including that of the residues (condition numbers up to 1e3).
       const LaneMask cancelled =
           hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
       complete_ = hn::AndNot(cancelled, complete_);
@@ -252,9 +252,9 @@ class PackOfCurves {
   int lane_, channels_;
   WalkedPack<Size> pack_;
   std::unique_ptr<WalkedCurve[]> curves_;
-  std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and above each pole
+  std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and at each pole
   std::unique_ptr<Top[]> tops_;
-  Pack round_off_;  ///< of sums over the roots, against their terms
+  Pack round_off_;  ///< of sums over the roots, relative to their terms
   LaneMask complete_;
   FoundExtrema found_;
 };

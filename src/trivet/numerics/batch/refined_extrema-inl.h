@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extrema that the walk found in any lanes and curves, refined as many at once as there are lanes.
+// Refines the extrema that the scan found in any lanes and curves, as many at once as there are lanes.
 #if defined(TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_
 #undef TRIVET_NUMERICS_REFINED_EXTREMA_INL_H_
@@ -16,14 +16,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// A curve of several, each in a lane of its own: |y|², and before its derivatives, x^−derivative of that, whose terms
-/// cancel less where x is small.
+/// Several curves, one per lane: |y|², and `plain`, x^−derivative of it before the derivatives, with less cancellation
+/// at small x.
 struct GatheredCurve {
   SquaredResponse f, plain;
   Pack derivative, round_off;
 };
 
-/// What is known of all curves of all lanes, for extrema that stand in any of them.
+/// Data of all curves of all lanes, for extrema in any of them.
 template <typename Size>
 class LaneStore {
  public:
@@ -67,7 +67,7 @@ class LaneStore {
     }
   }
 
-  /// The curve of each extremum in a lane of its own; the last again where they end.
+  /// Loads the curve of each extremum into its own lane; past the end, the last one is repeated.
   void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, GatheredCurve& curve_of) const {
     const hn::RebindToSigned<Lanes> integers;
     HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
@@ -121,7 +121,7 @@ HWY_INLINE Slopes times_power(const Pack& d, const Pack& x, const Slopes& g) {
           hn::MulAdd(hn::Mul(all(3.0), bend), g.first, hn::MulAdd(thrice, g.second, hn::Mul(power, g.third)))};
 }
 
-/// Slopes at x and the round-off of the value, by those terms that cancel less there.
+/// Slopes at x and the moduli of the terms (for round-off), from the form with less cancellation there.
 template <typename Size>
 HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve& curve, bool differentiated,
                             const Pack& x, Pack& moduli) {

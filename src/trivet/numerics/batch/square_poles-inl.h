@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // |y|² of several designs, one per lane, as a function of x = ω²: half of it is Σ_k C_k · 1/(x − z_k) + constant +
-// slope x. What belongs to a pair of poles is one number a + b j: j² = −1 of two conjugates a ± bi, j² = 1 of two real
-// poles a ± b; so both kinds take the same steps.
+// slope x. Values at a pair of poles form one number a + b j: j² = −1 for two conjugates a ± bi, j² = 1 for two real
+// poles a ± b; so the same operations serve both kinds.
 #if defined(TRIVET_NUMERICS_SQUARE_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
 #undef TRIVET_NUMERICS_SQUARE_POLES_INL_H_
@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Where the poles of |y|² stand, in x.
+/// Poles of |y|² in x.
 template <typename Size>
 struct SquarePoles {
   Size count;
@@ -24,7 +24,7 @@ struct SquarePoles {
   bool any_real = false;
 };
 
-/// Fills in what follows from `z` and `real`.
+/// Sets the members that follow from `z` and `real`.
 template <typename Size>
 HWY_INLINE void place(SquarePoles<Size>& poles) {
   LaneMask any = hn::Lt(all(0.0), all(0.0));
@@ -51,13 +51,13 @@ HWY_INLINE PairPack reach(const SquarePoles<Size>& poles, int k, const Pack& x) 
   return {hn::Mul(ahead, scale), hn::Mul(aside, scale)};
 }
 
-/// Product of two such numbers, the unit already in the second: (b j², b).
+/// Product of two such numbers; `b_turned` is j² b.second.
 HWY_INLINE PairPack times_turned(const PairPack& a, const PairPack& b, const Pack& b_turned) {
   return {hn::MulAdd(a.second, b_turned, hn::Mul(a.first, b.first)),
           hn::MulAdd(a.second, b.first, hn::Mul(a.first, b.second))};
 }
 
-/// The modulus from above: √(a² + b²), or the larger of |a ± b|.
+/// Upper bound on the modulus: √(a² + b²), or the larger of |a ± b|.
 HWY_INLINE Pack modulus_above(const LaneMask& real, const PairPack& a) {
   constexpr double root_of_two_less_one = 0.41422;
   const Pack first = hn::Abs(a.first), second = hn::Abs(a.second);
@@ -69,8 +69,8 @@ HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others)
   return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others));
 }
 
-/// Of the moduli of all that f is the sum of at x, which tells what round-off its value has. Both parts of C have the
-/// round-off of the larger.
+/// Sum of the moduli of all terms of f at x, to which the round-off of its value is proportional. Both parts of C have
+/// the round-off of the larger one.
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);

@@ -16,8 +16,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Two numbers that belong to a pair of roots: real and imaginary part at the root with im > 0, or the values at two
-/// real roots.
+/// Two numbers of a pair of roots: real and imaginary part at the root with im > 0, or the values at two real roots.
 struct PairPack {
   Pack first, second;
 };
@@ -47,7 +46,7 @@ HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) {
   return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first);
 }
 
-/// From values at the two roots to the numbers a, b for which half the sum over them of C · w is a w.first + b
+/// Converts values at the two roots to numbers a, b such that half the sum of C · w over them is a w.first + b
 /// w.second, w = w.first + w.second j (square_poles-inl.h); and back.
 HWY_INLINE PairPack for_half_sum(const LaneMask& real, const PairPack& C) {
   const PairPack half = all(0.5) * C;
@@ -71,30 +70,30 @@ struct PolePairs {
 struct SquaredResponse {
   PairPack C[most_pairs];
   Pack constant, slope;
-  Pack constant_parts, slope_parts;  ///< sums of the moduli of what these are sums of
+  Pack constant_parts, slope_parts;  ///< sums of the moduli of their terms
 };
 
-/// Where the poles stand in x = ω².
+/// Poles in x = ω².
 HWY_INLINE PairPack pole_in_square(const LaneMask& real, const PairPack& lambda) {
   const PairPack square = times(real, lambda, lambda);
   return {hn::Neg(square.first), hn::Neg(square.second)};
 }
 
-/// y(−λ_k) = Σ_l (β_l (s − p_l) + α_l) / D_l(s) at s = −λ_k, by what belongs to the places of the poles alone.
+/// Factors in y(−λ_k) = Σ_l (β_l (s − p_l) + α_l) / D_l(s), s = −λ_k, that depend on the poles alone.
 struct PoleProducts {
   PairPack linear[most_pairs][most_pairs];   ///< (s − p_l) / D_l
   PairPack inverse[most_pairs][most_pairs];  ///< 1 / D_l
 };
 
-/// D_l(−λ_k) = (λ_k + λ_l)(λ_k + λ̄_l), formed so that light damping is not lost in a difference.
+/// D_l(−λ_k) = (λ_k + λ_l)(λ_k + λ̄_l), formed without differences in which light damping would be lost.
 HWY_INLINE void form_products(const PolePairs& poles, PoleProducts& products) {
   for (int k = 0; k < poles.count; ++k)
     for (int l = 0; l < poles.count; ++l) {
       const LaneMask real_k = poles.real[k], real_l = poles.real[l];
       const PairPack a = poles.lambda[k], b = poles.lambda[l];
       const Pack zero = hn::Zero(Lanes());
-      // Root k plus the two roots of l, for k complex: (re, im) of either; for k real: the sums with b's (real) parts,
-      // per root of k.
+      // Root k plus the two roots of l. Complex k: (re, im) of each sum; real k: the sums with b's (real) parts, per
+      // root of k.
       const Pack other = hn::IfThenElse(real_l, b.second, b.first);
       const Pack im_l = hn::IfThenElse(real_l, zero, b.second);
       const ComplexPack plus = {hn::Add(a.first, b.first), hn::Add(a.second, im_l)},
@@ -111,8 +110,8 @@ HWY_INLINE void form_products(const PolePairs& poles, PoleProducts& products) {
     }
 }
 
-/// From the residues r of y without its derivatives. `proper`: y falls like 1/s² then, so that Σ C is zero and not its
-/// round-off.
+/// |y|² from the residues r of y before its derivatives. `proper`: that y falls like 1/s², so that Σ C is set to zero
+/// instead of its round-off.
 HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts& products, const PairPack* r,
                                       int derivative, bool proper, SquaredResponse& f) {
   const int n = poles.count;

@@ -17,10 +17,10 @@ namespace {
 
 constexpr std::size_t designs_together = 64;
 constexpr std::size_t least_for_poles =
-    32;  // frequencies; the poles of a design cost as much as some sixty of them solved directly
+    32;  // frequencies; the poles of a design cost as much as some sixty frequencies solved directly
 using foundation::infinity;
 
-/// One row of the result.
+/// Computes one row of the result.
 void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega,
                  const SweepOptions& options, SweepMaxima& result, Eigen::Index row) {
   const int n = plan.size();
@@ -43,7 +43,7 @@ void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::ve
   }
 }
 
-/// Designs first … last − 1 by their poles, a table at a time. @return those whose poles are not good
+/// Solves designs first … last − 1 from their poles, one table at a time. @return the designs without good poles
 std::vector<Eigen::Index> by_poles(const Designs& designs, Eigen::Index first, Eigen::Index last,
                                    const std::vector<double>& omega, SweepMaxima& result) {
   RootTable table{};
@@ -72,7 +72,7 @@ SweepMaxima no_maxima(Eigen::Index designs, Eigen::Index n) {
 
 void require_frequencies(const std::vector<double>& omega) {
   if (omega.empty())
-    throw foundation::InvalidInput("largest amplitudes: no frequency is given; at least one is needed");
+    throw foundation::InvalidInput("largest amplitudes: no frequency is given; at least one is required");
 }
 
 }  // namespace

@@ -8,20 +8,21 @@
 
 namespace trivet::numerics {
 
-/// The largest |q_j| over a list of frequencies, one row per design, without keeping the others.
+/// Largest |q_j| over a list of frequencies, one row per design; the other values are not stored.
 struct SweepMaxima : SweepCounts {
-  Eigen::ArrayXXd amplitude;          ///< designs × n; infinite where Z(ω) is singular
-  Eigen::ArrayXXd angular_frequency;  ///< [rad/s] where it is, the lowest of equals
+  Eigen::ArrayXXd amplitude;          ///< designs × n; infinite if Z(ω) is singular
+  Eigen::ArrayXXd angular_frequency;  ///< [rad/s] at which it occurs, the lowest if several are equal
 };
 
-/// Of one system.
+/// Largest amplitudes of one system.
 [[nodiscard]] SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load,
                                        const std::vector<double>& omega, const SweepOptions& options = {});
 
-/// Of many, in pieces on threads. Where no backward errors are asked for, by the poles of eight designs at once, if
-/// these pass the checks of design_peaks.h (up to twelve coordinates, 32 frequencies at least): to nine digits, near a
-/// resonance as far off as a direct solution may be, ε/ζ; a coordinate that the load moves by round-off only is 0 then.
-/// Otherwise the frequencies of one design after the other through the kernels of `sweep`.
+/// Largest amplitudes of many designs, in pieces on threads. If no backward errors are requested, they come from the
+/// poles of eight designs at once, provided these pass the checks of design_peaks.h (up to twelve coordinates, at least
+/// 32 frequencies): accurate to nine digits, near a resonance to ε/ζ like a direct solution; a coordinate that the load
+/// moves by round-off only is then 0. Otherwise one design after the other is solved at all frequencies by the kernels
+/// of `sweep`.
 [[nodiscard]] SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega,
                                        const SweepOptions& options = {});
 

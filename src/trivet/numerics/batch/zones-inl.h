@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The axis x = ω² in zones, one about each pole, and in which of them a curve may be as high as the best value known of
-// it: in most zones the distances of the poles alone forbid that.
+// Divides the axis x = ω² into zones, one around each pole, to find those in which a curve may reach its best known
+// value: in most zones the distances of the poles alone exclude that.
 #if defined(TRIVET_NUMERICS_ZONES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_ZONES_INL_H_
 #undef TRIVET_NUMERICS_ZONES_INL_H_
@@ -13,12 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Zone k reaches from halfway to the next lower pole to halfway to the next higher one; those of poles at one
-/// frequency are the same.
+/// Zone k extends halfway to the next lower and halfway to the next higher pole; poles at one frequency have the same
+/// zone.
 template <typename Size>
 struct Zones {
   Size count;
-  Pack from[Size::most], to[Size::most];  ///< from > to: not on the band
+  Pack from[Size::most], to[Size::most];  ///< from > to: outside the band
 };
 
 template <typename Size>
@@ -38,14 +38,14 @@ HWY_INLINE void form_zones(const SquarePoles<Size>& poles, const Pack& from, con
   });
 }
 
-/// Lanes where zone k and the stretch from x to `end` share more than a point, by zone.
+/// Lanes in which zone k and the interval from x to `end` share more than a point, by zone.
 template <typename Size>
 HWY_INLINE void shared_with(const Zones<Size>& zones, const Pack& x, const Pack& end, LaneMask* shared) {
   each(zones.count,
        [&](int k) TRIVET_LANES { shared[k] = hn::And(hn::Lt(zones.from[k], end), hn::Gt(zones.to[k], x)); });
 }
 
-/// Largest |a| and |b| of 1/(x − z_k) = a + b j at least `away` from a pair of conjugates on either side.
+/// Largest |a| and |b| of 1/(x − z_k) = a + b j at a distance of at least `away` from a conjugate pair.
 HWY_INLINE PairPack most_reach(const Pack& aside, const Pack& away) {
   const Pack b = hn::Abs(aside), square = hn::Mul(b, b), further = hn::Max(away, b);
   return {hn::Mul(further, reciprocal(hn::MulAdd(further, further, square))),
@@ -59,7 +59,7 @@ HWY_INLINE PairPack most_reach_of_real(const Pack& first, const Pack& second, co
   return {hn::Mul(scale, hn::Add(one, other)), hn::Abs(hn::Mul(scale, hn::Sub(one, other)))};
 }
 
-/// The same for pole k on a stretch of the axis.
+/// The same for pole k on an interval of the axis.
 template <typename Size>
 HWY_INLINE PairPack most_between(const SquarePoles<Size>& poles, int k, const Pack& from, const Pack& to) {
   const Pack c = poles.centre[k], away = hn::Max(hn::Max(hn::Sub(from, c), hn::Sub(c, to)), hn::Zero(Lanes()));

@@ -23,7 +23,7 @@ namespace {
 TRIVET_VARIANTS(name_of_target);
 constexpr int variants = 3;
 
-/// Does this processor have what the compiler was told to use for a variant?
+/// Whether this processor supports the instructions that a variant was compiled for.
 bool has_instructions(int variant) {
   if (name_of_target_variants[variant] == nullptr) return false;
 #if HWY_ARCH_X86
@@ -73,7 +73,7 @@ void use_instruction_set(const std::string& name) {
       variant_in_use() = variant;
       return;
     }
-  throw foundation::InvalidInput("instruction set '" + name + "': this processor does not have it");
+  throw foundation::InvalidInput("instruction set '" + name + "': not available on this processor");
 }
 
 }  // namespace trivet::numerics

@@ -11,12 +11,12 @@
 
 #include <hwy/highway.h>
 
-// After the parameters of a lambda in a kernel.
+// Attributes of a lambda in a kernel, placed after its parameters.
 #undef TRIVET_LANES
 #define TRIVET_LANES __attribute__((always_inline)) HWY_ATTR
 
-// Before a loop that is written out where the compiler optimises; the instrumented build keeps it: to write them all
-// out takes it minutes.
+// Unrolls the next loop in optimised builds; the instrumented build keeps loops, because unrolling them takes minutes
+// to compile.
 #undef TRIVET_UNROLL
 #ifdef NDEBUG
 #define TRIVET_UNROLL _Pragma("GCC unroll 8")
@@ -73,7 +73,7 @@ HWY_INLINE ComplexPack inverse(const ComplexPack& z) {
   return {hn::Mul(z.re, scale), hn::Neg(hn::Mul(z.im, scale))};
 }
 
-/// A number of coordinates or an index: known to the compiler, or not, at most 12.
+/// A number of coordinates or an index: a compile-time constant, or a value of at most 12.
 template <int N>
 struct Fixed {
   static constexpr int most = N;
@@ -84,8 +84,8 @@ struct AtMostTwelve {
   int value;
   constexpr operator int() const { return value; }  // NOLINT
 };
-/// Six coordinates, known to the compiler where it optimises. The instrumented build keeps its loops: to write them out
-/// takes it minutes.
+/// Six coordinates, a compile-time constant in optimised builds. The instrumented build keeps its loops, because
+/// unrolling them takes minutes to compile.
 constexpr auto six_coordinates() {
 #ifdef NDEBUG
   return Fixed<6>();
@@ -99,7 +99,7 @@ constexpr Fixed<N + 1> after(Fixed<N>) {
 }
 constexpr int after(int i) { return i + 1; }
 
-/// body(i) for i = first … last − 1: where the compiler knows both, one after the other without a loop.
+/// body(i) for i = first … last − 1; unrolled if both are compile-time constants.
 template <int first, int last, typename Body>
 HWY_INLINE void each(Fixed<first> i, Fixed<last> end, const Body& body) {
   if constexpr (first < last) {
@@ -116,7 +116,7 @@ HWY_INLINE void each(Size n, const Body& body) {
   each(Fixed<0>(), n, body);
 }
 
-/// Where entry (i, j), j ≤ i, of a symmetric matrix stands in its packed lower triangle.
+/// Position of entry (i, j), j ≤ i, of a symmetric matrix in its packed lower triangle.
 constexpr int packed(int i, int j) { return i * (i + 1) / 2 + j; }
 /// The same for any order of i and j.
 constexpr int packed_of(int i, int j) { return i > j ? packed(i, j) : packed(j, i); }

@@ -7,11 +7,10 @@
 
 namespace trivet::numerics {
 
-/// Numbers that begin with a line of the cache, not set to anything: packs that cross from one line to the next are
-/// stored at half the speed.
+/// Uninitialised numbers aligned to a cache line: packs that cross a line are stored at half the speed.
 class LineMemory {
  public:
-  /// Keeps the memory, and what it holds, if the size stays.
+  /// Keeps the memory and its contents if the size is unchanged.
   void resize(std::size_t size) {
     if (size == size_) return;
     numbers_.reset(size > 0 ? new (line) double[size] : nullptr);

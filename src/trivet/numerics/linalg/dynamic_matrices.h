@@ -10,7 +10,7 @@ namespace trivet::numerics {
 
 using Complex = std::complex<double>;
 
-/// Z(ω) = K + iK_loss + iωB − ω²A for ω > 0; all n × n, real. `symmetric` lets solvers use it.
+/// Z(ω) = K + iK_loss + iωB − ω²A for ω > 0; all n × n, real. `symmetric` allows solvers to use the symmetry.
 struct DynamicMatrices {
   Eigen::MatrixXd A;
   Eigen::MatrixXd B;
@@ -18,7 +18,7 @@ struct DynamicMatrices {
   Eigen::MatrixXd K_loss;  ///< empty if there is no loss factor
   bool symmetric = true;
   std::vector<Eigen::Index> blocks =
-      {};  ///< first rows of the coordinates that belong together (a body), ascending from 0; empty: unknown
+      {};  ///< first row of each block of coordinates (a body), ascending from 0; empty: unknown
 
   [[nodiscard]] Eigen::Index size() const { return A.rows(); }
   [[nodiscard]] bool lossy() const { return K_loss.size() > 0; }
@@ -32,19 +32,20 @@ struct DynamicMatrices {
   }
 };
 
-/// D with D_ii = 1/√|A_ii|: D A D has a unit diagonal, so that metres and radians compare. 1 where A_ii is 0.
+/// Diagonal of D, D_ii = 1/√|A_ii|: D A D has a unit diagonal, so that metres and radians are comparable. 1 if A_ii is
+/// 0.
 [[nodiscard]] inline Eigen::VectorXd unit_scale(const Eigen::MatrixXd& A) {
   return A.diagonal().unaryExpr([](double a) { return a == 0 ? 1.0 : 1 / std::sqrt(std::abs(a)); });
 }
 
-/// Rows of A that hold mass; the others belong to internal coordinates of elements (a Maxwell branch) and carry damping
-/// and stiffness only.
+/// Rows of A with mass; the others are internal coordinates of elements (a Maxwell branch) with damping and stiffness
+/// only.
 [[nodiscard]] std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A);
 
-/// The same, and a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the others.
+/// The same; a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the others.
 [[nodiscard]] Eigen::VectorXd unit_scale(const DynamicMatrices& m);
 
-/// The same matrices in coordinates q = D q̃.
+/// The matrices in coordinates q̃, q = D q̃.
 [[nodiscard]] inline DynamicMatrices scaled(const DynamicMatrices& m, const Eigen::VectorXd& d) {
   const auto apply = [&](const Eigen::MatrixXd& x) -> Eigen::MatrixXd { return d.asDiagonal() * x * d.asDiagonal(); };
   return {apply(m.A), apply(m.B), apply(m.K), m.lossy() ? apply(m.K_loss) : Eigen::MatrixXd(), m.symmetric, m.blocks};

@@ -5,15 +5,14 @@
 
 namespace trivet::numerics {
 
-/// Eigenvalues λ in no particular order, but conjugate pairs one after the other, and eigenvectors, columns of unit
-/// length.
+/// Eigenvalues λ, unordered except that conjugate pairs are adjacent, and eigenvectors as columns of unit length.
 struct GeneralEigen {
   Eigen::VectorXcd values;
-  Eigen::MatrixXcd vectors;  ///< empty if not asked for, or if the iteration did not converge
+  Eigen::MatrixXcd vectors;  ///< empty if not requested, or if the iteration did not converge
   bool converged = true;
 };
 
-/// A v = λ v of a square A without symmetry, by its Schur form.
+/// Eigenvalues and eigenvectors, A v = λ v, of a square unsymmetric A by its Schur form.
 [[nodiscard]] GeneralEigen general_eigen(const Eigen::MatrixXd& A);
 [[nodiscard]] GeneralEigen general_eigen(const Eigen::MatrixXcd& A);
 

@@ -27,7 +27,8 @@ void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::V
   y = eigen.vectors;
 }
 
-/// Each shape to φᵀAφ = ±1, λ as Rayleigh quotient in extended precision, largest component positive.
+/// Normalises each shape to φᵀAφ = ±1 with a positive largest component; λ is the Rayleigh quotient in extended
+/// precision.
 GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, const Eigen::MatrixXd& shapes,
                         bool rayleigh, const Eigen::VectorXd& given, ModeRoute route) {
   const Eigen::Index n = K.rows(), count = shapes.cols();
@@ -49,7 +50,7 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
     weight.cwiseProduct(normed.col(i).cwiseAbs()).maxCoeff(&largest);
     if (normed(largest, i) < 0) normed.col(i) *= -1;
   }
-  // A shape that moves only where K has zeros leaves products of round-off, ε² of the largest λ.
+  // A shape that moves only where K is zero gives a λ of squared round-off, ε² of the largest λ.
   const double negligible =
       std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
   lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);

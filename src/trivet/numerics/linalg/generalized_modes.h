@@ -9,10 +9,10 @@ namespace trivet::numerics {
 enum class ModeRoute {
   definite_mass,       ///< A positive definite: Cholesky, all λ real
   definite_stiffness,  ///< A indefinite, K positive definite: solved as A φ = (1/λ) K φ, all λ real
-  general              ///< neither, or unsymmetric: general eigensolver, complex λ are left out and counted
+  general              ///< neither, or unsymmetric: general eigensolver, complex λ are counted but excluded
 };
 
-/// Solutions of K φ = λ A φ, λ ascending, φᵀAφ = `norm` = +1 or −1. λ that vanish by round-off of K are exactly 0.
+/// Solutions of K φ = λ A φ, λ ascending, φᵀAφ = `norm` = +1 or −1. λ within round-off of K are exactly 0.
 struct GeneralizedModes {
   ModeRoute route = ModeRoute::definite_mass;
   Eigen::VectorXd lambda;
@@ -21,12 +21,11 @@ struct GeneralizedModes {
   int complex_pairs = 0;  ///< modes without a real λ (general route only)
 };
 
-/// A verdict on definiteness is always taken first: a generalized solver may return wrong values for an indefinite A.
-/// λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|,
-/// or |λ| ≤ (64 n ε)² of the largest.
+/// Modes of K φ = λ A φ. Definiteness is always checked first: a generalized solver may return wrong values for an
+/// indefinite A. λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|, or |λ| ≤ (64 n ε)² of the largest.
 [[nodiscard]] GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric);
 
-/// Is a symmetric matrix positive definite beyond round-off, after scaling to a unit diagonal?
+/// Whether a symmetric matrix, scaled to a unit diagonal, is positive definite beyond round-off.
 [[nodiscard]] bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
 }  // namespace trivet::numerics

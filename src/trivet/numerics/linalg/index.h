@@ -6,7 +6,7 @@
 
 namespace trivet::numerics {
 
-/// An index of Eigen as one of the standard library, ≥ 0.
+/// An Eigen index ≥ 0 as an index of the standard library.
 [[nodiscard]] constexpr std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace trivet::numerics

@@ -13,11 +13,11 @@ struct LoadTerm {
   double delay = 0;  ///< [s]
   Eigen::VectorXcd value;
 
-  /// s^power e^{−s delay}, exact in its zeros for real ω.
+  /// s^power e^{−s delay}; for real ω, zero parts are exactly zero.
   [[nodiscard]] std::complex<double> factor(std::complex<double> omega) const;
 };
 
-/// The right side h(s) of Z(s) q = h as a sum of powers of s = iω, delayed or not.
+/// The right side h(s) of Z(s) q = h as a sum of powers of s = iω, with or without delays.
 class Load {
  public:
   /// A constant right side.
@@ -43,11 +43,11 @@ class Load {
 
   /// h(iω), also for complex ω; at ω = 0 the negative powers must be absent.
   [[nodiscard]] Eigen::VectorXcd at(std::complex<double> omega) const;
-  /// The same with every term by its magnitude: what h could be.
+  /// Sum of the magnitudes of all terms: the largest possible |h|.
   [[nodiscard]] Eigen::VectorXd possible(double omega) const;
-  /// h(iω) of several ω, one column each; none if the load vanishes.
+  /// h(iω) at several ω, one column each; no columns if the load vanishes.
   [[nodiscard]] Eigen::MatrixXcd at(const std::vector<double>& omega) const;
-  /// Rows of another load: the first of them, or scaled.
+  /// The load of the first `rows` rows, or with scaled rows.
   [[nodiscard]] Load head(Eigen::Index rows) const;
   [[nodiscard]] Load scaled(const Eigen::VectorXd& by) const;
 
@@ -56,7 +56,7 @@ class Load {
   std::vector<LoadTerm> terms_;
 };
 
-/// s^power by multiplication, exact in its zeros; s ≠ 0 where power < 0.
+/// s^power by multiplication, so that zero parts are exact; s ≠ 0 if power < 0.
 template <typename Scalar>
 [[nodiscard]] std::complex<Scalar> integer_power(const std::complex<Scalar>& s, int power) {
   std::complex<Scalar> result(1);

@@ -17,7 +17,7 @@ Eigen::VectorXd solution_over(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
   return x;
 }
 
-/// Goes from the feasible x towards `wanted` until the first free component reaches zero, and binds all that are zero
+/// Moves from the feasible x towards `wanted` until the first free component reaches zero, and binds all that are zero
 /// there.
 void step_to_boundary(Eigen::VectorXd& x, const Eigen::VectorXd& wanted, std::vector<Eigen::Index>& free) {
   double step = 1;
@@ -47,7 +47,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     if (entering < 0) break;
     free.push_back(entering);
     Eigen::VectorXd wanted = solution_over(a, b, free);
-    if (wanted(entering) <= 0) break;  // only round-off is left to gain
+    if (wanted(entering) <= 0) break;  // only round-off remains
     while (!free.empty() && wanted(free).minCoeff() <= 0) {
       step_to_boundary(x, wanted, free);
       if (!free.empty()) wanted = solution_over(a, b, free);

@@ -10,8 +10,8 @@ namespace trivet::numerics {
 using ExtendedMatrix = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, Eigen::Dynamic>;
 using ExtendedVector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
 
-/// A X = B by LU with partial pivoting, the factors kept for several right sides. Scalar: double or
-/// std::complex<double>. A singular A shows in its pivots and its condition; solutions are not finite then.
+/// Solver of A X = B by LU with partial pivoting that keeps the factors for several right sides. Scalar: double or
+/// std::complex<double>. A singular A shows in its pivots and its condition number; its solutions are not finite.
 template <typename Scalar>
 class PivotedLu {
  public:
@@ -34,14 +34,14 @@ class PivotedLu {
 extern template class PivotedLu<double>;
 extern template class PivotedLu<std::complex<double>>;
 
-/// X of A X = B by LU with partial pivoting, of the type of B. Only plain matrices are taken, in these types: dynamic
-/// ones (double with matrix, std::complex<double> and std::complex<long double> with vector); 3×3 and 6×6 with vector;
-/// of up to 12 rows (double, std::complex<double>); 6×6 by rows with 6×6 (these and long double). Another size or order
-/// of entries may round differently.
+/// Solution X of A X = B by LU with partial pivoting, of the type of B. Plain matrices of these types only: dynamic
+/// (double with matrix, std::complex<double> and std::complex<long double> with vector); 3×3 and 6×6 with vector; up to
+/// 12 rows (double, std::complex<double>); 6×6 by rows with 6×6 (these and long double). Another size or order of
+/// entries may round differently.
 template <typename Matrix, typename Right>
 [[nodiscard]] Right lu_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainObjectBase<Right>& B);
 
-/// A⁻¹ of 3×3 by cofactors, of 6×6 and MatrixXcd by LU with partial pivoting.
+/// A⁻¹: 3×3 by cofactors, 6×6 and MatrixXcd by LU with partial pivoting.
 template <typename Matrix>
 [[nodiscard]] Matrix inverse(const Eigen::PlainObjectBase<Matrix>& A);
 

@@ -37,8 +37,7 @@ PoleResidueForm empty_form(Eigen::Index n, Eigen::Index right_sides) {
   return form;
 }
 
-/// (s − state)⁻¹ from the eigenvectors; their inverse keeps equal poles apart, which products with left vectors would
-/// not.
+/// (s − state)⁻¹ from the eigenvectors. Their inverse separates equal poles; products with left eigenvectors would not.
 void add_poles(const StateForm& form, PoleResidueForm& result) {
   const GeneralEigen eigen = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
   if (!eigen.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
@@ -55,7 +54,7 @@ bool is_diagonal(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& available
   return (off.array().abs() <= round_off * available.array()).all();
 }
 
-/// η̈ + b η̇ + (ω² + i loss) η = p for each mode on its own.
+/// η̈ + b η̇ + (ω² + i loss) η = p for each mode separately.
 PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lambda, const Eigen::VectorXd& b,
                           const Eigen::VectorXd& loss, const Eigen::MatrixXcd& right_sides) {
   const Eigen::MatrixXcd modal = phi.transpose() * right_sides;
@@ -76,7 +75,7 @@ PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lam
     Complex one, two;
     if (root.real() == 0) {
       one = -0.5 * b(i) + root, two = -0.5 * b(i) - root;  // a conjugate pair
-    } else {  // the larger first, the other by the product: no difference of near-equal numbers
+    } else {  // the larger first, the other from the product: no cancellation
       one = -0.5 * b(i) - root, two = product / one;
     }
     for (const Complex& pole : {one, two}) {
@@ -88,8 +87,7 @@ PoleResidueForm decoupled(const Eigen::MatrixXd& phi, const Eigen::VectorXd& lam
   return result;
 }
 
-/// States (w η, η̇) of the undamped modes that are not free motions without damping; w = ω, or the slowest ω where ω =
-/// 0.
+/// States (w η, η̇) of the undamped modes, except rigid-body modes without damping; w = ω, for ω = 0 the lowest ω > 0.
 PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes, const Eigen::MatrixXcd& right_sides) {
   const Eigen::MatrixXd& phi = modes.shapes;
   Eigen::MatrixXd damping = phi.transpose() * m.B * phi;
@@ -135,7 +133,7 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   return result;
 }
 
-/// States (q, q̇, z); z are the coordinates without mass, if there are any.
+/// States (q, q̇, z); z are the coordinates without mass, if any.
 PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& given_sides) {
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
@@ -154,7 +152,7 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
     z_input = lag.solve(z_input);
   }
   v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  // Products first and whole: Eigen would add them to sums in parts.
+  // Products are evaluated first: Eigen would add them to the sums in parts.
   const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate, lag_input = m.B(p, z).cast<Complex>() * z_input;
   v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
   v_input = inertia.solve(Eigen::MatrixXcd(v_input - lag_input));
@@ -173,7 +171,7 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
   for (Eigen::Index i = 0; i < k; ++i)
     form.output(z[static_cast<std::size_t>(i)], 2 * n + i) = d(z[static_cast<std::size_t>(i)]);
   if (!form.state.allFinite() || !form.input.allFinite())
-    throw foundation::NotComputable("a coordinate without mass is held by nothing");
+    throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
   PoleResidueForm result = empty_form(m.size(), h.cols());
   add_poles(form, result);
   return result;
@@ -186,7 +184,7 @@ Rows held_by_stiffness_only(const DynamicMatrices& m) {
   return rows;
 }
 
-/// Coordinates that only stiffness holds follow at once: q_z = K_zz⁻¹ (h_z − K_zp q_p).
+/// Static condensation of the coordinates with stiffness only: q_z = K_zz⁻¹ (h_z − K_zp q_p).
 PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::MatrixXcd& h) {
   const Rows p = others(m.size(), z);
   const Eigen::MatrixXcd K = m.complex_stiffness(), held = K(z, z);
@@ -194,7 +192,7 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))),
                          at_once = lu.solve(Eigen::MatrixXcd(h(z, Eigen::all)));
   if (!follow.allFinite() || !at_once.allFinite())
-    throw foundation::NotComputable("a coordinate without mass is held by nothing");
+    throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
   const Eigen::MatrixXcd rest = K(p, p) + K(p, z) * follow;
   const DynamicMatrices reduced{m.A(p, p), m.B(p, p), rest.real(),
                                 m.lossy() ? Eigen::MatrixXd(rest.imag()) : Eigen::MatrixXd(), m.symmetric};
@@ -215,8 +213,7 @@ PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::
 }  // namespace
 
 PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixXcd& right_sides) {
-  if (right_sides.cols() ==
-      0) {  // only the poles and shapes are asked for; products with no columns are better not formed
+  if (right_sides.cols() == 0) {  // only poles and shapes are requested: products without columns are avoided
     PoleResidueForm form = pole_residue_form(m, Eigen::MatrixXcd::Zero(m.size(), 1));
     form.participation.resize(form.poles.size(), 0);
     form.free_motion.resize(m.size(), 0);

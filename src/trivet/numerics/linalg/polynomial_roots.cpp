@@ -11,7 +11,7 @@ namespace trivet::numerics {
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients) {
   const auto degree = static_cast<Eigen::Index>(coefficients.size()) - 1;
   if (degree < 1) return {};
-  // In units of the roots' geometric mean, so that coefficients compare; roots at 0 leave the unit as it is.
+  // In units of the roots' geometric mean, so that the coefficients are comparable; with roots at 0 the unit is 1.
   const double first = std::abs(coefficients.front()), last = coefficients.back();
   const double unit = first > 0 ? std::pow(first / std::abs(last), 1 / static_cast<double>(degree)) : 1;
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);

@@ -65,8 +65,8 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   Eigen::VectorXcd values;
   Eigen::MatrixXcd vectors;
   if (s + m > 0) eigen(state, K_loss.size() == 0, values, vectors);
-  const Eigen::Index drifting = n - s;  // each unsprung coordinate may stand anywhere: one zero root
-  const auto still = static_cast<Eigen::Index>(resting.size());  // … and, undamped, may move at constant speed: another
+  const Eigen::Index drifting = n - s;  // each coordinate without stiffness has one zero root (constant displacement) …
+  const auto still = static_cast<Eigen::Index>(resting.size());  // … and, undamped, a second one (constant velocity)
   result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + still);
   result.vectors = Eigen::MatrixXcd::Zero(n, result.lambda.size());
   result.lambda.head(s + m) = values;
@@ -115,12 +115,12 @@ QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
   const PivotedLu<Complex> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
-  // z' first, as it acts on v' through the damping that couples them; v = speed · w balances the state matrix.
+  // z' first, because it acts on v' through the coupling damping; v = speed · w balances the state matrix.
   Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
   z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
   z_rate = -lag.solve(z_rate);
   v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  // The product first and whole: Eigen would add it to the sum in parts.
+  // The product is evaluated first: Eigen would add it to the sum in parts.
   const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate;
   v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
@@ -151,7 +151,7 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     if (std::abs(roots.lambda(k)) == 0) continue;
     if (k > 0 && !matrices.lossy() && starts(k).imag() < 0 &&
-        starts(k) == std::conj(starts(k - 1))) {  // the other one of a pair
+        starts(k) == std::conj(starts(k - 1))) {  // the conjugate of the previous root
       roots.lambda(k) = std::conj(roots.lambda(k - 1));
       roots.vectors.col(k) = roots.vectors.col(k - 1).conjugate();
       continue;
@@ -169,7 +169,7 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
       const ExtendedComplex denominator = v.dot(u);
       if (!std::isfinite(std::abs(denominator)) || std::abs(denominator) == 0) {
         finite = last <= Extended(64) * std::numeric_limits<Extended>::epsilon() * std::abs(lambda);
-        break;  // the matrix is singular to the last digit: λ is a root already
+        break;  // the matrix is singular to working precision: λ is already a root
       }
       const ExtendedComplex change = Extended(1) / denominator;
       lambda -= change;

@@ -14,20 +14,20 @@ struct QuadraticRoots {
 };
 
 /// Roots from the state matrix in coordinates where A = 1 and K = diag(ω²): [0 Ω; −Ω − iK_loss Ω⁻¹, −B]. Coordinates
-/// with ω = 0 give exact zero roots; where they are also undamped, two each, and take no part in the rest.
+/// with ω = 0 give exact zero roots; if also undamped, they give two each and are excluded from the state matrix.
 [[nodiscard]] QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B,
                                                   const Eigen::MatrixXd& K_loss);
 
 /// Roots of general matrices (A regular, unsymmetric or indefinite allowed) from the companion matrix.
 [[nodiscard]] QuadraticRoots roots_of_companion(const DynamicMatrices& matrices);
 
-/// Roots where some coordinates have no mass (internal ones of elements, held by a regular block of B): one root for
-/// each of them, two for each of the others, from the states (q, q̇, z).
+/// Roots if some coordinates have no mass (internal ones of elements, with a regular block of B): one root for each of
+/// these, two for each other coordinate, from the states (q, q̇, z).
 [[nodiscard]] QuadraticRoots roots_with_massless(const DynamicMatrices& matrices);
 
-/// Newton steps on each nonzero root in extended precision (long double), for light damping where a double eigensolver
-/// leaves few digits of Re λ. Roots whose step is not small and convergent (clusters, defective pairs) stay as they
-/// were. Cost O(count n³): meant for n ≤ 60.
+/// Refines each nonzero root by Newton steps in extended precision (long double): with light damping a double
+/// eigensolver leaves few digits of Re λ. Roots without small, convergent steps (clusters, defective pairs) are
+/// unchanged. Cost O(count n³): meant for n ≤ 60.
 void refine_roots(const DynamicMatrices& matrices, QuadraticRoots& roots);
 
 }  // namespace trivet::numerics

@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Loewner matrix of the samples and the nodes so far, its columns at unit length, with its Gram matrix kept along.
+/// Loewner matrix of the samples and the nodes so far, with columns of unit length, and its Gram matrix.
 class Loewner {
  public:
   Loewner(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales)
@@ -57,7 +57,7 @@ class Loewner {
     return iterated([&](const Eigen::VectorXcd& v) { return Eigen::VectorXcd(llt.solve(v)); });
   }
 
-  /// The same with the triangular factor of the matrix itself, which does not square its condition.
+  /// The same with the triangular factor of the matrix itself, which does not square the condition number.
   [[nodiscard]] Eigen::VectorXcd exact_weights() const {
     const Eigen::Index n = gram_.rows();
     const Eigen::HouseholderQR<Eigen::MatrixXcd> qr(rows_);
@@ -106,12 +106,12 @@ RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
   return fit;
 }
 
-/// Where the fit is worst; sets its error.
+/// Index of the sample with the largest error; sets `fit.error`.
 Eigen::Index worst_sample(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales,
                           RationalFit& fit) {
   const Eigen::MatrixXcd found = fit.at(x);
   Eigen::Index worst = 0, function = 0;
-  // A pole on a sample gives no number: nothing could be worse.
+  // A pole on a sample gives NaN, which counts as an infinite error.
   const Eigen::MatrixXd errors = ((found - values).cwiseAbs().array() / scales.array()).unaryExpr([](double e) {
     return std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
   });
@@ -149,7 +149,7 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
                          double tolerance) {
   if (x.size() < 2 || values.cols() != x.size() || scales.cols() != x.size() || scales.rows() != values.rows() ||
       values.rows() < 1)
-    throw foundation::InvalidInput("rational fit: samples, values and scales do not go together");
+    throw foundation::InvalidInput("rational fit: the sizes of samples, values and scales do not match");
   if (!values.allFinite() || !(scales.minCoeff() > 0))
     throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
   const Eigen::Index most_nodes =

@@ -23,12 +23,12 @@ ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
     x += correction;
     previous = size;
   }
-  // Too ill-conditioned for factors in double: take the slow way.
+  // Too ill-conditioned for factors in double: solve in extended precision.
   return lu_solution(z_, b);
 }
 
 double RefinedSolver::condition() const {
-  // A pivot of exactly 0 makes the estimate a number of the other coordinates.
+  // With a pivot of exactly 0 the estimate would describe only the other coordinates.
   if (!(factors_.smallest_pivot() > 0)) return std::numeric_limits<double>::infinity();
   const double reciprocal = factors_.reciprocal_condition();
   return reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();

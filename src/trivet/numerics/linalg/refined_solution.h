@@ -8,16 +8,16 @@
 
 namespace trivet::numerics {
 
-/// Solves Z x = b to nearly extended precision: pivoted LU in double, residuals in long double, refined until they
-/// settle; where they do not, LU in long double. Right even at a resonance with damping ratio 1e-6, where plain double
-/// keeps ten digits.
+/// Solves Z x = b to nearly extended precision: pivoted LU in double with residuals in long double, refined until
+/// converged; if it does not converge, LU in long double. Accurate even at a resonance with damping ratio 1e-6, where
+/// plain double keeps ten digits.
 class RefinedSolver {
  public:
-  /// Z in extended precision, scaled so that its rows and columns compare.
+  /// Z in extended precision, scaled so that its rows and columns are comparable in size.
   explicit RefinedSolver(ExtendedMatrix Z);
 
   [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
-  /// ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors.
+  /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors.
   [[nodiscard]] double condition() const;
 
  private:

@@ -13,7 +13,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Matrix12 = Eigen::Matrix<double, 12, 12>;
 template <typename Matrix>
 using Plain = const Eigen::PlainObjectBase<Matrix>&;
-/// Compiled once for all sizes that are known.
+/// One compiled version for all fixed sizes.
 template <typename Matrix>
 using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic, Matrix, UpToTwelve<double>>;
 }  // namespace

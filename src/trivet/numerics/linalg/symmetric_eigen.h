@@ -5,7 +5,7 @@
 
 namespace trivet::numerics {
 
-/// Eigenvalues λ, ascending, and eigenvectors φ, columns of unit length.
+/// Eigenvalues λ, ascending, and eigenvectors φ as columns of unit length.
 template <typename Matrix>
 struct SymmetricEigen {
   Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> values;
@@ -13,12 +13,12 @@ struct SymmetricEigen {
   bool converged = true;
 };
 
-/// S φ = λ φ of a symmetric S, of which the lower triangle is read. Only a plain matrix is taken, of the size that its
-/// type says: MatrixXd, Matrix2d, Matrix3d, 6×6 or 12×12.
+/// Solutions of S φ = λ φ for a symmetric S; only its lower triangle is read. Plain matrices only: MatrixXd, Matrix2d,
+/// Matrix3d, 6×6 or 12×12.
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S);
 
-/// S φ = λ P φ with P positive definite, by its Cholesky factor; φᵀ P φ = 1. MatrixXd, Matrix2d.
+/// Solutions of S φ = λ P φ with P positive definite, by its Cholesky factor; φᵀ P φ = 1. MatrixXd, Matrix2d.
 template <typename Matrix>
 [[nodiscard]] SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S,
                                                      const Eigen::PlainObjectBase<Matrix>& P);

@@ -12,20 +12,19 @@ namespace trivet::numerics {
 struct SymmetricEntry {
   Eigen::Index row = 0, column = 0;
   double A = 0, B = 0, K = 0, loss = 0;
-  int free = -1;  ///< number of what is added at each frequency, or nothing is
+  int free = -1;  ///< index of the value added at each frequency; −1: none
 };
 
-/// Those of the lower triangle that are not 0, column by column, in coordinates q = D q̃; the only look at the full
+/// Nonzero entries of the lower triangle, column by column, in coordinates q = D q̃. Only this function reads the full
 /// matrices.
 [[nodiscard]] std::vector<SymmetricEntry> symmetric_entries(const DynamicMatrices& matrices, const Eigen::VectorXd& d);
 
-/// An entry of Z(ω), and by symmetry the one across the diagonal, to which something is added that is given for each
-/// frequency.
+/// An entry of Z(ω), and by symmetry its mirror entry, to which a value given for each frequency is added.
 struct FreeEntry {
   Eigen::Index row = 0, column = 0;
 };
 
-/// Marks entries as free, adding those that are not there. Each at most once, on one side of the diagonal.
+/// Marks entries as free and adds missing ones. Each at most once, on one side of the diagonal.
 void add_free(const std::vector<FreeEntry>& free, std::vector<SymmetricEntry>& entries);
 
 }  // namespace trivet::numerics

@@ -17,7 +17,7 @@ namespace {
 
 using foundation::epsilon;
 
-/// Extended-precision refinement costs n³ per root; beyond this size a double eigensolver has to do.
+/// Extended-precision refinement costs n³ per root; larger systems use the double eigensolver alone.
 constexpr Eigen::Index largest_refined = 60;
 
 QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
@@ -34,8 +34,8 @@ QuadraticRoots undamped_roots(const GeneralizedModes& modes) {
   return result;
 }
 
-/// The companion matrix splits a double zero root to about √ε of the largest; but no more roots are zero than `most`,
-/// two for each free motion, however fast the fastest of the others is.
+/// Largest |λ| that counts as 0. The companion matrix splits a double zero root to about √ε of the largest root; but at
+/// most `most` roots are zero, two per rigid-body mode, however large the largest root is.
 double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   if (most == 0) return 0;
   Eigen::VectorXd size = roots.lambda.cwiseAbs();
@@ -43,8 +43,8 @@ double rest_limit(const QuadraticRoots& roots, Eigen::Index most) {
   return std::min(size(most - 1), 1e-7 * size(size.size() - 1));
 }
 
-/// Sets to zero what is only round-off: entries of φᵀ M φ below what cancels in them. In the columns of free motions,
-/// which any rotation among them mixes, that is the most of all of them.
+/// φᵀ M φ with zeros for entries that are only round-off of their cancelling terms. Rigid-body modes may be mixed by
+/// any rotation among them: their rows and columns use the largest terms of all of them.
 Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& phi, const Eigen::MatrixXd& m,
                                   const std::vector<Eigen::Index>& free) {
   Eigen::MatrixXd available = phi.cwiseAbs().transpose() * m.cwiseAbs() * phi.cwiseAbs();
@@ -59,9 +59,9 @@ Eigen::MatrixXd without_round_off(const Eigen::MatrixXd& phi, const Eigen::Matri
       .select(0.0, projected);
 }
 
-/// Free motions may be combined as one likes. Dampers that resist some combinations leave others alone: those become
-/// motions of the basis, so that what vanishes for them does so in single entries of the projected damping. Otherwise
-/// its eigenvalues of round-off would be roots of 1e-18 1/s in place of 0.
+/// Rotates the rigid-body modes until their projected damping is diagonal: if dampers leave a combination free, single
+/// entries of the damping then vanish exactly. Otherwise eigenvalues of round-off would become roots of 1e-18 1/s
+/// instead of 0.
 void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>& free, Eigen::MatrixXd& phi) {
   if (free.size() < 2) return;
   const Eigen::MatrixXd motions = phi(Eigen::all, free);
@@ -94,7 +94,7 @@ SystemRoots system_roots(const DynamicMatrices& m) {
       if (modes.lambda(i) == 0) free.push_back(i);
     Eigen::MatrixXd phi = modes.shapes;
     part_free_motions(m, free, phi);
-    // A free motion that no damper resists: its projected damping is a difference that should vanish exactly.
+    // The projected damping of a rigid-body mode that no damper resists is a difference that should vanish exactly.
     const Eigen::MatrixXd damping = without_round_off(phi, m.B, free);
     Eigen::MatrixXd loss;
     if (m.lossy()) loss = without_round_off(phi, m.K_loss, free);

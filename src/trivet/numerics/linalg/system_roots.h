@@ -6,19 +6,19 @@
 
 namespace trivet::numerics {
 
-/// All roots of λ²A + λB + K + iK_loss, and how small one must be to stand for a free motion: exactly 0 where the
-/// solver splits free motions off.
+/// All roots of λ²A + λB + K + iK_loss. Roots with |λ| ≤ at_rest belong to rigid-body modes; at_rest is 0 if the solver
+/// separates these modes exactly.
 struct SystemRoots {
   QuadraticRoots roots;
   double at_rest = 0;
 };
 
-/// By the way that suits the matrices: undamped modes alone, the states in undamped modes, those of the matrices as
-/// they are; refined in extended precision up to 60 coordinates. Coordinates without mass may be among them.
-/// @throws foundation::NotComputable if an eigensolver does not converge or a coordinate is held by nothing
+/// The method depends on the matrices: undamped modes alone, states in undamped modes, or states of the matrices
+/// themselves; refined in extended precision up to 60 coordinates. Some coordinates may have no mass.
+/// @throws foundation::NotComputable if an eigensolver does not converge, or a coordinate without mass has no stiffness
 [[nodiscard]] SystemRoots system_roots(const DynamicMatrices& matrices);
 
-/// The poles of any response at iω = λ: free motions exactly 0.
+/// Poles of any response at iω = λ; those of rigid-body modes are exactly 0.
 [[nodiscard]] Eigen::VectorXcd poles(const SystemRoots& of);
 
 }  // namespace trivet::numerics

@@ -5,7 +5,7 @@
 
 namespace trivet::numerics {
 
-/// A matrix of up to 12 rows and columns without memory of its own on the heap.
+/// A matrix of up to 12 rows and columns without heap memory.
 template <typename Scalar>
 using UpToTwelve = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 12, 12>;
 

@@ -14,21 +14,21 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr double most_turns = 20'000;  // of a delayed load's phase
-/// A pole needs some 20 panels per decade of its damping ratio, a delay 16,000 at its most turns: more come of poles
-/// that are wrong.
+constexpr double most_turns = 20'000;  // revolutions of a delayed load's phase
+/// A pole needs some 20 panels per decade of its damping ratio, a delay with `most_turns` 16,000: more panels mean that
+/// the poles are wrong.
 constexpr std::size_t most_panels = 200'000;
-constexpr double lowest_of_free_motion = 1e-6;  // [rad/s]; a turn in two months
+constexpr double lowest_of_free_motion = 1e-6;  // [rad/s]; a period of two months
 
-/// Where the cover of a system that is free to move begins. What its other motions do at rest is missed by
-/// (ω/smallest)², and the free one, ω²A beside the round-off of K, by ε (largest/ω)²: as far for the one as for the
-/// other.
+/// First ω [rad/s] of the cover of a system with rigid-body modes. The elastic modes at rest are missed by
+/// (ω/smallest)², and the rigid-body mode is wrong by ε (largest/ω)², because ω²A is small compared with the round-off
+/// of K: both errors are equal here.
 double lowest_beside_free_motion(double smallest, double largest) {
   if (largest == 0) return lowest_of_free_motion;
   return std::min(1e-4 * std::sqrt(smallest * largest), 1e-2 * smallest);
 }
 
-/// With a pole at rest if the load puts one there.
+/// Poles of the system, and a pole at 0 if the load is unbounded at rest.
 Eigen::VectorXcd with_load(const Eigen::VectorXcd& poles, const CoverOptions& load) {
   if (!load.unbounded_at_rest) return poles;
   Eigen::VectorXcd all = Eigen::VectorXcd::Zero(poles.size() + 1);
@@ -36,13 +36,13 @@ Eigen::VectorXcd with_load(const Eigen::VectorXcd& poles, const CoverOptions& lo
   return all;
 }
 
-/// Without poles, in a system without mass, any distance would do: one radian per second.
+/// A system without mass has no poles, so that any distance will do: with this one, panel radii are about 1 rad/s.
 double distance_to_poles(const Eigen::VectorXcd& poles, double omega) {
   return poles.size() == 0 ? 1 / panel_ratio : (poles.array() - std::complex<double>(0, omega)).abs().minCoeff();
 }
 
-/// Largest tried radius r for a panel that starts at `from` with r ≤ panel_ratio · (distance of its centre to the
-/// poles).
+/// Panel radius r [rad/s], the largest tried: the panel starts at `from`, and r ≤ panel_ratio · (distance of its centre
+/// from the poles).
 double panel_radius(const Eigen::VectorXcd& poles, double from) {
   const double here = distance_to_poles(poles, from);
   const double certain = panel_ratio * here / (1 + panel_ratio);
@@ -61,8 +61,8 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
   const Eigen::VectorXcd poles = with_load(of_system, load);
   if (!poles.allFinite())
     throw foundation::NotComputable(
-        "peaks: a root of the system is beyond the range of computation: look at the sizes of masses, stiffnesses and "
-        "dampings");
+        "peaks: a root of the system is beyond the range of computation: check the magnitudes of masses, "
+        "stiffnesses and dampings");
   const Eigen::VectorXd size = poles.cwiseAbs();
   const double largest = size.size() > 0 ? size.maxCoeff() : 0;
   double smallest = largest;
@@ -85,13 +85,13 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
   const bool turning = load.longest_delay > 0;
   const double end = turning ? load.highest
       : poles.size() == 0    ? 1
-                             : std::max(largest / panel_ratio, 2 * cover.lowest);  // one panel at least before infinity
+                             : std::max(largest / panel_ratio, 2 * cover.lowest);  // at least one panel before infinity
   const double most = turning ? most_turning / load.longest_delay : std::numeric_limits<double>::infinity();
   if (turning && end * load.longest_delay > most_turns * 2 * std::numbers::pi)
-    throw foundation::NotComputable(
-        fmt::format("peaks: a delay of {:.4g} s turns the phase {:.3g} times up to {:.4g} rad/s; at most {:.0f} turns "
-                    "are searched: a faster wave, or a lower band",
-                    load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), end, most_turns));
+    throw foundation::NotComputable(fmt::format(
+        "peaks: a delay of {:.4g} s turns the phase by {:.3g} revolutions up to {:.4g} rad/s; at most {:.0f} "
+        "can be searched: use a faster wave or a lower band",
+        load.longest_delay, end * load.longest_delay / (2 * std::numbers::pi), end, most_turns));
   double from = cover.lowest;
   auto pole = cover.poles_on_axis.begin();
   while (from < end) {
@@ -104,7 +104,7 @@ PanelCover cover_axis(const Eigen::VectorXcd& of_system, const CoverOptions& loa
     if (!(from + 2 * radius > from) || cover.panels.size() >= most_panels)
       throw foundation::NotComputable(
           fmt::format("peaks: the axis from {:.4g} to {:.4g} rad/s cannot be covered with {} panels free of poles: the "
-                      "roots of the system lie too far apart",
+                      "roots of the system are spread too widely",
                       from, end, most_panels));
     cover.panels.push_back({from + radius, radius, false});
     from += 2 * radius;

@@ -17,31 +17,32 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Samples on a circle of radius `spread` panel radii, and how small what betrays a pole must be.
+/// Samples on a circle of radius `spread` panel radii. Its last `betraying` coefficients reveal a pole inside the
+/// circle unless they are below the share `pole_free` of the curve.
 constexpr int samples = 64;
 constexpr double spread = 1.25;
 constexpr int betraying = 8;
 constexpr double pole_free = 1e-11;
-/// Round-off of a curve, as a share of what its terms could make of it: a few units times the condition of Z, and never
-/// so much that a pole could hide in it.
+/// Round-off of a curve as a share of its possible amplitude: a few ε times the condition number of Z, limited so that
+/// a pole cannot hide in it.
 double round_off_share(double condition) {
   constexpr double count = 16, most = 1e-6;
   return std::min(count * std::numeric_limits<double>::epsilon() * condition, most);
 }
-/// So many gaps without a panel between them are no undamped poles: the laws cannot be continued here.
+/// More consecutive gaps than this are not undamped poles: the element laws cannot be continued analytically here.
 constexpr int most_gaps_in_a_row = 200;
-/// Panels tried, each of them 64 solutions: smooth laws take hundreds, a table some more for each of its rows.
+/// Limit of panels tried, 64 solutions each: smooth laws take hundreds, a table some more for each of its rows.
 constexpr std::size_t most_trials = 20'000, more_per_seam = 16;
 
-/// Of each curve on a circle.
+/// Amplitudes of each curve on a circle.
 struct Sizes {
-  Eigen::VectorXd level;      ///< its largest amplitude
+  Eigen::VectorXd level;      ///< largest amplitude
   Eigen::VectorXd possible;   ///< see CurveSample
-  Eigen::VectorXd round_off;  ///< below, its ups and downs are round-off of the solutions
-  Eigen::VectorXd doubt;      ///< the same where it is more than what the series is cut at
+  Eigen::VectorXd round_off;  ///< amplitudes below this are round-off of the solutions
+  Eigen::VectorXd doubt;      ///< the same if it exceeds the truncation error of the series, else 0
 };
 
-/// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too near.
+/// Taylor coefficients of every curve (rows) in τ, ω = centre + radius τ; empty if a pole is too close.
 Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, Sizes& sizes) {
   auto& [level, possible, noise, doubt] = sizes;
   std::vector<Eigen::VectorXcd> values;
@@ -65,7 +66,7 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
       series.col(j) += values[static_cast<std::size_t>(k)] *
           std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
-  // Coefficients of the last powers are those of the first negative ones: the principal part of a pole inside.
+  // The last coefficients equal those of the first negative powers: the principal part of a pole inside the circle.
   doubt.setZero(curves);
   for (Eigen::Index c = 0; c < curves; ++c) {
     const double tail = series.row(c).tail(betraying).cwiseAbs().maxCoeff();
@@ -79,8 +80,7 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   return series.leftCols(samples - betraying);
 }
 
-/// Where one smooth piece ends and the next begins a curve may have a corner, and an extremum there that no derivative
-/// shows.
+/// Adds an extremum at a corner: between two smooth pieces a curve may have one that no derivative shows.
 void note_corner(double before, double after, const CurveSeries& series, const Panel& panel,
                  std::vector<Extremum>& extrema) {
   constexpr double significant = 1e-9;
@@ -97,7 +97,7 @@ double first_guess(const Eigen::VectorXcd& poles, double from) {
   return std::max(panel_ratio * (poles.array() - Complex(0, from)).abs().minCoeff(), least * from);
 }
 
-/// Walks along the axis, panel by panel.
+/// Searches along the axis, panel by panel.
 class Walk {
  public:
   Walk(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options)
@@ -122,25 +122,26 @@ class Walk {
   }
 
  private:
-  /// Ups and downs of round-off must stay far below every peak that counts: a millionth of its curve.
+  /// Rejects curves with round-off close to their peaks: it must stay far below the smallest peak that counts, a
+  /// millionth of the curve.
   void refuse_doubts() const {
     constexpr double negligible = 1e-7;
     for (std::size_t c = 0; c < top_.size(); ++c)
       if (doubt_[c] > negligible * top_[c])
         throw foundation::NotComputable(fmt::format(
-            "peaks: {} is so small compared with the others that round-off hides its peaks: do not ask for it",
+            "peaks: {} is so small compared with the others that round-off hides its peaks: do not request it",
             options_.name ? options_.name(static_cast<Eigen::Index>(c)) : fmt::format("curve {}", c + 1)));
   }
 
   void step(double& from, double& radius) {
-    constexpr double growth = 1.6, on_a_seam = 1e-10;  // smaller than the end's share, so that a seam is always ahead
+    constexpr double growth = 1.6, on_a_seam = 1e-10;  // below `at_the_end`, so that a seam is always ahead
     foundation::report_progress(options_.progress, "peaks", from / options_.to);
     if (++trials_ > most_trials + more_per_seam * seams_.size())
       throw foundation::NotComputable(
-          fmt::format("peaks: {} panels were tried and the search is at {:.6g} rad/s only: ask for a lower band, or "
-                      "give tables fewer rows",
+          fmt::format("peaks: after {} panels the search has only reached {:.6g} rad/s: request a lower band, or use "
+                      "tables with fewer rows",
                       trials_, from));
-    // The whole circle must lie where the laws are defined: Re ω > 0.
+    // The whole circle must be where the laws are defined: Re ω > 0.
     const double seam = *std::upper_bound(seams_.begin(), seams_.end(), from * (1 + on_a_seam));
     radius = std::min({radius, 0.5 * (std::min(seam, options_.to) - from), from / (spread - 1) * 0.9});
     const Panel panel{from + radius, radius, false};
@@ -162,7 +163,7 @@ class Walk {
     ++found_.panels;
     for (std::size_t c = 0; c < rise_.size(); ++c) {
       const auto row = static_cast<Eigen::Index>(c);
-      if (!(level(row) > std::max(vanishing_share * possible(row), noise(row)))) {  // its ups and downs are round-off
+      if (!(level(row) > std::max(vanishing_share * possible(row), noise(row)))) {  // only round-off
         rise_[c] = 0;
         continue;
       }
@@ -209,8 +210,8 @@ class Walk {
   const CurveSampler& sample_;
   const CircleSearchOptions& options_;
   std::vector<double> seams_;
-  std::vector<double> doubt_, top_;  ///< of each curve: round-off that its series took, and its largest amplitude
-  std::vector<double> rise_;         ///< d|y|²/dω at the end of the panel before
+  std::vector<double> doubt_, top_;  ///< of each curve: round-off accepted in its series, and largest amplitude
+  std::vector<double> rise_;         ///< d|y|²/dω at the end of the previous panel
   std::vector<double> poles_;        ///< undamped ones
   AxisSearch found_;
   int gaps_ = 0;
@@ -221,7 +222,7 @@ class Walk {
 
 AxisSearch search_by_circles(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options) {
   if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to)))
-    throw foundation::InvalidInput("peaks by circles: a band needs 0 < from < to < ∞");
+    throw foundation::InvalidInput("peaks by circles: the band must satisfy 0 < from < to < ∞");
   return Walk(sample, curves, options).search();
 }
 

@@ -17,9 +17,9 @@ using Series = Eigen::RowVectorXcd;
 
 /// Terms kept of every Taylor series: 0.4³⁶ ≈ 5e-15.
 constexpr int series_order = 36;
-/// Panels are searched a little beyond their ends, so that an extremum on a seam is not lost; repeats merge afterwards.
+/// Panels are searched slightly beyond their ends, so that no extremum on a seam is lost; duplicates merge afterwards.
 constexpr double overlap = 1e-6;
-/// Below this share of the first panel's radius an extremum stands at ω = 0.
+/// An extremum below this share of the first panel's radius is at ω = 0.
 constexpr double at_rest = 1e-7;
 
 /// Series times (a + bτ).
@@ -35,7 +35,7 @@ struct Laurent {
   int power = 0;
 };
 
-/// The same with `by` fewer powers of s in front.
+/// The same series with the leading power of s lowered by `by`.
 Laurent lowered(const Laurent& y, int by, const Panel& panel) {
   Laurent result{Series::Zero(y.coefficients.size()), y.power - by};
   const Eigen::Index kept = y.coefficients.size() - by;
@@ -43,7 +43,7 @@ Laurent lowered(const Laurent& y, int by, const Panel& panel) {
   return result;
 }
 
-/// Its first coefficient is 0: one more power of s in front.
+/// The same series without its first coefficient, which is 0: the leading power of s rises by one.
 Laurent without_first(const Laurent& y, const Panel& panel) {
   Laurent result{Series::Zero(y.coefficients.size()), y.power + 1};
   result.coefficients.head(y.coefficients.size() - 1) = y.coefficients.tail(y.coefficients.size() - 1) / panel.radius;
@@ -56,7 +56,7 @@ Laurent sum(const Laurent& a, const Laurent& b, const Panel& panel) {
   return {x.coefficients + y.coefficients, power};
 }
 
-/// What terms make of coordinates.
+/// Series of `terms` applied to the series of the coordinates.
 Laurent weighted_series(const CurveTerms& terms, const Panel& panel, const SeriesAtInfinity& of) {
   const Complex i(0, 1);
   Laurent y{terms.on_displacement.transpose() * of.coefficients, of.power};
@@ -73,7 +73,7 @@ Laurent weighted_series(const CurveTerms& terms, const Panel& panel, const Serie
   return y;
 }
 
-/// A polynomial with the sign of d|y|²/dτ for τ > 0 at infinity, everywhere else d|y|²/dτ itself.
+/// Coefficients of d|y|²/dτ; at infinity, of a polynomial with its sign for τ > 0.
 std::vector<double> slope(const CurveSeries& series) {
   std::vector<double> g;
   for (std::size_t k = series.power == 0 ? 1 : 0; k < series.square.size(); ++k)
@@ -151,10 +151,10 @@ void add_extrema(const CurveSeries& series, const Panel& panel, double from, dou
   for (const SignChange& change : changes) {
     if (panel.at_infinity && !(change.at > 0)) continue;
     const double omega = panel.at_infinity ? 1 / (panel.radius * change.at) : panel.centre + panel.radius * change.at;
-    // |y|² is even about ω = 0 without damping: the extremum at rest is no peak, and round-off may put it beside 0.
+    // Without damping |y|² is even about ω = 0: the extremum at rest is not a peak, and round-off may shift it from 0.
     if (!panel.at_infinity && !(omega > at_rest * panel.radius)) continue;
     if (!(omega > from && omega < to)) continue;
-    // A maximum stays one whichever way the axis runs.
+    // A maximum remains one if the axis is reversed.
     const double step = panel.at_infinity ? omega : panel.radius;
     extrema.push_back({omega, amplitude(series, panel, change.at), change.falling, step, step * change.uncertainty});
   }

@@ -11,17 +11,17 @@
 namespace trivet::numerics {
 
 /// |y|² of one curve on one panel as a power series in τ ∈ [−1, 1], ω = centre + radius τ. At infinity 1/ω = radius τ,
-/// τ ∈ (0, 1], and |y|² = (1/ω)^(2 power) Σ square[k] τᵏ; a negative power grows without end.
+/// τ ∈ (0, 1], and |y|² = (1/ω)^(2 power) Σ square[k] τᵏ; with a negative power it grows without bound.
 struct CurveSeries {
   std::vector<double> square;
   int power = 0;
 };
 
-/// Taylor coefficients (columns) of the response and of what is given on a panel; powers of 1/ω before them at
-/// infinity, else 0.
+/// Taylor coefficients (columns) of the response and of the prescribed motion on a panel, with their leading powers of
+/// 1/ω at infinity, else 0.
 struct CoordinateSeries {
   SeriesAtInfinity response;
-  SeriesAtInfinity given;  ///< no rows if nothing is
+  SeriesAtInfinity given;  ///< prescribed motion; no rows if there is none
 };
 
 [[nodiscard]] CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given,
@@ -30,19 +30,19 @@ struct CoordinateSeries {
 [[nodiscard]] CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel,
                                        const CoordinateSeries& coordinates);
 
-/// |y|² of a curve whose own coefficients are known.
+/// |y|² from the Taylor coefficients of y.
 [[nodiscard]] CurveSeries squared_modulus(const Eigen::RowVectorXcd& coefficients, int power = 0);
 
-/// A bound on |y| but for powers of 1/ω.
+/// Size of |y| except for powers of 1/ω: square root of the largest coefficient of |y|².
 [[nodiscard]] double size_of(const CurveSeries& series);
 
 /// |y| at τ.
 [[nodiscard]] double amplitude(const CurveSeries& series, const Panel& panel, double tau);
 
-/// Its limit at the end of a panel at infinity; leading coefficients that are round-off do not count.
+/// Limit of |y| for ω → ∞ on a panel at infinity; leading coefficients that are round-off are ignored.
 [[nodiscard]] double limit_at_infinity(const CurveSeries& series, const Panel& panel);
 
-/// d|y|²/dω at τ, on a panel that is not at infinity.
+/// d|y|²/dω at τ, not for a panel at infinity.
 [[nodiscard]] double rise_of_square(const CurveSeries& series, const Panel& panel, double tau);
 
 /// Adds all extrema of |y| on the panel and strictly between two frequencies [rad/s].

@@ -15,17 +15,17 @@
 namespace trivet::numerics {
 namespace {
 
-/// From, to [rad/s].
+/// Frequency band [rad/s].
 struct Band {
   double from = 0, to = 0;
 };
 
-constexpr double round_off = 1e-9;  // of the ends of panels
+constexpr double round_off = 1e-9;  // relative, of panel ends
 
-/// Where the sizes of coordinates on a panel are taken: in its middle, or where the last one begins.
+/// ω [rad/s] at which the coordinates on a panel are sized: its centre, or the start of the panel at infinity.
 double where_sized(const Panel& panel) { return panel.at_infinity ? 1 / panel.radius : panel.centre; }
 
-/// Their sizes there if all weighed the same.
+/// Sizes of the coordinates there if all were as large, in units of `scale`, as the largest.
 Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Eigen::VectorXd& scale) {
   const Eigen::VectorXcd there = panel.at_infinity
       ? Eigen::VectorXcd(std::pow(panel.radius, q.power) * q.coefficients.rowwise().sum())
@@ -33,7 +33,7 @@ Eigen::VectorXd sizes_on(const Panel& panel, const SeriesAtInfinity& q, const Ei
   return there.cwiseAbs().cwiseQuotient(scale).maxCoeff() * scale;
 }
 
-/// False if the series of the curve is beyond the range of computation.
+/// @return false if the series of the curve is beyond the range of computation
 bool search_panel(const ObservedCurve& curve, const Panel& panel, const CoordinateSeries& coordinates,
                   const Eigen::VectorXd& sizes, const Eigen::VectorXd& given, const Band& band, SearchedCurve& result) {
   const CurveSeries series = curve_series(curve, panel, coordinates);
@@ -44,13 +44,13 @@ bool search_panel(const ObservedCurve& curve, const Panel& panel, const Coordina
   const double size = size_of(series) * (panel.at_infinity ? std::pow(panel.radius, series.power) : 1);
   const double possible =
       possible_amplitudes(curve, sizes, given, Eigen::RowVectorXd::Constant(1, where_sized(panel))).value();
-  if (!(size > vanishing_share * possible)) return true;  // its ups and downs are round-off
+  if (!(size > vanishing_share * possible)) return true;  // only round-off
   result.largest_share = std::max(result.largest_share, size / possible);
   add_extrema(series, panel, band.from, band.to, result.extrema);
   return true;
 }
 
-/// The gap around an undamped pole reaches as far as its own digits.
+/// Whether the panel is at an undamped pole, within its radius and the accuracy of the pole.
 bool stands_on_a_pole(const Panel& panel, const std::vector<double>& poles) {
   constexpr double own_digits = 64 * gap_at_pole;
   return std::any_of(poles.begin(), poles.end(), [&](double pole) {
@@ -71,8 +71,8 @@ Eigen::MatrixXd amplitudes(const DrivenSystem& system, const std::vector<Observe
   return result;
 }
 
-/// @param beside_free_motion  the search begins there: Z may count as singular for its sake, while a curve that takes
-/// no part has a height, which its series tells
+/// @param beside_free_motion  the search begins near a rigid-body mode: Z may count as singular there, although a curve
+/// without that mode is finite, as its series shows
 void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
                          const std::vector<double>& poles, bool beside_free_motion, AxisSearch& search) {
   std::vector<double> omega = {search.from};
@@ -84,7 +84,8 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const auto row = static_cast<Eigen::Index>(c);
     SearchedCurve& curve = search.curves[c];
-    if (!beside_free_motion || !std::isnan(y(row, 0))) curve.at_start = y(row, 0);  // else as a panel told, if one did
+    if (!beside_free_motion || !std::isnan(y(row, 0)))
+      curve.at_start = y(row, 0);  // else the value from a panel, if any
     if (ends > 1) curve.at_end = y(row, 1);
     Eigen::Index at = ends;
     for (const double pole : poles) {
@@ -107,11 +108,11 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
                     static_cast<int>(cover.panels.size())};
   if (system.load.vanishes() && system.given.vanishes()) return result;
   const Eigen::VectorXd scale = unit_scale(system.matrices);
-  // Panels of a delayed load end beyond the band: what the last one shows there tells how far the last peaks stand out.
+  // Panels of a delayed load end beyond the band: the curve there determines the prominence of the last peaks.
   const Band band{result.from, delay > 0 ? std::numeric_limits<double>::infinity() : options.to};
   for (SearchedCurve& curve : result.curves) {
     curve.at_start = std::numeric_limits<double>::quiet_NaN();
-    curve.complete = result.from < result.to;  // else the band ends where a free motion rules
+    curve.complete = result.from < result.to;  // else the whole band is below the start of the cover
   }
   double done = 0;
   const double all =
@@ -126,14 +127,13 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
     const auto note_gap = [&](SearchedCurve& curve) {
       curve.complete = false;
       if (!stands_on_a_pole(panel, cover.poles_on_axis))
-        throw foundation::NotComputable(
-            fmt::format("peaks: near {:.4g} rad/s the response is beyond the range of computation, as beside a free "
-                        "motion that is held by round-off only: hold that direction, or look at "
-                        "the sizes of masses, stiffnesses and dampings",
-                        where_sized(panel)));
+        throw foundation::NotComputable(fmt::format(
+            "peaks: near {:.4g} rad/s the response is beyond the range of computation, as near a rigid-body mode "
+            "with a stiffness of round-off only: support that direction, or check the magnitudes of masses, "
+            "stiffnesses and dampings",
+            where_sized(panel)));
     };
-    if (!q.response.coefficients
-             .allFinite()) {  // stands on an undamped pole to the last digit, or no solver has digits here
+    if (!q.response.coefficients.allFinite()) {  // exactly at an undamped pole, or no solver is accurate here
       for (SearchedCurve& curve : result.curves) note_gap(curve);
       continue;
     }

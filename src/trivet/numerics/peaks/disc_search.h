@@ -13,24 +13,24 @@
 
 namespace trivet::numerics {
 
-/// Z(s) q = load(s), and what else curves are made of.
+/// Z(s) q = load(s), and the prescribed motion that curves may contain.
 struct DrivenSystem {
   const DynamicMatrices& matrices;
   const Load& load;
-  const Load& given;  ///< without terms if nothing is
+  const Load& given;  ///< prescribed motion; without terms if there is none
 };
 
 struct DiscSearchOptions {
   double from = 0;                                      ///< [rad/s]
-  double to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite if the load is delayed: then extrema up to
-                                                        ///< a panel beyond it are told too
+  double to = std::numeric_limits<double>::infinity();  ///< [rad/s]; finite if the load is delayed: extrema up to one
+                                                        ///< panel beyond are then reported too
   foundation::Progress progress = {};
 };
 
-/// All extrema of |y| strictly inside a band: the axis is covered by discs free of poles, on each |y|² is a Taylor
-/// series whose derivative is searched for sign changes by bisection with bounds. Poles are needed only for the size of
-/// the discs, so that defective ones do no harm.
-/// @param poles  all of the response, iω = λ
+/// All extrema of |y| strictly inside a band: discs free of poles cover the axis; on each, |y|² is a Taylor series, and
+/// bisection with bounds finds the sign changes of its derivative. Poles only determine the size of the discs, so that
+/// defective poles do no harm.
+/// @param poles  all poles of the response, iω = λ
 [[nodiscard]] AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
                                          const Eigen::VectorXcd& poles, const DiscSearchOptions& options = {});
 

@@ -42,7 +42,7 @@ std::array<double, 4> around_pole(double pole) {
 
 bool is_unbounded(const std::array<double, 4>& y) {
   return y[1] > 9 * y[0] && y[2] > 9 * y[3];
-}  // a pole in reach gives 10
+}  // a nearby pole gives 10
 
 Extremum unbounded_at(double pole) {
   return {pole, std::numeric_limits<double>::infinity(), true, gap_at_pole * pole, 0};

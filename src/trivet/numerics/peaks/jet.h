@@ -9,10 +9,10 @@
 #include "trivet/numerics/linalg/load.h"
 #include "trivet/numerics/peaks/observed_curve.h"
 
-// In double, or in extended precision where peaks are refined.
+// Real: double, or extended precision for the refinement of peaks.
 namespace trivet::numerics {
 
-/// A quantity with its first and second derivative by ω [rad/s].
+/// A quantity with its first and second derivatives with respect to ω [rad/s].
 template <typename T>
 using Jet = std::array<T, 3>;
 template <typename Real>
@@ -69,7 +69,7 @@ template <typename T, typename Real>
   return {T(i * omega * y[0]), T(i * (y[0] + omega * y[1])), T(i * (Real(2) * y[1] + omega * y[2]))};
 }
 
-/// x of Z x = b. @param solve  Z⁻¹ times a vector
+/// Solution x of Z x = b. @param solve  applies Z⁻¹ to a vector
 template <typename Real, typename Solve>
 [[nodiscard]] Jet<ComplexVector<Real>> solution_jet(const Solve& solve, const Jet<ComplexMatrix<Real>>& z,
                                                     const Jet<ComplexVector<Real>>& b) {

@@ -7,8 +7,8 @@
 namespace trivet::numerics {
 namespace {
 
-/// The two minima that part a peak from higher ground or from an end, the higher one first; the peak itself where there
-/// is none.
+/// Minima between a peak and the next higher point or end on either side, the higher one first; the peak itself if a
+/// side has none.
 struct Minima {
   std::size_t base, lower;
 };
@@ -39,7 +39,7 @@ bool rise_is_known(std::span<const double> heights, std::span<const double> doub
     const auto [base, lower] = minima_of(heights, i);
     if (!(heights[i] - heights[base] > least)) continue;
     const bool exchange = heights[lower] * (1 + 2 * doubts[lower]) > heights[base] &&
-        doubts[lower] > accuracy;                                                         // the lower may be the higher
+        doubts[lower] > accuracy;  // the lower one may be the higher
     const auto hidden = [&](std::size_t k) { return heights[k] == 0 && doubts[k] > 0; };  // by round-off
     if (exchange || hidden(base) || hidden(lower)) return false;
     const double ratio = heights[i] / heights[base], doubt = doubts[i] + doubts[base];

@@ -7,24 +7,22 @@
 
 namespace trivet::numerics {
 
-/// Height of a peak among the heights along a curve, its ends first and last, above the higher of the two minima that
-/// part it from higher ground or from an end. Infinite for an infinite height.
+/// Prominence of a peak: its height above the higher of the two minima that separate it from higher points or from an
+/// end. `heights` begin and end with those at the ends of the curve. Infinite for an infinite height.
 [[nodiscard]] double prominence(std::span<const double> heights, std::size_t peak);
 
 struct PeakCount {
   int peaks = 0;
-  double largest_rise = 0;  ///< of these over the higher of those minima: height / minimum − 1
-  double closest = std::numeric_limits<double>::infinity();  ///< how near a prominence comes to `least`: smallest
-                                                             ///< |prominence / least − 1|
+  double largest_rise = 0;                                   ///< largest value of height / (higher minimum) − 1
+  double closest = std::numeric_limits<double>::infinity();  ///< smallest |prominence / least − 1|
 };
 
-/// Peaks among the heights along a curve, its ends first and last, whose prominence exceeds `least`. Infinite heights
-/// count always.
+/// Peaks with a prominence above `least`; infinite heights always count. `heights` as for `prominence`.
 [[nodiscard]] PeakCount prominent_peaks(std::span<const double> heights, double least);
 
-/// Whether the largest rise of the peaks whose prominence exceeds `least` is known to `accuracy` (relative), if every
-/// height may be off by its share in `doubts`.
-/// @param largest_rise  as `prominent_peaks` found it
+/// Whether the largest rise of the peaks with a prominence above `least` is known to `accuracy` (relative) if every
+/// height may be wrong by its relative error in `doubts`.
+/// @param largest_rise  as found by `prominent_peaks`
 [[nodiscard]] bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least,
                                  double largest_rise, double accuracy);
 

@@ -14,13 +14,13 @@ using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
 constexpr Extended unit_round_off = std::numeric_limits<double>::epsilon() / 2;
 
-/// First-order bounds on what round-off in the entries of A, B, K can do.
+/// First-order bounds on the effect of round-off in the entries of A, B, K.
 struct Sensitivity {
   Extended amplitude = 0;
-  Extended value = 0;  ///< of the complex y: also turns of its phase
+  Extended value = 0;  ///< of the complex y, including its phase
 };
 
-/// In coordinates of unit mass diagonal.
+/// A curve in coordinates scaled to a unit mass diagonal.
 class Curve {
  public:
   Curve(const DrivenSystem& system, const ObservedCurve& curve)
@@ -45,8 +45,8 @@ class Curve {
     return y;
   }
 
-  /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; entries of K and ω²A change by real, those of ωB by imaginary amounts of one unit
-  /// of round-off. Only what lies along y changes its amplitude.
+  /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; each entry of K and ω²A changes by a real amount, each of ωB by an imaginary one,
+  /// of one unit of round-off. Only the part in phase with y changes the amplitude.
   Sensitivity sensitivity(Extended w) const {
     const ExtendedMatrix z = stiffness_jet(m_, w)[0], K = m_.complex_stiffness().cast<ExtendedComplex>();
     const ExtendedVector c = terms_jet(terms_, m_.size(), w)[0];

@@ -9,13 +9,13 @@ namespace trivet::numerics {
 struct RefinedPeak {
   double angular_frequency = 0;  ///< [rad/s]
   double amplitude = 0;
-  double frequency_uncertainty = 0;  ///< [rad/s] by which one unit of round-off in A, B, K can move it (first order)
-  double amplitude_uncertainty = 0;  ///< likewise its height
+  double frequency_uncertainty = 0;  ///< [rad/s]; effect of one unit of round-off in A, B, K (first order)
+  double amplitude_uncertainty = 0;  ///< the same for the amplitude
   bool converged = false;
 };
 
-/// Starts at `omega`; gives up (converged = false, values at the last step) if a step leaves [omega − reach, omega +
-/// reach].
+/// Refined maximum near `omega`. Stops with converged = false and the values of the last step if a step leaves [omega −
+/// reach, omega + reach].
 [[nodiscard]] RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& curve, double omega,
                                       double reach);
 

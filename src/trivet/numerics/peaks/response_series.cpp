@@ -13,10 +13,10 @@ Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, 
                         const Eigen::MatrixXcd& h) {
   const Eigen::Index n = h.rows();
   const PivotedLu<Complex> lu(Z0);
-  Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], for the last two coefficients one above the other
+  Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], applied to the last two coefficients stacked
   step << Z2, Z1;
   step = -lu.solve(step);
-  Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(n, h.cols() + 1);  // before the first coefficient stands a zero
+  Eigen::MatrixXcd q = Eigen::MatrixXcd::Zero(n, h.cols() + 1);  // a zero precedes the first coefficient
   q.col(1) = lu.solve(Eigen::VectorXcd(h.col(0)));
   const Eigen::VectorXcd reached = Z0 * q.col(1);
   q.col(1) += lu.solve(Eigen::VectorXcd(h.col(0) - reached));
@@ -97,8 +97,8 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   Eigen::MatrixXcd constant = -m.A.cast<Complex>();
   Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
   Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
-  // Without mass in a row, −A leaves it empty at s = 0; divided by s it is regular: s K + i B, or by s² where it has
-  // stiffness only. What loads such a row must then start so many powers later: the whole right side is shifted.
+  // A row without mass is zero at s = 0. Divided by s it is regular: i B + s K, or by s² if it has stiffness only. The
+  // load of such a row must then start that many powers later: the whole right side is shifted.
   std::vector<int> lowered(static_cast<std::size_t>(m.size()), 0);
   int shift = 0;
   for (Eigen::Index i = 0; i < m.size(); ++i) {
@@ -117,8 +117,7 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   // s² Z q = s² h; q = s^power p.
   Eigen::MatrixXcd right = Eigen::MatrixXcd::Zero(m.size(), order + 1);
   for (Eigen::Index i = 0; i < m.size(); ++i) {
-    const int by =
-        lowered[static_cast<std::size_t>(i)] - shift;  // the shift multiplies by s, a lowered row is divided by it
+    const int by = lowered[static_cast<std::size_t>(i)] - shift;  // divided by s^lowered, multiplied by s^shift
     for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
   }
   return {d.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};

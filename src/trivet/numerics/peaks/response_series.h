@@ -8,13 +8,13 @@
 
 namespace trivet::numerics {
 
-/// Taylor coefficients of h(ω) about `centre`: h(centre + radius τ) = Σ_j column_j τʲ, j = 0 … order. A delay d
-/// converges like (radius d)ʲ / j!. centre > 0 where the load has negative powers.
+/// Taylor coefficients of h(ω) about `centre`: h(centre + radius τ) = Σ_j column_j τʲ, j = 0 … order. With a delay d
+/// they decrease like (radius d)ʲ / j!. centre > 0 if the load has negative powers.
 [[nodiscard]] Eigen::MatrixXcd load_series(const Load& load, double centre, double radius, int order);
 
 /// Taylor coefficients of q(ω) = Z(ω)⁻¹ h(ω) about `centre`: q(centre + radius τ) = Σ_j column_j τʲ, j = 0 … order.
-/// From one factorisation by Z₀q_j = h_j − Z₁q_{j−1} − Z₂q_{j−2}; converges for |τ| < (distance to the nearest
-/// pole)/radius, also where poles are defective. centre > 0, or 0 if Z(0) is regular.
+/// Uses one factorisation, Z₀q_j = h_j − Z₁q_{j−1} − Z₂q_{j−2}; converges for |τ| < (distance to the nearest
+/// pole)/radius, also with defective poles. centre > 0, or 0 if Z(0) is regular.
 [[nodiscard]] Eigen::MatrixXcd response_series(const DynamicMatrices& matrices, const Load& load, double centre,
                                                double radius, int order);
 
@@ -27,7 +27,7 @@ struct SeriesAtInfinity {
 /// h(ω) of a load without delays.
 [[nodiscard]] SeriesAtInfinity load_series_at_infinity(const Load& load, double radius, int order);
 
-/// q about ω = ∞. A row without mass must have damping there, or stiffness only.
+/// q about ω = ∞. A row without mass must have damping, or stiffness only.
 [[nodiscard]] SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& matrices, const Load& load,
                                                            double radius, int order);
 

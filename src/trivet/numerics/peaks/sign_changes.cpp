@@ -10,15 +10,15 @@
 namespace trivet::numerics {
 namespace {
 
-/// g and its first derivatives at a point over 1!, 2!, 3!; bounds on |τ| ≤ reach for what is left of Taylor's series
-/// and for round-off.
+/// g and its first derivatives at a point, divided by 1!, 2!, 3!; for |τ| ≤ reach, bounds on the remainder of the
+/// Taylor series and on round-off.
 struct Local {
   double g = 0, first = 0, second = 0, third = 0;
-  double fourth = 0;  ///< no fourth derivative over 4! is larger
+  double fourth = 0;  ///< bound on the fourth derivative / 4!
   double noise = 0;
 };
 
-/// Horner's scheme for all of them at once: each waits for its own last step only.
+/// Horner's scheme for all derivatives at once: each update uses only values of the previous step.
 Local around(std::span<const double> c, double at, double reach) {
   Local d;
   double most = 0, most_first = 0, most_second = 0, most_third = 0;
@@ -37,8 +37,7 @@ Local around(std::span<const double> c, double at, double reach) {
   return d;
 }
 
-/// Each of some 70 roots takes two intervals per halving, 45 at most, so that a search that ends needs a tenth of
-/// these.
+/// A search that ends needs a tenth of this: some 70 roots, two intervals per halving, at most 45 halvings.
 constexpr int most_intervals = 100'000;
 
 class Search {
@@ -48,10 +47,10 @@ class Search {
   void between(double lower, double upper) {
     if (++intervals_ > most_intervals)
       throw foundation::NotComputable(
-          "the extrema of a curve were not found: its slope changes sign too often to be searched");
+          "the extrema of a curve were not found: its slope changes sign too often for the search");
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
     const Local d = around(g_, middle, std::max(std::abs(lower), std::abs(upper)));
-    // |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
+    // Bounds on |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
     const double second = std::abs(d.second), third = std::abs(d.third);
     const double change = half * (std::abs(d.first) + half * (second + half * (third + half * d.fourth)));
     const double change_of_slope = half * (2 * second + half * (3 * third + half * 4 * d.fourth));
@@ -74,8 +73,7 @@ class Search {
  private:
   static int sign(double value, double noise) { return value > noise ? 1 : value < -noise ? -1 : 0; }
 
-  /// From `from` on the sign is known again; if it differs from the last known one, it changed in the unclear part
-  /// between.
+  /// The sign is known again from `from` on; if it differs from the last known one, it changed in the unclear interval.
   void settle(double from, int now) {
     if (now == 0) return open(from);
     if (sign_ != 0 && now != sign_) {
@@ -91,7 +89,7 @@ class Search {
     unclear_ = true;
   }
 
-  /// Newton's steps where g is monotonic; a step that leaves what is known to hold the zero halves it instead.
+  /// Newton's method where g is monotonic; a step that leaves the bracket of the zero is replaced by bisection.
   void close_in(double lower, double upper, double at, double uncertainty) {
     constexpr int most_steps = 80;
     const bool falling = sign_ > 0;
@@ -132,7 +130,7 @@ std::vector<SignChange> sign_changes(std::span<const double> coefficients, doubl
   std::vector<SignChange> found;
   if (!std::all_of(coefficients.begin(), coefficients.end(), [](double c) { return std::isfinite(c); }))
     throw foundation::NotComputable(
-        "the extrema of a curve were not found: its series holds numbers beyond the range of computation");
+        "the extrema of a curve were not found: its series contains numbers beyond the range of computation");
   if (coefficients.size() > 1) Search(coefficients, found).between(lower, upper);
   return found;
 }

@@ -15,15 +15,15 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Columns of a few designs side by side: many columns far apart at once are more than the processor foresees (twice as
-/// slow).
+/// Copies the columns of a few designs next to each other: the processor cannot prefetch many distant columns at once
+/// (twice as slow).
 class Tile {
  public:
   static constexpr Eigen::Index designs = 64;
 
   explicit Tile(int columns) : numbers_(static_cast<std::size_t>(columns) * designs) {}
 
-  /// Designs first … first + taken − 1 of all columns; the last of them again where they end.
+  /// Designs first … first + taken − 1 of all columns; the last one is repeated to fill the tile.
   void read(const Eigen::ArrayXXd& from, Eigen::Index first, Eigen::Index taken) {
     for (Eigen::Index c = 0; c < from.cols(); ++c) {
       const double* column = from.data() + c * from.rows() + first;
@@ -128,7 +128,8 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
   const Eigen::Index count = designs.A.rows(), entries = designs.A.cols();
   const int n = static_cast<int>(coordinates_of(entries));
   if (n < 1 || designs.K.cols() != entries || designs.K.rows() != count)
-    throw foundation::InvalidInput("designs: A and K must have as many rows and n(n + 1)/2 columns, n ≥ 1");
+    throw foundation::InvalidInput(
+        "designs: A and K must have the same number of rows, and n(n + 1)/2 columns with n ≥ 1");
   result.lambda.resize(count, n);
   result.shapes.resize(count, options.shapes ? n * n : 0);
   result.definite.resize(static_cast<std::size_t>(count));
@@ -139,7 +140,7 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
                                const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
                                if (n > 12) return one_by_one(designs, from, to, result);
                                TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
-                               for (Eigen::Index d = from; d < to; ++d)  // not settled in lanes
+                               for (Eigen::Index d = from; d < to; ++d)  // not converged in lanes
                                  if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0)))
                                    one_by_one(designs, d, d + 1, result);
                              });

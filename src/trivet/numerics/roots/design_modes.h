@@ -9,13 +9,13 @@
 
 namespace trivet::numerics {
 
-/// Modes K φ = λ A φ of many designs. A is positive definite where `definite`; elsewhere, and where a number is not
-/// finite, nothing was solved and all numbers of that row are NaN.
+/// Modes K φ = λ A φ of many designs. Rows of designs that are not `definite` are not solved: all their numbers are
+/// NaN.
 struct DesignModes {
   Eigen::ArrayXXd lambda;  ///< designs × n, ascending
   Eigen::ArrayXXd
-      shapes;  ///< designs × n², component i of mode k at k n + i, φᵀAφ = 1, sign free; empty if not asked for
-  std::vector<char> definite;  ///< by design
+      shapes;  ///< designs × n², component i of mode k at k n + i, φᵀAφ = 1, sign arbitrary; empty if not requested
+  std::vector<char> definite;  ///< per design: A is positive definite, A and K are finite
 };
 
 struct DesignModesOptions {
@@ -24,11 +24,11 @@ struct DesignModesOptions {
   foundation::Progress progress = {};
 };
 
-/// By Cholesky with a verdict on the definiteness of each A (scaled to a unit diagonal, Σ 1/eigenvalue < 1/(8 n ε)) and
-/// cyclic Jacobi, a design per lane up to n = 12, above one by one. Small λ beside large ones keep their digits. Needs
-/// A and K only.
+/// Cholesky, a check that each A is definite (scaled to a unit diagonal, Σ 1/eigenvalue < 1/(8 n ε)), and cyclic
+/// Jacobi; one design per lane up to n = 12, otherwise one design at a time. Small λ keep their digits next to large
+/// ones. Only A and K are used.
 [[nodiscard]] DesignModes design_modes(const Designs& designs, const DesignModesOptions& options = {});
-/// The same into memory that can be used again: fresh memory takes as long to reach as the modes themselves.
+/// The same with reusable memory: the first access to fresh memory takes as long as the modes themselves.
 void design_modes(const Designs& designs, DesignModes& result, const DesignModesOptions& options = {});
 
 }  // namespace trivet::numerics

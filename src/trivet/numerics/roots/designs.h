@@ -8,8 +8,7 @@
 namespace trivet::numerics {
 
 /// Many systems of n coordinates with real symmetric matrices, K + iωB − ω²A each: one design per row, the packed lower
-/// triangle (entry (i, j), j ≤ i, at i(i+1)/2 + j) in columns, so that neighbours in memory are neighbours among the
-/// designs.
+/// triangle (entry (i, j), j ≤ i, at i(i+1)/2 + j) in columns, so that adjacent designs are adjacent in memory.
 struct Designs {
   Eigen::ArrayXXd A;  ///< designs × n(n+1)/2
   Eigen::ArrayXXd B;
@@ -20,20 +19,20 @@ struct Designs {
   [[nodiscard]] Eigen::Index coordinates() const { return load.cols(); }
 };
 
-/// @throws foundation::InvalidInput, which begins with `what`, unless there is at least one coordinate, a row of n(n +
-/// 1)/2 entries of A, B and K for every design, and one row of the load or one for every design
+/// @throws foundation::InvalidInput, with `what` as the first words, unless there is at least one coordinate, a row of
+/// n(n + 1)/2 entries of A, B and K for every design, and one row of the load or one for every design
 void require_shapes(const Designs& designs, const char* what);
 
-/// n of a packed lower triangle of n(n + 1)/2 entries; 0 if no n has so many.
+/// n of a packed lower triangle of n(n + 1)/2 entries; 0 if there is no such n.
 [[nodiscard]] Eigen::Index coordinates_of(Eigen::Index entries);
 
-/// The lower triangle of a symmetric matrix as row `design` of A, B or K.
+/// Writes the lower triangle of a symmetric matrix into row `design` of A, B or K.
 void pack(const Eigen::MatrixXd& matrix, Eigen::ArrayXXd& packed, Eigen::Index design);
 
 /// Row `design` of A, B or K as a matrix.
 [[nodiscard]] Eigen::MatrixXd unpacked(const Eigen::ArrayXXd& packed, Eigen::Index design);
 
-/// The system of one design.
+/// Matrices of one design.
 [[nodiscard]] DynamicMatrices matrices_of(const Designs& designs, Eigen::Index design);
 
 }  // namespace trivet::numerics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// K φ = λ A φ with one design per lane: Cholesky of A with a verdict on definiteness, then Jacobi rotations of L⁻¹ K
-// L⁻ᵀ in rounds of pairs that do not touch each other, so that their angles are computed together. Rotations act on C =
-// D Y D and Φ = X D with a diagonal D: two multiply-adds for a pair of numbers, D follows (fast Givens rotations: W.
-// Rath, Numerische Mathematik 40, 1982).
+// K φ = λ A φ with one design per lane: Cholesky of A with a check that it is definite, then Jacobi rotations of L⁻¹ K
+// L⁻ᵀ in rounds of disjoint pairs, so that their angles are computed together. Rotations act on Y and X of C = D Y D
+// and Φ = X D with a diagonal D: two multiply-adds for a pair of numbers, D is updated separately (fast Givens
+// rotations: W. Rath, Numerische Mathematik 40, 1982).
 #if defined(TRIVET_NUMERICS_MODES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_MODES_INL_H_
 #undef TRIVET_NUMERICS_MODES_INL_H_
@@ -38,7 +38,7 @@ HWY_INLINE Pack reciprocal(const Pack& x) {
 #endif
 }
 
-/// Rounds in which each of n meets each other once, and pairs in each of them.
+/// Rounds that pair each of n indices once with each other one, and pairs per round.
 template <int N>
 constexpr Fixed<N + N % 2 - 1> rounds_of(Fixed<N>) {
   return {};
@@ -50,19 +50,19 @@ constexpr Fixed<(N + 1) / 2> pairs_of(Fixed<N>) {
 }
 constexpr int pairs_of(int n) { return (n + 1) / 2; }
 
-/// Where the pair (i, j), j < i, stands among the pairs.
+/// Position of the pair (i, j), j < i, among the pairs.
 constexpr int pair(int i, int j) { return i * (i - 1) / 2 + j; }
 constexpr int pair_of(int i, int j) { return i > j ? pair(i, j) : pair(j, i); }
 
-/// C = D Y D and Φ = X D on the way to a diagonal C; at its end λ and Φ, one design per lane.
+/// C = D Y D and Φ = X D during the iteration to a diagonal C; at its end λ and Φ, one design per lane.
 template <typename Size>
 struct PackOfModes {
   Pack lambda[Size::most];                        ///< diagonal of C
   Pack y[Size::most * (Size::most - 1) / 2 + 1];  ///< Y below the diagonal
   Pack weight[Size::most];                        ///< D²
   Pack x[Size::most * Size::most];                ///< X by columns of n
-  Pack negligible;                                ///< what of a product of two λ is round-off
-  LaneMask settled;                               ///< no rotation is left that matters
+  Pack negligible;                                ///< round-off of a product of two λ
+  LaneMask settled;                               ///< no significant rotation is left
 };
 
 /// x_p ← x_p − α x_q, x_q ← x_q + β x_p
@@ -76,16 +76,16 @@ struct Angle {
   Pack alpha, beta;
 };
 
-/// The rotation that annihilates y(p, q), applied to the diagonals. Where `check`, `unsettled` becomes positive in a
-/// lane whose rotation matters for the others: neither is c(p, q)² below round-off of λ_p λ_q, nor are tangent and c(p,
-/// q)² so small that their products are.
+/// Rotation by θ that annihilates y(p, q), applied to the diagonals. With `check`, `unsettled` becomes positive in
+/// lanes with a significant rotation: c(p, q)² exceeds the round-off of λ_p λ_q, and c(p, q)²/(λ_p λ_q) or tan²θ
+/// exceeds 1e-15.
 template <bool check, typename Size>
 HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   Pack& z = m.y[pair_of(p, q)];
   const Pack difference = hn::Sub(m.lambda[q], m.lambda[p]);
   const Pack z_p = hn::Mul(m.weight[p], z), z_q = hn::Mul(m.weight[q], z);
   const Pack square = hn::Mul(z_p, z_q);
-  const Pack distance = hn::Add(hn::Abs(difference), all(1e-140));  // no rotation where both vanish
+  const Pack distance = hn::Add(hn::Abs(difference), all(1e-140));  // no rotation if both vanish
   const Pack inverse =
       inverse_root(hn::MulAdd(distance, distance, hn::Mul(all(4.0), square)));  // cos 2θ = distance · inverse
   const Pack twice_cosine = hn::MulAdd(distance, inverse, all(1.0));            // 2 cos²θ
@@ -93,7 +93,7 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
        cosine = hn::Mul(all(0.5), twice_cosine), product;
   if constexpr (check) {
     constexpr double nothing =
-        1e-40;  // such rotations are left out: numbers that went on shrinking would become too small to be quick
+        1e-40;  // smaller rotations are skipped: their numbers would shrink until they are subnormal and slow
     product = hn::Add(hn::Abs(hn::Mul(m.lambda[p], m.lambda[q])), m.negligible);
     const LaneMask matters = hn::Gt(square, hn::Mul(all(nothing), product));
     step = hn::IfThenElseZero(matters, step);
@@ -114,7 +114,7 @@ HWY_INLINE Angle angle(PackOfModes<Size>& m, int p, int q, Pack& unsettled) {
   return {alpha, beta};
 }
 
-/// Each pair once, in rounds of pairs that share no index. A lane that is positive in the answer needs another turn.
+/// One Jacobi sweep: each pair once, in rounds of disjoint pairs. Lanes with a positive result need another sweep.
 template <bool vectors, bool check, typename Size>
 HWY_INLINE Pack turn(Size n, PackOfModes<Size>& m) {
   const auto rounds = rounds_of(n);
@@ -139,9 +139,8 @@ HWY_INLINE Pack turn(Size n, PackOfModes<Size>& m) {
   return unsettled;
 }
 
-/// A = L Lᵀ: L below the diagonal, the inverse of L with it. In lanes that are false in the answer A is not positive
-/// definite beyond round-off: scaled to a unit diagonal, Σ 1/eigenvalue, which is not below 1/smallest, reaches 1/(8 n
-/// ε).
+/// A = L Lᵀ: L below the diagonal, and the inverse of L. Returns the lanes in which A is positive definite beyond
+/// round-off: scaled to a unit diagonal, Σ 1/eigenvalue, which is at least 1/smallest, is below 1/(8 n ε).
 template <typename Size>
 HWY_INLINE LaneMask cholesky(Size n, const Pack* a, Pack* l, Pack* inverse) {
   constexpr double epsilon = 2.220446049250313e-16;
@@ -172,7 +171,7 @@ HWY_INLINE LaneMask cholesky(Size n, const Pack* a, Pack* l, Pack* inverse) {
   return hn::And(definite, hn::Lt(sum, all(1 / (8 * n * epsilon))));
 }
 
-/// L⁻¹ K L⁻ᵀ: diagonal and pairs below it, l and the inverse of L as `cholesky` leaves them. Returns the sum of moduli.
+/// L⁻¹ K L⁻ᵀ: diagonal and pairs below it; l and the inverse of L are those of `cholesky`. Returns the sum of moduli.
 template <typename Size>
 HWY_INLINE Pack transformed(Size n, const Pack* l, const Pack* inverse, const Pack* k, Pack* diagonal, Pack* below) {
   Pack w[Size::most * Size::most], largest = all(0.0);
@@ -194,8 +193,8 @@ HWY_INLINE Pack transformed(Size n, const Pack* l, const Pack* inverse, const Pa
   return largest;
 }
 
-/// C = L⁻¹ K L⁻ᵀ and X = L⁻ᵀ. A lane where A is not positive definite or a number not finite is false in the answer and
-/// has C = 0.
+/// C = L⁻¹ K L⁻ᵀ and X = L⁻ᵀ. Returns the lanes in which A is positive definite and all numbers are finite; the other
+/// lanes have C = 0.
 template <bool vectors, typename Size>
 HWY_INLINE LaneMask reduced(Size n, const Pack* a, const Pack* k, PackOfModes<Size>& m) {
   constexpr int triangle = Size::most * (Size::most + 1) / 2;
@@ -214,9 +213,9 @@ HWY_INLINE LaneMask reduced(Size n, const Pack* a, const Pack* k, PackOfModes<Si
   return definite;
 }
 
-/// Modes of a pack of designs from the packed lower triangles of A and K: λ in no order, shapes in the columns of x
-/// with φᵀAφ = 1. In lanes that are false in the answer (A not positive definite beyond round-off, numbers not finite)
-/// λ is 0 and the shapes mean nothing.
+/// Modes of a pack of designs from the packed lower triangles of A and K: λ unordered, shapes in the columns of x with
+/// φᵀAφ = 1. Returns the valid lanes; in the others (A not positive definite beyond round-off, numbers not finite) λ is
+/// 0 and the shapes are meaningless.
 template <bool vectors, typename Size>
 HWY_INLINE LaneMask modes_of_pack(Size n, const Pack* a, const Pack* k, PackOfModes<Size>& m) {
   constexpr int unchecked_turns = 2, most_turns = 14;
@@ -235,7 +234,7 @@ HWY_INLINE LaneMask modes_of_pack(Size n, const Pack* a, const Pack* k, PackOfMo
   return definite;
 }
 
-/// λ ascending, the shapes with them.
+/// Sorts λ ascending, and the shapes with them.
 template <bool vectors, typename Size>
 HWY_INLINE void sort(Size n, PackOfModes<Size>& m) {
   each(n, [&](int done) TRIVET_LANES {

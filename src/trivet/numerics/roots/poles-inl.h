@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Poles and residues of q(s) = Σ R_k/(s − λ_k) from real modes and modal damping, (λ² + λB̃ + Ω²) v = 0, by Rayleigh
-// quotient iteration for symmetric quadratic problems: M(λ) u = M'(λ) v, λ from uᵀM(λ)u = 0; cubic. A root near iΩ_k is
-// kept as i·centre + offset, so that Re λ has all its digits however light the damping: M is formed from differences of
-// frequencies, never from differences of squares.
+// quotient iteration for symmetric quadratic problems: M(λ) u = M'(λ) v, λ from uᵀM(λ)u = 0; cubic convergence. A root
+// near iΩ_k is stored as i·centre + offset, so that Re λ has all its digits with any light damping: M is formed from
+// differences of frequencies, never from differences of squares.
 #if defined(TRIVET_NUMERICS_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_POLES_INL_H_
 #undef TRIVET_NUMERICS_POLES_INL_H_
@@ -30,7 +30,7 @@ HWY_INLINE ComplexPack quick_inverse(const ComplexPack& z) {
 }
 HWY_INLINE ComplexPack divided(const ComplexPack& a, const ComplexPack& b) { return a * quick_inverse(b); }
 
-/// √z with Re ≥ 0, to a few units; 0 of 0.
+/// √z with Re ≥ 0, within a few units in the last place; √0 = 0.
 HWY_INLINE ComplexPack root(const ComplexPack& z) {
   const Pack square = hn::Add(squared_modulus(z), all(1e-280)), modulus = hn::Mul(square, inverse_root(square));
   const Pack half = hn::Mul(all(0.5), hn::Add(modulus, hn::Abs(z.re))), by_larger = inverse_root(half);
@@ -39,7 +39,7 @@ HWY_INLINE ComplexPack root(const ComplexPack& z) {
   return {hn::IfThenElse(right, larger, smaller), hn::CopySign(hn::IfThenElse(right, smaller, larger), z.im)};
 }
 
-/// M(λ) = λ² + λB + Ω² as it looks from one root: λ = i centre + offset, the root's own mode last.
+/// M(λ) = λ² + λB + Ω² for one root, λ = i centre + offset; the root's own mode is last.
 template <typename Size>
 struct Pencil {
   Pack below[Size::most];  ///< centre − Ω_j
@@ -54,10 +54,10 @@ struct Root {
   ComplexPack v[Size::most];  ///< length 1
   ComplexPack bv[Size::most];
   ComplexPack slope;  ///< vᵀ M'(λ) v
-  Pack turned;        ///< sin² of the angle between v and the one before
+  Pack turned;        ///< sin² of the angle between v and the previous v
 };
 
-/// λ with its frequency rounded.
+/// λ with its frequency rounded to double.
 template <typename Size>
 HWY_INLINE ComplexPack value(const Pencil<Size>& m, const ComplexPack& offset) {
   return {offset.re, hn::Add(m.centre, offset.im)};
@@ -90,14 +90,13 @@ HWY_INLINE Pack normalise(Size n, ComplexPack* v) {
   return scale;
 }
 
-/// The change of λ to the nearer root of a quadratic with this value, slope and half its second derivative; third
-/// order.
+/// λ minus the nearer root of a quadratic with this value, slope and half its second derivative at λ; third order.
 HWY_INLINE ComplexPack to_root(const ComplexPack& value, const ComplexPack& slope, const ComplexPack& square) {
   return divided(value, subtract_product(slope, square, divided(value, slope)));
 }
 
-/// From the root of the last diagonal entry: v is the last unit vector, turned towards each other mode as if that were
-/// the only one.
+/// Starts from the root of the last diagonal entry: v is the last unit vector, corrected for each other mode as if it
+/// were the only one.
 template <typename Size>
 HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
   const ComplexPack lambda = value(m, at.offset);
@@ -127,7 +126,7 @@ HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
   at.offset = at.offset - to_root(p, add_product(middle, lambda + lambda, square), square);
 }
 
-/// M = L D Lᵀ, and r on the way to u of M(λ) u = r. Pivots are never smaller than 1e-60 of (centre + Ω)²: λ may be a
+/// Factors M = L D Lᵀ, and the solution u of M(λ) u = r. Pivots are at least 1e-60 of (centre + Ω)², because λ may be a
 /// root to the last digit.
 template <typename Size>
 struct Factors {
@@ -148,7 +147,7 @@ struct Factors {
     by_pivot[i] = quick_inverse({hn::IfThenElse(regular, pivot.re, least), hn::IfThenElseZero(regular, pivot.im)});
   }
 
-  /// u at last; returns uᵀ r.
+  /// Completes u; returns uᵀ r.
   HWY_INLINE ComplexPack substitute(Size n) {
     ComplexPack product = zero();
     each(n, [&](int i) TRIVET_LANES {
@@ -166,7 +165,7 @@ struct Factors {
   }
 };
 
-/// One step of the iteration for some roots, side by side so that one does not wait for the other.
+/// One step of the iteration for several roots at once, so that their latencies overlap.
 template <typename Size, int roots>
 HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
   Factors<Size> factors[roots];
@@ -197,8 +196,8 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
   });
 }
 
-/// From the roots of the last diagonal entries until v settles in all lanes: a step that turns it by an angle whose
-/// square is at most `settled` leaves the third power of that angle.
+/// Iterates from the roots of the last diagonal entries until v converges in all lanes: sin² of its last turn is at
+/// most `settled`, and the remaining error is the third power of that angle.
 template <typename Size, int roots>
 HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots], double settled) {
   constexpr int most_steps = 6;
@@ -218,9 +217,9 @@ HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> 
 template <typename Size>
 struct ModalPack {
   Pack omega[Size::most];
-  Pack b[Size::most * (Size::most + 1) / 2];  ///< ΦᵀBΦ; what lies between two modes and is round-off is 0
+  Pack b[Size::most * (Size::most + 1) / 2];  ///< ΦᵀBΦ; couplings of two modes that are round-off are 0
   Pack load[Size::most];                      ///< Φᵀh
-  bool coupled;                               ///< in some lane B̃ is not diagonal
+  bool coupled;                               ///< B̃ is not diagonal in some lane
 };
 
 template <typename Size>
@@ -254,7 +253,7 @@ HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, 
   result.coupled = !hn::AllFalse(Lanes(), coupled);
 }
 
-/// The order in which mode `own` sees all modes: the others, then itself.
+/// Order of the modes for the root of mode `own`: the others, then itself.
 HWY_INLINE int seen(int i, int own, int n) { return i == n - 1 ? own : i + (i >= own); }
 
 template <typename Size>
@@ -273,14 +272,14 @@ template <typename Size>
 struct PackOfPoles {
   ComplexPack
       lambda[2 * Size::most];  ///< k: Im > 0, or the slower of two real ones; n + k: its conjugate, or the faster
-  ComplexPack residue[2 * Size::most * Size::most];  ///< in coordinate j of pole p at p n + j
+  ComplexPack residue[2 * Size::most * Size::most];  ///< of pole p in coordinate j at p n + j
   ComplexPack driving[2 * Size::most];               ///< hᵀ residue
   LaneMask real[Size::most];                         ///< two real poles
-  Pack condition;  ///< largest |2λ| |v|²/|vᵀM'(λ)v|: 1 where modes are apart, without bound where poles merge
-  LaneMask good;   ///< all converged and found once: Σλ = −tr B̃, Π|λ|² = ΠΩ², hᵀΣR = 0, hᵀΣλR = hᵀA⁻¹h within 1e-9
+  Pack condition;  ///< largest |2λ| |v|²/|vᵀM'(λ)v|: 1 for well-separated modes, unbounded if poles merge
+  LaneMask good;   ///< all converged, each found once: Σλ = −tr B̃, Π|λ|² = ΠΩ², hᵀΣR = 0, hᵀΣλR = hᵀA⁻¹h within 1e-9
 };
 
-/// Pole and residue from a converged root, or, without one, from mode k alone.
+/// Pole and residue from a converged root, or from mode k alone if the modes are uncoupled.
 template <typename Size>
 HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const ModalPack<Size>& modal, int k,
                              const Pack& centre, const Root<Size>& at, int pole, PackOfPoles<Size>& result) {
@@ -301,10 +300,10 @@ HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const Modal
   result.driving[pole] = participation * scale;
   each(n, [&](int j) TRIVET_LANES { residue[j] = scale * residue[j]; });
   const Pack apart = hn::Mul(all(4.0), squared_modulus(result.lambda[pole]));
-  result.condition = hn::Max(result.condition, hn::Div(apart, squared_modulus(at.slope)));  // its square
+  result.condition = hn::Max(result.condition, hn::Div(apart, squared_modulus(at.slope)));  // squared, for now
 }
 
-/// Where the lane is not real: the conjugate of pole k as pole n + k.
+/// Sets pole n + k to the conjugate of pole k in lanes without real poles.
 template <typename Size>
 HWY_INLINE void mirror(Size n, int k, PackOfPoles<Size>& result) {
   const LaneMask real = result.real[k];
@@ -317,7 +316,7 @@ HWY_INLINE void mirror(Size n, int k, PackOfPoles<Size>& result) {
   for (int j = 0; j < n; ++j) partner(result.residue, (n + k) * n + j, k * n + j);
 }
 
-/// Each pole found once?
+/// Lanes in which each pole was found once.
 template <typename Size>
 HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfPoles<Size>& poles) {
   Pack trace = all(0.0), damping = trace, product = all(1.0), energy = trace, sum = trace, size = trace,
@@ -342,7 +341,7 @@ HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfP
   return hn::And(good, hn::Le(hn::Abs(hn::Sub(slope_sum, energy)), hn::Mul(tolerance, slope_size)));
 }
 
-/// Where modes k alone have their poles: the slower one (or Im > 0), or the partner.
+/// Pole of mode k alone: the slower real one (or Im > 0), or its partner.
 template <typename Size>
 HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMask& real, Pack& centre, Root<Size>& at) {
   const Pack omega = modal.omega[k], damping = hn::Mul(all(0.5), modal.b[packed(k, k)]);
@@ -356,8 +355,7 @@ HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMas
   at.slope = {hn::Mul(all(2.0), hn::Add(at.offset.re, damping)), hn::Mul(all(2.0), hn::Add(centre, at.offset.im))};
 }
 
-/// Poles and residues from modes (ω² > 0 in lanes that shall be good), damping matrix (packed lower triangle) and real
-/// load.
+/// Poles and residues from modes (good lanes need ω² > 0), damping matrix (packed lower triangle) and real load.
 template <typename Size>
 HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
                               PackOfPoles<Size>& result) {

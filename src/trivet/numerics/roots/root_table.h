@@ -7,11 +7,11 @@
 
 namespace trivet::numerics {
 
-inline constexpr int most_pairs = 12;  ///< of roots, and most coordinates, in kernels for designs
-inline constexpr int table_lanes = 8;  ///< designs of one table
+inline constexpr int most_pairs = 12;  ///< largest number of root pairs and of coordinates in kernels for designs
+inline constexpr int table_lanes = 8;  ///< designs per table
 
-/// Roots and residues of eight designs: q(s) = Σ_k r_k / (s − λ_k) over all roots. Roots come in pairs, as (re, im > 0)
-/// of one of two conjugates, or as two real ones; residues likewise.
+/// Roots and residues of eight designs: q(s) = Σ_k r_k / (s − λ_k) over all roots. Roots come in pairs: (re, im > 0) of
+/// one of two conjugates, or two real roots; residues in the same form.
 struct RootTable {
   using Row = double[table_lanes];
   int coordinates = 0;
@@ -19,15 +19,15 @@ struct RootTable {
   alignas(64) Row real[most_pairs];                                                   ///< 1: two real roots, else 0
   alignas(64) Row r_first[most_pairs][most_pairs], r_second[most_pairs][most_pairs];  ///< [pair][coordinate]
   alignas(64) Row mass[most_pairs];                                                   ///< A_jj
-  alignas(64) Row round_off;   ///< of sums over these roots, against the sums of their terms' moduli
+  alignas(64) Row round_off;   ///< of sums over these roots, relative to the sums of the moduli of their terms
   bool definite[table_lanes];  ///< A is positive definite
-  bool good[table_lanes];      ///< all roots found, decaying, and far enough from defective
+  bool good[table_lanes];      ///< all roots found, decaying, and not nearly defective
 };
 
-/// Designs first … first + 7 (the last of all again where they end), at most twelve coordinates.
+/// Roots of designs first … first + 7 (past the end, the last design is repeated), at most twelve coordinates.
 void roots_of_designs(const Designs& designs, Eigen::Index first, RootTable& table);
 
-/// One design by an eigensolver of its states, with a check by the sums that residues keep. @return whether they are
+/// Roots of one design by an eigensolver of its states, checked by sum rules of the residues. @return whether they are
 /// good
 bool roots_of_states(const DynamicMatrices& matrices, const Eigen::VectorXd& load, RootTable& table, int lane);
 

@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// Designs first … first + lanes − 1 of one column; the last of them again where they end.
+/// Designs first … first + lanes − 1 of one column; past the end, the last design is repeated.
 HWY_INLINE Pack column_of(const Eigen::ArrayXXd& numbers, Eigen::Index column, Eigen::Index first) {
   const double* at = numbers.data() + column * numbers.rows();
   if (numbers.rows() == 1) return all(at[0]);
@@ -42,7 +42,7 @@ void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, Root
   for (int p = 0; p < n; ++p) stiffest = hn::Max(stiffest, modes.lambda[p]);
   const Pack held =
       hn::Mul(all(64 * n * 2.2e-16),
-              stiffest);  // a stiffness below may be the round-off of none: 64 n ε, eight times what definiteness asks
+              stiffest);  // smaller λ may be round-off of no stiffness: 64 n ε, eight times the limit of definiteness
   LaneMask good = hn::And(hn::And(modes.settled, poles.good), hn::Le(poles.condition, all(most_condition)));
   for (int j = 0; j < n; ++j) hn::StoreU(a[packed(j, j)], Lanes(), table.mass[j] + lane);
   hn::StoreU(all(round_off), Lanes(), table.round_off + lane);

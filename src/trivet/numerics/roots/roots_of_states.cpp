@@ -12,21 +12,21 @@ namespace trivet::numerics {
 namespace {
 
 constexpr double tolerance = 1e-11;
-/// Roots that nearly coincide have large residues of opposite signs: what they lose is this times round-off.
+/// Roots that nearly coincide have large residues of opposite sign: sums lose at most this factor in accuracy.
 constexpr double most_cancellation = 1e4;
-/// Least decay rate against the fastest pole: below, round-off of the eigensolver (in units of that pole) shows in the
-/// height of a peak.
+/// Least decay rate relative to the fastest pole: below it, round-off of the eigensolver (in units of that pole)
+/// affects the height of a peak.
 constexpr double least_decay = 1e-5;
-/// Round-off of sums over these roots: so many times what the sums above miss, which may lie well by chance.
+/// Round-off of sums over these roots is `margin` times the error of the sum rules, which may be small by chance.
 constexpr double margin = 10, least_round_off = 2e-15;
 
-/// Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too near to another breaks one of
-/// them.
-/// @return by how much they are missed at most, as a share of their terms; infinite where terms cancel too far
+/// Sum rules Σ r = 0, Σ λr = A⁻¹h and Σ r/λ = −K⁻¹h: a root that is missing, found twice or too close to another
+/// violates one of them.
+/// @return the largest error of these sums relative to their terms; infinite if the terms cancel too much
 double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const Eigen::VectorXcd& poles,
                    const Eigen::MatrixXcd& r) {
   const Eigen::VectorXd acceleration = cholesky_solution(m.A, load), displacement = -cholesky_solution(m.K, load);
-  const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // metres and radians by what they weigh
+  const Eigen::VectorXd weight = m.A.diagonal().cwiseSqrt();  // makes metres and radians comparable
   const auto share = [&](const Eigen::VectorXcd& factor, const Eigen::VectorXd& sum) {
     const Eigen::VectorXcd missed = weight.asDiagonal() * (r * factor - sum.cast<Complex>());
     const double size = weight.cwiseProduct((r * factor.asDiagonal()).cwiseAbs().rowwise().sum()).maxCoeff(),

@@ -16,14 +16,14 @@ namespace {
 
 constexpr Eigen::Index body_coordinates = 6, planar_coordinates = 3, largest_block = largest_kernel_block;
 
-/// Blocks of one size by order.
+/// First rows of blocks of equal size, in order.
 std::vector<Eigen::Index> equal_blocks(Eigen::Index n, Eigen::Index size) {
   std::vector<Eigen::Index> starts;
   for (Eigen::Index i = 0; i < n; i += size) starts.push_back(i);
   return starts;
 }
 
-/// Nine tenths of what either is coupled to both are.
+/// Whether two rows have nine tenths of all their couplings in common.
 bool like(const std::vector<int>& a, const std::vector<int>& b) {
   std::size_t both = 0;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); a[i] < b[j] ? ++i : ++j)
@@ -31,7 +31,7 @@ bool like(const std::vector<int>& a, const std::vector<int>& b) {
   return 10 * both >= 9 * (a.size() + b.size() - both);
 }
 
-/// A row joins the block before it if the two are coupled to much the same.
+/// Blocks of consecutive rows: a row joins the previous block if its couplings are like those of the row before.
 std::vector<Eigen::Index> runs_of_like_rows(const Couplings& c) {
   std::vector<Eigen::Index> starts;
   for (std::size_t i = 0; i < c.size(); ++i) {
@@ -42,7 +42,7 @@ std::vector<Eigen::Index> runs_of_like_rows(const Couplings& c) {
   return starts;
 }
 
-/// Whether blocks of six hold so many entries that smaller ones, each of which must be visited, cannot be cheaper.
+/// Whether blocks of six are so full that smaller blocks, which need more visits, cannot be cheaper.
 bool mostly_filled(const Couplings& c) {
   constexpr double most = 0.75;
   double entries = 0, room = 0;
@@ -61,7 +61,7 @@ bool mostly_filled(const Couplings& c) {
   return entries >= most * room;
 }
 
-/// Blocks that are cut where they have grown too large for a kernel.
+/// First rows of the blocks, split if they are too large for a kernel.
 std::vector<Eigen::Index> cut(const std::vector<Eigen::Index>& starts, Eigen::Index n) {
   std::vector<Eigen::Index> result;
   for (std::size_t b = 0; b < starts.size(); ++b) {
@@ -119,8 +119,8 @@ BlockElimination block_elimination(const Couplings& couplings, const std::vector
                            [&](int sum, int k) { return sum + size[at(k)]; });
   };
   using Waiting = std::tuple<int, char, int>;
-  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;  // also what was true once
-  std::vector<int> now;                                                      // degrees
+  std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;  // may contain outdated degrees
+  std::vector<int> now;                                                      // current degrees
   for (int b = 0; b < blocks; ++b) queue.emplace(now.emplace_back(degree(b)), has_load[at(b)], b);
 
   std::vector<int> order, turn(starts.size(), -1), joined;
@@ -166,7 +166,7 @@ double multiply_adds(const BlockElimination& e) {
 }
 
 double cost(const BlockElimination& e) {
-  // Measured with AVX-512 for sizes from 1 to 8, in chains and coupled in full.
+  // Measured with AVX-512 for sizes from 1 to 8, in chains and fully coupled.
   constexpr double of_visit = 16, of_other_sizes = 1.35;
   double visits = 0;
   bool all_six = true;

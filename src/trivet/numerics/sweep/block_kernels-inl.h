@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Steps of LDLᵀ by blocks, one frequency per lane. Sizes are arguments: where they are constants the loops unroll, and
-// a block of six by six stays in registers. Include after hwy/foreach_target.h only.
+// Steps of LDLᵀ by blocks, one frequency per lane. Sizes are arguments: if they are constants, the loops unroll and a
+// block of six by six stays in registers. Include after hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_BLOCK_KERNELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_BLOCK_KERNELS_INL_H_
 #undef TRIVET_NUMERICS_BLOCK_KERNELS_INL_H_
@@ -22,7 +22,7 @@ struct Frequencies {
   Pack omega, square;
 };
 
-/// The matrices of one block, null where it has none.
+/// Matrices of one block; null if it has none.
 struct Given {
   const double *K = nullptr, *loss = nullptr, *B = nullptr, *A = nullptr;
 
@@ -54,11 +54,11 @@ HWY_INLINE void assemble_with_mass(int entries, const Given& given, const Freque
     z[k] = {hn::NegMulAdd(at.square, all(given.A[k]), all(given.K[k])), hn::Mul(at.omega, all(given.B[k]))};
 }
 
-/// Two packs of frequencies go side by side: while one waits for a pivot, the other works.
+/// Two packs of frequencies are solved together: while one waits for a pivot, the other is computed.
 inline constexpr int passes = BlockPlan::passes;
 
-/// LDLᵀ of packed lower triangles in place, the inverses of the pivots on the diagonal. `smallest` are the least
-/// |pivot|² so far.
+/// LDLᵀ of packed lower triangles in place, with the inverse pivots on the diagonal. `smallest` is the least |pivot|²
+/// so far.
 template <int fixed>
 HWY_NOINLINE void factor(int size, ComplexPack* HWY_RESTRICT first, ComplexPack* HWY_RESTRICT second,
                          Pack& first_smallest, Pack& second_smallest) {
@@ -90,13 +90,13 @@ HWY_NOINLINE void factor(int size, ComplexPack* HWY_RESTRICT first, ComplexPack*
 }
 
 #if HWY_CAP_GE512
-inline constexpr int rows_at_once = 2, tile = 3;  // what 32 registers hold
+inline constexpr int rows_at_once = 2, tile = 3;  // fits into 32 registers
 #else
 inline constexpr int rows_at_once = 1, tile = 2;
 #endif
 
-/// Some rows of a block below: `plain` = A L⁻ᵀ, and A ← plain D⁻¹. A function of its own: inlined in a loop, all of L
-/// would be kept in registers that are not there. `fixed` is the number of columns where it is not 0. Numbers are read
+/// Some rows of a block below: `plain` = A L⁻ᵀ, and A ← plain D⁻¹. A separate function: inlined in a loop, it would
+/// need more registers than there are for all of L. `fixed` is the number of columns unless it is 0. Numbers are read
 /// one by one: g++ 12 copies a ComplexPack of 64 bytes in quarters through the stack and waits for it, which made AVX2
 /// six times slower.
 template <int fixed, int rows, bool given>
@@ -135,15 +135,14 @@ HWY_INLINE void divide(int rows, int columns, const ComplexPack* HWY_RESTRICT l,
   while (r < rows) some(std::integral_constant<int, 1>());
 }
 
-/// Where the lines of a target start: `line` apart, or growing by one from line to line in a packed triangle.
+/// Start of the lines of a target: `line` apart, or with a distance that grows by one per line in a packed triangle.
 struct Lines {
   int line = 0;
   bool growing = false;
   [[nodiscard]] HWY_INLINE int at(int r) const { return r * line + (growing ? r * (r - 1) / 2 : 0); }
 };
 
-/// A tile of target −= left rightᵀ, or of the lower triangle of that. The target is K − ω²A + iωB where these are
-/// given, else what it was.
+/// A tile of target −= left rightᵀ, or of its lower triangle. With `given`, the target starts as K − ω²A + iωB.
 template <int fixed, int high, int wide, bool lower, bool given>
 HWY_NOINLINE void subtract_tile(int size, const ComplexPack* HWY_RESTRICT left, const ComplexPack* HWY_RESTRICT right,
                                 ComplexPack* HWY_RESTRICT target, Lines lines, const Given& matrices, int offset,
@@ -226,7 +225,7 @@ HWY_INLINE void forward_below(int rows, int columns, const ComplexPack* HWY_REST
   }
 }
 
-/// target −= z x for a symmetric z, its packed lower triangle given.
+/// target −= z x for a symmetric z in a packed lower triangle.
 HWY_INLINE void subtract_symmetric(int n, const ComplexPack* HWY_RESTRICT z, const ComplexPack* HWY_RESTRICT x,
                                    ComplexPack* HWY_RESTRICT target) {
   for (int r = 0; r < n; ++r) {

@@ -55,7 +55,7 @@ class Planner {
     }
   }
 
-  /// Rows and columns of the entries by their place in the order of elimination, lower triangle again.
+  /// Renumbers rows and columns of the entries in elimination order, again as a lower triangle.
   void put_in_order() {
     std::vector<Eigen::Index> turn(plan_.rows);
     for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = static_cast<Eigen::Index>(i);
@@ -72,7 +72,7 @@ class Planner {
     plan_.blocks.push_back(block);
   }
 
-  /// The diagonal one, then those below it.
+  /// Adds the diagonal block, then those below it.
   void add_column_blocks(int j) {
     first_of_column_.push_back(static_cast<int>(plan_.blocks.size()));
     add_block(j, j);
@@ -92,7 +92,7 @@ class Planner {
       block_of_entry.push_back(number(block_of_row_[at(e.row)], block_of_row_[at(e.column)]));
       BlockPlan::Block& block = plan_.blocks[at(block_of_entry.back())];
       block.has_K |= e.K != 0, block.has_loss |= e.loss != 0, block.has_B |= e.B != 0, block.has_A |= e.A != 0;
-      block.free_end += e.free >= 0 ? 1 : 0;  // their number, for the moment
+      block.free_end += e.free >= 0 ? 1 : 0;  // their number, for now
     }
     std::size_t values = 0, free = 0;
     for (BlockPlan::Block& block : plan_.blocks) {
@@ -123,7 +123,7 @@ class Planner {
     e.free = static_cast<int>(block.free_end++);
   }
 
-  /// Blocks from which something is subtracted before they divide.
+  /// Marks the blocks that are updated before they are divided.
   void mark_kept(int j) {
     const std::vector<int>& below = e_.below[at(j)];
     for (std::size_t left = 0; left < below.size(); ++left)
@@ -168,7 +168,7 @@ class Planner {
     plan_.columns.push_back(column);
   }
 
-  /// Both triangles by rows.
+  /// Adds the entries of both triangles by rows.
   void add_entries() {
     plan_.entry_first.assign(plan_.rows + 1, 0);
     for (const SymmetricEntry& e : entries_) {

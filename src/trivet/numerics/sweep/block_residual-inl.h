@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Backward errors of what a plan of blocks has solved, and refinement. Include after hwy/foreach_target.h only.
+// Backward errors of the solutions of a block plan, and refinement. Include after hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_BLOCK_RESIDUAL_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_BLOCK_RESIDUAL_INL_H_
 #undef TRIVET_NUMERICS_BLOCK_RESIDUAL_INL_H_
@@ -24,21 +24,21 @@ inline Pack row_norm(const BlockPlan& plan, std::size_t row, const Pass& p) {
   return sum;
 }
 
-/// ‖Z‖∞ from below.
+/// Lower bound of ‖Z‖∞.
 inline Pack norm_of_large_rows(const BlockPlan& plan, const Pass& p) {
   Pack norm = all(0.0);
   for (const std::size_t i : plan.large_rows) norm = hn::Max(norm, row_norm(plan, i, p));
   return norm;
 }
 
-/// Pivots that are nothing but round-off leave a small residual and a meaningless solution.
+/// The error, or ∞ if a pivot is only round-off: then the residual is small, but the solution is meaningless.
 inline Pack refused_pivots(const BlockPlan& plan, const Pass& p, const Pack& error, const Pack& norm) {
   const double negligible = 16 * static_cast<double>(plan.rows) * std::numeric_limits<double>::epsilon();
   const Pack limit = hn::Mul(all(negligible), norm);
   return hn::IfThenElse(hn::Gt(p.smallest, hn::Mul(limit, limit)), error, all(std::numeric_limits<double>::infinity()));
 }
 
-/// The residual along one direction, |wᵀ(Zq − h)|, over lower bounds of ‖Z‖∞ and ‖q‖∞.
+/// Backward error along one direction: |wᵀ(Zq − h)| divided by lower bounds of ‖Z‖∞ and ‖q‖∞.
 inline Pack seen_backward_error(const BlockPlan& plan, const Pass& p) {
   ComplexPack seen{all(0.0), all(0.0)};
   Pack square = all(0.0);
@@ -86,8 +86,8 @@ inline Pack set_residual(const BlockPlan& plan, const BlockSolver& solver, const
   return load;
 }
 
-/// As in `SweepResult`, with |re| + |im| for the modulus; ‖Z‖∞ by its large rows, and where that is not accepted in
-/// full.
+/// Backward error as in `SweepResult`, with |re| + |im| for the modulus; ‖Z‖∞ from its large rows, or from all rows if
+/// the error is not accepted.
 inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, const Pass& p) {
   const Pack load = set_residual(plan, solver, p), zero = all(0.0);
   Pack worst = zero, size = zero, nothing = zero;
@@ -95,7 +95,7 @@ inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, con
     const Pack r = one_norm(p.residual[i]), q = one_norm(p.q[i]);
     worst = hn::Max(worst, r);
     size = hn::Max(size, q);
-    nothing = hn::MulAdd(zero, hn::Add(r, q), nothing);  // NaN and ∞ must not hide behind a maximum
+    nothing = hn::MulAdd(zero, hn::Add(r, q), nothing);  // a maximum could hide NaN and ∞
   }
   worst = hn::Add(worst, nothing);
   Pack norm = norm_of_large_rows(plan, p);
@@ -111,11 +111,11 @@ inline Pack backward_error(const BlockPlan& plan, const BlockSolver& solver, con
   return refused_pivots(plan, p, error(), norm);
 }
 
-/// Lanes whose residual need not be looked at in full; one direction may see less of it than there is.
+/// Lanes that do not need the full residual; a factor of 4, because one direction may show only a part of it.
 inline LaneMask certain(const Pack& error) { return hn::Le(error, all(accepted_backward_error / 4)); }
 
-/// Measures the backward errors in full where those seen were not certain, and refines there until they are accepted or
-/// a few steps are done.
+/// Computes the full backward errors of lanes that are not certain, and refines them until they are accepted, in a few
+/// steps at most.
 inline void refine(const BlockPlan& plan, BlockSolver& solver, Pack* error) {
   constexpr int most_steps = 3;
   LaneMask doubtful[passes], bad[passes];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plan of blocks carried out for some packs of frequencies: elimination and substitution. Include after
-// hwy/foreach_target.h only.
+// Executes a block plan for some packs of frequencies: elimination and substitution. Include after hwy/foreach_target.h
+// only.
 #if defined(TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_
 #undef TRIVET_NUMERICS_BLOCK_SOLVER_INL_H_
@@ -17,9 +17,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-/// What belongs to one pack of frequencies.
+/// Data of one pack of frequencies.
 struct Pass {
-  /// In memory for `plan.packs()` packs, which is not set to anything.
+  /// Uses uninitialised memory for `plan.packs()` packs.
   Pass(const BlockPlan& plan, double* memory) {
     const auto take = [&](std::size_t count) {
       auto* packs = new (memory) ComplexPack[count];
@@ -31,12 +31,12 @@ struct Pass {
   }
 
   ComplexPack *factors, *left, *plain, *residual, *terms, *free, *load;
-  ComplexPack* q = nullptr;  ///< where the solution shall stand
+  ComplexPack* q = nullptr;  ///< destination of the solution
   Frequencies at{};
-  Pack smallest{};  ///< |pivot|²
+  Pack smallest{};  ///< least |pivot|²
 };
 
-/// Memory of a few packs of frequencies after another.
+/// Solves groups of packs of frequencies, one after another in the same memory.
 class BlockSolver {
  public:
   BlockSolver(const BlockPlan& plan, double* memory)
@@ -44,7 +44,7 @@ class BlockSolver {
 
   [[nodiscard]] Pass& pass(int i) { return passes_[i]; }
 
-  /// Results stand in `q` of each pass.
+  /// Writes the results to `q` of each pass.
   void solve() {
     for (Pass& p : passes_) {
       p.smallest = all(std::numeric_limits<double>::max());
@@ -58,14 +58,14 @@ class BlockSolver {
     substitute_back(passes_[0].q, passes_[1].q, false);
   }
 
-  /// What stands in `residual` is replaced by Z⁻¹ of it.
+  /// Replaces `residual` by Z⁻¹ times it.
   void solve_residual() {
     for (const Pass& p : passes_)
       for (const BlockPlan::Column& column : plan_.columns) substitute_again(column, p, p.residual);
     substitute_back(passes_[0].residual, passes_[1].residual, true);
   }
 
-  /// Only rows of loaded columns are written.
+  /// Writes h in the rows of loaded columns only.
   void set_load(const Pass& p, ComplexPack* HWY_RESTRICT h) const {
     if (plan_.given_load) {
       std::copy_n(p.load, plan_.rows, h);
@@ -90,9 +90,9 @@ class BlockSolver {
  private:
   static constexpr int body = 6;
 #ifdef NDEBUG
-  static constexpr int written_out = body;  ///< coordinates that the compiler knows
+  static constexpr int written_out = body;  ///< compile-time number of coordinates
 #else
-  static constexpr int written_out = 0;  ///< the instrumented build keeps its loops: to write them out takes it minutes
+  static constexpr int written_out = 0;  ///< the instrumented build keeps its loops: unrolling takes minutes to compile
 #endif
 
   [[nodiscard]] const BlockPlan::Block& block(int number) const {
@@ -120,7 +120,7 @@ class BlockSolver {
       for (const Pass& p : passes_) substitute(size_of<fixed>(column), column, p, p.q);
   }
 
-  /// Where L of a block below stands as long as its column is at work.
+  /// Location of L of a block below while its column is processed.
   ComplexPack* left_of(const BlockPlan::Below& below, const Pass& p) const {
     const BlockPlan::Block& b = block(below.block);
     return b.kept ? p.factors + b.place : p.left + below.place;
@@ -157,7 +157,7 @@ class BlockSolver {
     else subtract_full<fixed>(target.rows, target.columns, inner, l, plain, a, matrices, p.at);
   }
 
-  /// One column of D⁻¹L⁻¹ while it is at work.
+  /// Applies one column of D⁻¹L⁻¹ while it is eliminated.
   HWY_INLINE void substitute(int size, const BlockPlan::Column& column, const Pass& p, ComplexPack* h) const {
     const ComplexPack* l = p.factors + block(column.diagonal).place;
     forward(size, l, h + column.row);
@@ -167,7 +167,7 @@ class BlockSolver {
     divide_by_pivots(size, l, h + column.row);
   }
 
-  /// The same later, when only some blocks of L are left: L_i y = A_i L⁻ᵀD⁻¹y.
+  /// The same later, when only some blocks of L are kept: L_i y = A_i L⁻ᵀD⁻¹y.
   void substitute_again(const BlockPlan::Column& column, const Pass& p, ComplexPack* h) const {
     const ComplexPack* l = p.factors + block(column.diagonal).place;
     ComplexPack* x = h + column.row;
@@ -193,7 +193,7 @@ class BlockSolver {
     }
   }
 
-  /// One column of L⁻ᵀ in all passes. Blocks that are not kept: Lᵀx = D⁻¹L⁻¹Aᵀx.
+  /// Applies one column of L⁻ᵀ in all passes. For blocks that are not kept, Lᵀx = D⁻¹L⁻¹Aᵀx.
   template <int fixed>
   HWY_INLINE void column_back(const BlockPlan::Column& column, ComplexPack* const* x, bool loaded) const {
     const int size = size_of<fixed>(column);

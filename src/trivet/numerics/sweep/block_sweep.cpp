@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 namespace {
 
-/// Number k of `count` frequencies from `first` on; lanes that are left over repeat the last.
+/// Number k at `count` frequencies from `first` on; unused lanes repeat the last one.
 ComplexPack read(const Planes& from, std::size_t k, Eigen::Index first, int count) {
   const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first,
                *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
@@ -26,7 +26,7 @@ ComplexPack read(const Planes& from, std::size_t k, Eigen::Index first, int coun
   return {hn::Load(Lanes(), padded_re), hn::Load(Lanes(), padded_im)};
 }
 
-/// What is given at `count` frequencies from `first` on.
+/// Reads the inputs at `count` frequencies from `first` on.
 void read_pass(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, Pass& p) {
   HWY_ALIGN double omega[8] = {};
   HWY_ALIGN double re[8] = {};
@@ -57,7 +57,7 @@ void write(const Pack& value, int count, double* to) {
   for (int lane = 0; lane < count; ++lane) to[lane] = padded[lane];
 }
 
-/// Solutions of `count` frequencies from `first` on, each pack of them after `rows` packs.
+/// Writes the solutions of `count` frequencies from `first` on, each pack of them after `rows` packs.
 void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count,
                      const ComplexPack* q) {
   const int lanes = lane_count();
@@ -66,7 +66,7 @@ void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Inde
   };
   for (std::size_t i = 0; i < plan.rows; ++i) {
     constexpr int line = 8;
-    constexpr std::size_t ahead = 2;  // lines of other planes, each on a page of its own: measured
+    constexpr std::size_t ahead = 2;  // rows ahead, each plane on a separate page: measured
     for (int f = 0; f < count && i + ahead < plan.rows; f += line) {
       hwy::Prefetch(batch.response.re + start(i + ahead) + f);
       hwy::Prefetch(batch.response.im + start(i + ahead) + f);
@@ -82,8 +82,8 @@ void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Inde
   }
 }
 
-/// Solves `count` frequencies from `first` on, as many as stand side by side at most; their solutions stand from `q`
-/// on. Returns how many were doubtful.
+/// Solves `count` frequencies from `first` on, at most those of all passes, and writes the solutions to `q`. Returns
+/// the number of doubtful ones.
 int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count, BlockSolver& solver,
                ComplexPack* q) {
   const int lanes = lane_count();

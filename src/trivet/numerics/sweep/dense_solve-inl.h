@@ -59,15 +59,15 @@ struct PackSystem {
   }
 };
 
-/// Exchanges x and y in the lanes of a mask.
+/// Exchanges entries a and b in the lanes of a mask.
 HWY_INLINE void exchange(const LaneMask& where, PackArray& array, int a, int b) {
   const ComplexPack x = array[a], y = array[b];
   array.set(a, {hn::IfThenElse(where, y.re, x.re), hn::IfThenElse(where, y.im, x.im)});
   array.set(b, {hn::IfThenElse(where, x.re, y.re), hn::IfThenElse(where, x.im, y.im)});
 }
 
-/// In each lane its own row with the largest |re| + |im| is carried up to row j by exchanges on the way down. Returns
-/// that largest.
+/// In each lane separately, moves the row with the largest |re| + |im| in column j up to row j by successive exchanges.
+/// Returns that largest value.
 HWY_INLINE Pack bring_up_pivot(PackArray& z, PackArray& q, int n, int j) {
   Pack largest = one_norm(z[j * n + j]);
   for (int i = j + 1; i < n; ++i) {
@@ -118,7 +118,7 @@ HWY_INLINE LaneMask solve_pivoted_pack(const PackSystem& s, PackArray& z, PackAr
 HWY_INLINE Pack backward_error(const PackSystem& s, PackArray& q) {
   const int n = s.z.n;
   Pack residual = hn::Zero(Lanes()), norm = residual, size = residual, load = residual,
-       nothing = residual;  // Max may lose what is not a number
+       nothing = residual;  // Max may lose NaN
   for (int i = 0; i < n; ++i) {
     q.set(i, all(1 / s.batch.scale[i]) * load_pack(s.batch.q, i * s.batch.q.stride + s.at));
     size = hn::Max(size, one_norm(q[i]));

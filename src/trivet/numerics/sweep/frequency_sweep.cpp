@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t piece = 16 * static_cast<std::size_t>(SweepWorkspace::chunk);
 
-/// Solves all chunks; target(first) says where the solutions from `first` on may go, take(first, count, planes, errors)
-/// gets them.
+/// Solves all chunks; target(first) returns the destination of the solutions from `first` on, take(first, count,
+/// planes, errors) receives them.
 template <typename Target, typename Take>
 SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options,
                            const Target& target, const Take& take) {
@@ -38,11 +38,11 @@ SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& ome
   return counts;
 }
 
-/// Frequencies from which on poles pay, measured at six coordinates with AVX-512: their set-up takes 8 µs while its
-/// code is in the cache, else twice that, a direct solution 7 ns more than a sum over them.
+/// Number of frequencies from which on poles are faster, measured at six coordinates with AVX-512: their set-up takes 8
+/// µs with its code in the cache, else twice that; a direct solution takes 7 ns more than a sum over poles.
 constexpr std::size_t worth_poles = 2400;
 
-/// Whether the sums over proven poles are all in the result.
+/// Computes the result by sums over proven poles. @return false if that is not possible
 bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
                     SweepPlanes& result, const SweepOptions& options) {
   if (options.every_backward_error || omega.size() < worth_poles || !load.is_constant()) return false;
@@ -77,7 +77,7 @@ SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const Frequ
   static_cast<SweepCounts&>(result) =
       for_each_chunk(SweepPlan(matrices, load, part), omega, options, own,
                      [&](long first, long taken, const Planes& q, const double* errors) {
-                       constexpr long line = 8;  // of the cache: numbers that are read together
+                       constexpr long line = 8;  // numbers in a cache line
                        for (long some = 0; some < taken; some += line)
                          for (Eigen::Index j = 0; j < n; ++j)
                            for (long f = some; f < std::min(some + line, taken); ++f)

@@ -11,33 +11,33 @@
 
 namespace trivet::numerics {
 
-/// Backward error above which a frequency is solved anew with pivoting: ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates
+/// Backward error above which a frequency is solved again with pivoting: ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates
 /// of unit mass diagonal.
 inline constexpr double accepted_backward_error = 1e-14;
 
-/// What depends on ω in its own way.
+/// Frequency-dependent part of Z and h.
 struct FrequencyPart {
   /// Adds to Z (n × n) and to h (n) at one ω. Called on several threads at once.
   std::function<void(double omega, Eigen::MatrixXcd& Z, Eigen::VectorXcd& h)> add;
-  /// Rows of Z that each of its elements couples: it changes Z nowhere else. Empty: it couples all rows.
+  /// Rows of Z coupled by each of its elements; it changes Z nowhere else. Empty: it couples all rows.
   std::vector<std::vector<Eigen::Index>> coupled_rows = {};
 
   explicit operator bool() const { return static_cast<bool>(add); }
 };
 
 struct SweepOptions {
-  /// Compute the backward error of every solution. Otherwise the growth of the factors bounds it up to six coordinates,
-  /// and the residual along one fixed direction shows it beyond: a tenth of the cost.
+  /// Compute the backward error of every solution. Otherwise it is bounded by the growth of the factors up to six
+  /// coordinates, and estimated by the residual along one fixed direction beyond: a tenth of the cost.
   bool every_backward_error = true;
-  int threads =
-      0;  ///< 0: as many as the machine has; one for little work (20,000 solutions of six coordinates, 330 of sixty)
+  int threads = 0;  ///< 0: as many as the machine has; one for little work (below 20,000 solutions of six coordinates,
+                    ///< 330 of sixty)
   foundation::Progress progress = {};
 };
 
-/// What a sweep had to redo.
+/// Numbers of frequencies that were recomputed, and that are singular.
 struct SweepCounts {
-  int fallbacks = 0;  ///< frequencies redone by a pivoted solver
-  int singular = 0;   ///< frequencies where Z(ω) is singular
+  int fallbacks = 0;  ///< frequencies recomputed by a pivoted solver
+  int singular = 0;   ///< frequencies with singular Z(ω)
 
   void add(const SweepCounts& other) {
     fallbacks += other.fallbacks;
@@ -47,31 +47,31 @@ struct SweepCounts {
 
 /// q(ω) = Z(ω)⁻¹ h(ω) for many ω.
 struct SweepResult : SweepCounts {
-  Eigen::MatrixXcd response;       ///< n × count; NaN where Z(ω) is singular
-  Eigen::VectorXd backward_error;  ///< of each, NaN where Z(ω) is singular; empty unless asked for
+  Eigen::MatrixXcd response;       ///< n × count; NaN if Z(ω) is singular
+  Eigen::VectorXd backward_error;  ///< of each frequency, NaN if Z(ω) is singular; empty unless requested
 };
 
-/// The same by coordinates, for one curve each. Kept by the caller: a second sweep of that size needs no fresh memory,
-/// which costs more to touch for the first time than the solutions.
+/// The same by coordinates, one curve each. Kept by the caller: a second sweep of the same size needs no fresh memory,
+/// for which the first access costs more than the solutions.
 struct SweepPlanes : SweepCounts {
-  Eigen::ArrayXXd re, im;         ///< count × n; NaN where Z(ω) is singular
-  Eigen::ArrayXd backward_error;  ///< of each; empty unless asked for
+  Eigen::ArrayXXd re, im;         ///< count × n; NaN if Z(ω) is singular
+  Eigen::ArrayXd backward_error;  ///< of each frequency; empty unless requested
 };
 
-/// Symmetric matrices: LDLᵀ without pivoting, one frequency per lane; what grows too much or misses
-/// `accepted_backward_error` is redone by LU with partial pivoting. Unsymmetric matrices: LU throughout. See
-/// docs/decisions/no-pivoting-first.md.
+/// Response at all ω. Symmetric matrices: LDLᵀ without pivoting, one frequency per lane; frequencies with too much
+/// growth or an error above `accepted_backward_error` are recomputed by LU with partial pivoting. Unsymmetric matrices:
+/// always LU. See docs/decisions/no-pivoting-first.md.
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
                                 const SweepOptions& options = {});
 
-/// With a part that depends on ω in its own way; Z as a whole is symmetric if `matrices.symmetric`.
-/// @throws InvalidInput if the part adds to Z where it says that it does not
+/// With a frequency-dependent part; Z as a whole is symmetric if `matrices.symmetric`.
+/// @throws InvalidInput if the part adds to Z outside its coupled rows
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part,
                                 const std::vector<double>& omega, const SweepOptions& options = {});
 
-/// Where no backward errors are asked for, many frequencies under a constant load are summed over poles, if these can
-/// be proven (pole_sweep.h); otherwise, and where a share of the sums that is put back misses
-/// `accepted_backward_error`, solved directly.
+/// If no backward errors are requested, many frequencies under a constant load are computed by sums over poles, if
+/// these can be proven (pole_sweep.h). Otherwise, and if samples of the sums, put into Z q = h, miss
+/// `accepted_backward_error`, all are solved directly.
 void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result,
            const SweepOptions& options = {});
 

@@ -60,8 +60,8 @@ void roots_in_lanes(RootsOfSystem& s) {
   s.n == 6 ? roots_of_size(six_coordinates(), s) : roots_of_size(AtMostTwelve{s.n}, s);
 }
 
-/// Frequencies before the first that stands at the beginning of a line of memory in every row of the results; −1 where
-/// they do not agree.
+/// Number of frequencies before the first one that starts a cache line in every row of the results; −1 if the rows
+/// differ.
 inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
   constexpr std::uintptr_t line = 64;
   const auto off = [](const double* p) { return reinterpret_cast<std::uintptr_t>(p) % line; };
@@ -69,14 +69,15 @@ inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
   return static_cast<Eigen::Index>((line - off(s.re)) % line / sizeof(double));
 }
 
-/// More than caches hold goes past them in whole lines: else each line is read before it is written.
+/// Whether results are too many for the caches and bypass them in whole lines: else each line is read before it is
+/// written.
 inline bool goes_past_caches(const PairsAtFrequencies& s) {
   constexpr Eigen::Index most = 4'000'000;  // numbers
   return lane_count() == 8 && s.count * s.n * 2 > most && before_first_line(s) >= 0;
 }
 
-/// At least as many frequencies as lanes; where they do not fill the last pack, it takes some of the pack before once
-/// more.
+/// Needs at least as many frequencies as lanes; if they do not fill the last pack, it repeats some of the previous
+/// pack.
 template <bool complex_load, typename Size>
 void pairs_of_size(Size n, const PairsAtFrequencies& s) {
   const int numbers = complex_load ? 4 * n + 3 : 2 * n + 3;
@@ -147,7 +148,7 @@ double error_in_lanes(const EquationAtFrequencies& s) {
       for (int j = 0; j < n; ++j) {
         const Pack a = all(s.A[i * n + j]),
                    re = hn::NegMulAdd(rest, a,
-                                      hn::NegMulAdd(square, a, all(s.K[i * n + j])));  // fused: right though it cancels
+                                      hn::NegMulAdd(square, a, all(s.K[i * n + j])));  // fused: accurate if it cancels
         const ComplexPack z = {re, hn::Mul(p, all(s.B[i * n + j]))};
         row = hn::Add(row, one_norm(z));
         r = subtract_product(r, z, q[j]);
@@ -157,7 +158,7 @@ double error_in_lanes(const EquationAtFrequencies& s) {
     }
     const Pack error = hn::Div(residual, hn::MulAdd(norm, size, load));
     worst = hn::Max(worst, error);
-    // Max may lose what is not a number.
+    // Max may lose NaN.
     if (!hn::AllTrue(Lanes(),
                      hn::And(hn::Lt(size, all(std::numeric_limits<double>::infinity())), hn::Le(error, worst))))
       return std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of PoleSweep goes in lanes.
+// Kernels of PoleSweep in lanes.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,19 +8,20 @@
 
 namespace trivet::numerics {
 
-/// What one system needs of its modes for its roots: a root per lane, each in its own order of the modes, its own last.
+/// Modal data of one system for its roots: one root per lane, each with its own order of the modes, the root's own mode
+/// last.
 struct RootsOfSystem {
   using Row = double[most_pairs];  ///< by root
   int n = 0;
   Row centre, below[most_pairs], above[most_pairs];  ///< i centre + offset; centre ∓ Ω of each mode
   Row b[most_pairs * (most_pairs + 1) / 2];          ///< by entry
-  Row offset_re, offset_im;                          ///< where they start, and end
+  Row offset_re, offset_im;                          ///< start values, then results
   Row v_re[most_pairs], v_im[most_pairs];            ///< by mode
   Row slope_re, slope_im;
   bool converged = false;
 };
 
-/// Real numbers of pairs of poles at some frequencies; `stride` from one coordinate to the next in re and im.
+/// Real coefficients of pairs of poles, and some frequencies; `stride` from one coordinate to the next in re and im.
 struct PairsAtFrequencies {
   int n = 0;
   const double* pairs = nullptr;
@@ -38,13 +39,13 @@ struct EquationAtFrequencies {
   Eigen::Index count = 0, stride = 0;
 };
 
-/// From where its roots start to where they end.
+/// Iterates the roots from their start values.
 void roots_of_system(RootsOfSystem& system);
 
-/// Sums over the pairs, eight frequencies at least. @param complex_load  then each pair has residues for both parts
+/// Sums over the pairs, at eight frequencies or more. @param complex_load  each pair has residues for both parts
 void pairs_at(const PairsAtFrequencies& sums, bool complex_load);
 
-/// The largest backward error, with |re| + |im| for the modulus; infinite where a number is not finite.
+/// Largest backward error, with |re| + |im| for the modulus; infinite if a number is not finite.
 [[nodiscard]] double worst_backward_error(const EquationAtFrequencies& equation);
 
 }  // namespace trivet::numerics

@@ -16,7 +16,7 @@ namespace {
 
 using Extended = long double;
 
-/// Modes of the scaled system with frequencies to extended precision: errors of a shape enter its Rayleigh quotient
+/// Modes of the scaled system with frequencies in extended precision: the error of a shape enters its Rayleigh quotient
 /// squared.
 struct ExtendedModes {
   Eigen::MatrixXd shapes, b;  ///< φᵀAφ = 1; ΦᵀBΦ
@@ -52,7 +52,7 @@ std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   return modes;
 }
 
-/// The kernel needs as many frequencies as the widest vector has lanes.
+/// Repeats the last frequency if necessary: the kernel needs as many as the widest vector has lanes.
 void pairs_at_any(PairsAtFrequencies s, bool complex_load) {
   constexpr Eigen::Index lanes = 8;
   if (s.count >= lanes) return pairs_at(s, complex_load);
@@ -78,7 +78,7 @@ struct PoleOfMode {
   Complex slope;
 };
 
-/// Poles of all modes, one each: the slower of two real ones, or that with Im > 0; or their partners.
+/// Poles of all modes, one each: the slower of two real ones, or the one with Im > 0; or their partners.
 bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleOfMode>& poles) {
   const int n = static_cast<int>(modes.b.rows());
   RootsOfSystem roots;
@@ -127,7 +127,7 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
   const int n = static_cast<int>(matrices.size());
   if (n < 1 || n > 12 || !matrices.symmetric || matrices.lossy()) return std::nullopt;
   PoleSweep result;
-  // Powers of two: the scaled matrices are the given ones to the last bit, and so are their frequencies.
+  // Powers of two, so that scaling does not round: the frequencies are exactly those of the given matrices.
   result.scale_ = unit_scale(matrices).unaryExpr([](double d) { return std::exp2(std::round(std::log2(d))); });
   result.matrices_ = scaled(matrices, result.scale_);
   result.load_ = result.scale_.asDiagonal() * load;
@@ -183,7 +183,7 @@ std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Ei
     checked(2 * k + 1) = at_poles(k);
   }
   checked(2 * n) = 2 * at_poles(n - 1);
-  constexpr double share = 0.3;  // of what is accepted: only some frequencies are checked
+  constexpr double share = 0.3;  // of the accepted error, because only some frequencies are checked
   Eigen::ArrayXXd re(checked.size(), n), im(checked.size(), n);
   result.evaluate(checked, re, im);
   if (!(result.backward_error(checked, 0, checked.size(), re, im) <= share * accepted_backward_error))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What SweepWorkspace does where a solution without pivoting is not accepted.
+// Fallback of SweepWorkspace for solutions without pivoting that are not accepted.
 #include <cmath>
 
 #include "trivet/numerics/linalg/pivoted_solution.h"
@@ -7,7 +7,7 @@
 
 namespace trivet::numerics {
 
-/// Redoes those that are marked and those whose backward error is not accepted.
+/// Recomputes the marked frequencies and those with a backward error that is not accepted.
 void SweepWorkspace::redo_missed(std::vector<char> marked, long count, const Planes& q) {
   for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
     if (!(error_.data()[f] <= accepted_backward_error)) {
@@ -17,7 +17,7 @@ void SweepWorkspace::redo_missed(std::vector<char> marked, long count, const Pla
   if (!marked.empty()) redo(marked, q);
 }
 
-/// The marked frequencies by LU with partial pivoting in lanes, and what that does not settle one by one.
+/// Recomputes the marked frequencies by LU with partial pivoting in lanes, and those still not accepted one at a time.
 void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
   std::vector<long> which;
   for (std::size_t f = 0; f < marked.size(); ++f)
@@ -80,7 +80,7 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
   return h;
 }
 
-/// One frequency with partial pivoting and one step of refinement; not a number if Z is singular.
+/// Solves one frequency with partial pivoting and one step of refinement; NaN if Z is singular.
 void SweepWorkspace::redo_alone(long f, const Planes& q) {
   const auto n = static_cast<Eigen::Index>(plan_->size());
   Eigen::MatrixXcd z =

@@ -81,7 +81,7 @@ HWY_AFTER_NAMESPACE();
 namespace trivet::numerics::sweep_kernels {
 namespace {
 
-/// Σ |K − ω²A|² + |K_loss + ωB|² as a polynomial, moved by a share of its terms.
+/// Σ |K − ω²A|² + |K_loss + ωB|² as a polynomial, shifted by a share of its terms.
 void squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K, const Eigen::MatrixXd& loss,
              double share, double* polynomial) {
   const double of_loss = loss.squaredNorm(), of_damping = B.squaredNorm();
@@ -103,7 +103,7 @@ Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size
   };
   K = rows(m.K), A = rows(m.A), B = rows(m.B), K_loss = rows(m.K_loss);
   const Eigen::MatrixXd loss = m.lossy() ? m.K_loss : Eigen::MatrixXd::Zero(size, size);
-  // Round-off of these sums, where their terms cancel, must not enlarge the one nor diminish the other.
+  // If their terms cancel, round-off of these sums must not increase the first or decrease the second.
   constexpr double margin = 1e-12;
   squares(m.A, m.B, m.K, loss, -margin, norm);
   squares(m.A.col(0), m.B.col(0), m.K.col(0), loss.col(0), margin, first);

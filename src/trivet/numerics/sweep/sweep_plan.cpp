@@ -7,10 +7,11 @@
 namespace trivet::numerics {
 namespace {
 
-/// Coordinates up to which full parts that depend on ω are kept for a whole chunk, some ten megabytes.
+/// Largest number of coordinates for which full frequency-dependent parts are kept for a whole chunk, some ten
+/// megabytes.
 constexpr Eigen::Index most_with_part = 48;
 
-/// The real vector times a complex number that a load term is, or none.
+/// Whether a load term is a real vector times a complex number.
 bool has_real_direction(const Eigen::VectorXcd& value, Eigen::Index largest) {
   for (const Complex& v : value)
     if ((v * std::conj(value(largest))).imag() != 0) return false;
@@ -40,8 +41,8 @@ std::vector<FreeEntry> entries_of(const FrequencyPart& part, Eigen::Index n) {
 
 SweepPlan::SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part)
     : scale_(unit_scale(matrices)), load_(load.scaled(scale_)), part_(std::move(part)) {
-  // Measured with AVX-512 from 7 to 14 coordinates, all coupled: blocks take 0.5 … 0.9 of the time of loops over all,
-  // their check included.
+  // Measured with AVX-512 from 7 to 14 coordinates, all coupled: blocks take 0.5 … 0.9 of the time of loops over all
+  // coordinates, including their check.
   if (matrices.symmetric && (part_ || matrices.size() > sweep_kernels::most_fixed)) {
     use_blocks(matrices, load);
     return;

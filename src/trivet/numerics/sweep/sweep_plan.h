@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How the frequencies of one system are solved, prepared once. See sweep_workspace.h for the solving.
+// Solution plan for the frequencies of one system, prepared once; sweep_workspace.h executes it.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,22 @@
 namespace trivet::numerics {
 
 enum class SweepSolver {
-  aimed,    ///< n ≤ 6, the load a real direction times a factor: loops written out, no forward substitution
-  fixed,    ///< n ≤ 6, any load: loops written out
-  blocks,   ///< n > 6, or a part that depends on ω: by bodies, skipping what does not couple
+  aimed,    ///< n ≤ 6, the load a real direction times a factor: unrolled loops, no forward substitution
+  fixed,    ///< n ≤ 6, any load: unrolled loops
+  blocks,   ///< n > 6, or a frequency-dependent part: by bodies, blocks without coupling are skipped
   pivoted,  ///< unsymmetric
-  alone     ///< unsymmetric, many coordinates with a part that depends on ω: one frequency at a time, for the sake of
-            ///< memory
+  alone     ///< unsymmetric, many coordinates with a frequency-dependent part: one frequency at a time, to save memory
 };
 
-/// One system in coordinates of unit mass diagonal. Every solver for a sweep is chosen here.
+/// One system in coordinates of unit mass diagonal. Selects the solver of a sweep.
 class SweepPlan {
  public:
   SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part = {});
 
   [[nodiscard]] SweepSolver solver() const { return solver_; }
   [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
-  /// One solution beside one of six coordinates in time, to an order of magnitude: a body of many takes five times as
-  /// long as one alone, laws of elements longer.
+  /// Time of one solution relative to one of six coordinates, to an order of magnitude: a body among many takes five
+  /// times as long as a single one, element laws take longer.
   [[nodiscard]] std::size_t weight() const {
     return (size() > 6 ? static_cast<std::size_t>(size()) : 1) * (part_ ? 20U : 1U);
   }
@@ -42,18 +41,18 @@ class SweepPlan {
   }
 
   Eigen::VectorXd scale_;
-  DynamicMatrices matrices_;  ///< empty where blocks hold them
+  DynamicMatrices matrices_;  ///< empty if `blocks_` contains them
   Load load_;
   FrequencyPart part_;
   SweepSolver solver_ = SweepSolver::pivoted;
   std::optional<sweep_kernels::Coefficients>
-      solved_;  ///< what `solver` reads, in the coordinates of `aim_` if it is aimed
+      solved_;  ///< input of the solver, in the coordinates of `aim_` if it is aimed
   sweep_kernels::Aim aim_;
   std::optional<BlockSweep> blocks_;
-  std::vector<FreeEntry> free_;  ///< of the blocks: what the part may change
+  std::vector<FreeEntry> free_;  ///< for blocks: entries that the part may change
 };
 
-/// Threads for so many solutions of six coordinates: one where another would start later than it ends.
+/// Threads for so many solutions of six coordinates: one if a second would start after the first has finished.
 [[nodiscard]] inline int sweep_threads(std::size_t solutions, int wanted) { return solutions < 20000 ? 1 : wanted; }
 
 }  // namespace trivet::numerics

@@ -9,7 +9,7 @@
 namespace trivet::numerics {
 namespace {
 
-/// Frequencies for which blocks keep such parts.
+/// Frequencies for which blocks keep frequency-dependent parts.
 constexpr long parts_together = sweep_kernels::granule;
 
 std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
@@ -89,7 +89,7 @@ void SweepWorkspace::fill_parts(long count) {
   }
 }
 
-/// What the part brings at `count` ≤ `parts_together` frequencies: planes of free entries, then of h.
+/// Evaluates the part at `count` ≤ `parts_together` frequencies: planes of free entries, then of h.
 void SweepWorkspace::fill_free(long first, long count) {
   const auto n = static_cast<Eigen::Index>(plan_->size());
   const Planes planes = {part_.data(), part_.data() + part_.size() / 2, parts_together};
@@ -135,8 +135,8 @@ void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
   }
   if (z_part_.isZero(0)) return;
   throw foundation::InvalidInput(
-      "part of the dynamic stiffness that depends on frequency: it adds to entries beside its coupled rows; it must "
-      "name all rows that it couples");
+      "frequency-dependent part of the dynamic stiffness: it adds to entries outside its coupled rows; it must "
+      "list all rows that it couples");
 }
 
 Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
@@ -185,7 +185,7 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
     for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_.data()[f] != 0;
   }
   if (!load_finite_) {
-    // Growth knows nothing of the load: of a power of ω at rest.
+    // Growth does not include the load, which may be infinite at rest (a negative power of ω).
     untrusted.resize(static_cast<std::size_t>(count));
     for (long f = 0; f < count; ++f)
       if (!load_at(f).allFinite()) untrusted[static_cast<std::size_t>(f)] = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The frequencies of one system, chunk by chunk.
+// Solves the frequencies of one system, chunk by chunk.
 #pragma once
 
 #include "trivet/numerics/lanes/line_memory.h"
@@ -10,20 +10,20 @@ namespace trivet::numerics {
 /// Memory for one chunk of frequencies on one thread, and its solutions.
 class SweepWorkspace {
  public:
-  static constexpr long chunk = 256;  ///< frequencies: six coordinates of them stay in the nearest cache
+  static constexpr long chunk = 256;  ///< frequencies; with six coordinates they stay in the nearest cache
 
   SweepWorkspace() = default;
   explicit SweepWorkspace(const SweepPlan& plan) { take(plan); }
 
-  /// Solves another system from now on, in the same memory where it has the same size. The counts go on.
+  /// Switches to another system; memory of the same size is reused. The counts continue.
   void take(const SweepPlan& plan);
 
-  /// Solutions at `count` ≤ `chunk` frequencies, into `target` or, if that is null or the chunk is not full, into
-  /// planes of its own.
+  /// Solutions at `count` ≤ `chunk` frequencies, in `target`, or in own planes if that is null or `count` must be
+  /// padded.
   /// @return where they are
   Planes solve(const double* omega, long count, bool every_backward_error, Planes target = {});
 
-  /// Raises the largest |q_j|² by those of the last chunk and tells where they are.
+  /// Updates the largest |q_j|² and their frequencies with those of the last chunk.
   void raise_maxima(const Planes& q, double* square, double* angular_frequency) const {
     sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square,
                                 angular_frequency);
@@ -47,14 +47,14 @@ class SweepWorkspace {
   [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
 
   const SweepPlan* plan_ = nullptr;
-  /// Of the system in plain coordinates: of an aimed one only residuals and pivoting need them.
+  /// Coefficients in plain coordinates; an aimed system needs them only for residuals and pivoting.
   const sweep_kernels::Coefficients& plain();
 
   std::optional<sweep_kernels::Coefficients> plain_;
   LineMemory omega_, load_, amplitude_, part_, q_, error_, blocks_;
-  Eigen::MatrixXcd z_part_;  ///< 0, but for what a part adds beside its rows
+  Eigen::MatrixXcd z_part_;  ///< 0, except for entries that a part adds outside its coupled rows
   long padded_ = 0;
-  int load_filled_ = 0;  ///< 1: what the solver reads; 2: what residuals read, too
+  int load_filled_ = 0;  ///< 1: for the solver; 2: also for residuals
   bool load_finite_ = true;
   SweepCounts counts_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Z = LDLᵀ of complex symmetric Z without pivoting, one frequency per lane, loops written out for a fixed number of
+// Z = LDLᵀ of complex symmetric Z without pivoting, one frequency per lane, with unrolled loops for a fixed number of
 // coordinates. Include after hwy/foreach_target.h only.
 #if defined(TRIVET_NUMERICS_SYMMETRIC_SOLVE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_SYMMETRIC_SOLVE_INL_H_
@@ -24,7 +24,7 @@ HWY_INLINE void store_pack(const ComplexPack& z, const Planes& planes, long at) 
   store_pack(z.im, planes.im + at);
 }
 
-/// Σ (trace of |L||D||Lᵀ| by columns)² and Σ 1/|d|²: what tells whether a factorisation without pivoting may be
+/// Σ (trace of |L||D||Lᵀ| by columns)² and Σ 1/|d|²: they determine whether a factorisation without pivoting is
 /// trusted.
 struct Growth {
   Pack squares, reciprocals;
@@ -35,14 +35,14 @@ HWY_INLINE Pack polynomial(const double* c, const Pack& omega, const Pack& squar
   return hn::MulAdd(hn::MulAdd(all(c[3]), square, all(c[2])), square, hn::MulAdd(all(c[1]), omega, all(c[0])));
 }
 
-/// False, too, where anything is not a number.
+/// Lanes with a trusted factorisation; false also for NaN.
 HWY_INLINE LaneMask trusted(const Growth& growth, const Pack& norm, int n) {
   const double negligible = negligible_pivot(n), most = sweep_kernels::growth_allowed;
   return hn::And(hn::Le(growth.squares, hn::Mul(all(most * most), norm)),
                  hn::Lt(hn::Mul(growth.reciprocals, norm), all(1 / (negligible * negligible))));
 }
 
-/// `packs` packs of frequencies from `at` on, side by side: while one waits for a quotient the other works.
+/// Solves `packs` packs of frequencies from `at` on together: while one waits for a quotient, the other is computed.
 template <int n, int packs, bool aimed>
 HWY_INLINE LaneMask solve_packs(const sweep_kernels::Coefficients& z, const sweep_kernels::Aim* aim,
                                 const sweep_kernels::Batch& batch, long at) {

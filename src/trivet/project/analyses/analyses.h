@@ -24,7 +24,7 @@ struct ResponseRequest {
 struct PeaksRequest {
   Wanted wanted;
   double min_prominence = 1e-6;
-  double peak_tolerance = 0.01;  ///< prominence over the minimum beside a peak from which the design rule counts it
+  double peak_tolerance = 0.01;  ///< prominence over the adjacent minimum from which the design rule counts a peak
 };
 
 /// Largest allowed amplitude of one answer, SI.
@@ -33,26 +33,26 @@ struct Limit {
   double amplitude = 0;
 };
 
-/// An answer of the response against a user's line.
+/// An answer of the response with a user's limit line.
 struct LimitLineRequest {
   std::string of;
   response::LimitLine line;
 };
 
-/// Designs that one map may hold.
+/// Most designs of one map.
 inline constexpr double most_designs = 1e7;
 
-/// One axis of a map: a number of the project file that a design may choose.
+/// One axis of a map: a number of the project file that varies from design to design.
 struct MapAxis {
   std::string parameter;    ///< dotted path, as in --set
-  std::string name;         ///< what tables and pictures call it; the path by default
+  std::string name;         ///< name in tables and pictures; the path by default
   double from = 0, to = 1;  ///< in `unit`
-  std::string unit;         ///< as written beside from and to; empty: the number as the file takes it, SI
+  std::string unit;         ///< as written with from and to; empty: that of a bare number (SI)
   bool logarithmic = false;
   int points = 101;
 
   [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
-  [[nodiscard]] double share(double value) const;  ///< its inverse, also beyond
+  [[nodiscard]] double share(double value) const;  ///< inverse of `at`, also beyond the ends
   bool operator==(const MapAxis&) const = default;
 };
 
@@ -64,13 +64,13 @@ struct MapLimit {
   bool operator==(const MapLimit&) const = default;
 };
 
-/// Two numbers of the project and the rules that a design keeps or breaks.
+/// Two numbers of the project and the rules that a design meets or violates.
 struct MapRequest {
   MapAxis x, y;
   std::optional<response::Band> band;  ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<MapLimit> limits;
-  bool limits_of_file = true;        ///< the map names none: those of the file
-  std::vector<std::string> no_peak;  ///< answers that shall have no resonance peak, wherever it lies
+  bool limits_of_file = true;        ///< the map has none: take those of the file
+  std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency
   assembly::Quantity quantity = assembly::Quantity::displacement;  ///< of these
   double min_prominence = 1e-6, peak_tolerance = 0.01;             ///< as of `peaks`
   std::vector<std::string> excitations;                            ///< empty: all

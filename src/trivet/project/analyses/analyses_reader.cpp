@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_points = 2'000'000;
 
-/// A steady response needs something that drives it.
+/// Reports a steady response without a harmonic excitation.
 void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
   if (mentioned.harmonic_excitations.empty())
     analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it",
@@ -36,7 +36,7 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
       request.points = static_cast<int>(*points);
     else
       reader.error("points", fmt::format("{:.6g}", *points),
-                   fmt::format("a whole number from 2 to {} is wanted", most_points), "change it");
+                   fmt::format("a whole number from 2 to {} is expected", most_points), "change it");
     if (!reader.has("spacing") || spacing == "automatic")
       reader.error("points", "points without spacing", "an automatic grid chooses its points itself",
                    "add spacing = \"linear\" or \"logarithmic\"");
@@ -45,11 +45,11 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
     for (const double omega : *at)
       if (omega < 0)
         reader.error("at", fmt::format("{:.6g} rad/s", omega), "an angular frequency is ≥ 0", "remove the sign");
-    if (at->empty()) reader.error("at", "an empty list", "at least one frequency is wanted", "give one, or a band");
-    if (reader.has("band")) reader.error("at", "at and band", "only one of them says where", "remove one");
+    if (at->empty()) reader.error("at", "an empty list", "at least one frequency is expected", "give one, or a band");
+    if (reader.has("band")) reader.error("at", "at and band", "only one of them sets the frequencies", "remove one");
     for (const char* key : {"spacing", "points"})
       if (reader.has(key))
-        reader.error(key, std::string(key) + " beside at", "single frequencies are no grid",
+        reader.error(key, std::string(key) + " together with at", "single frequencies are not a grid",
                      "remove it, or give a band in place of at");
     request.at = *at;
   }
@@ -62,7 +62,7 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentio
                         const std::optional<ResponseRequest>& response, foundation::Problems& problems) {
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
-  if (response) request.wanted = response->wanted;  // the peaks of the same curves, unless it says otherwise
+  if (response) request.wanted = response->wanted;  // by default the peaks of the same curves
   read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   reader.finish();

@@ -7,15 +7,15 @@
 
 namespace trivet::project {
 
-/// The excitations that act in an answer.
+/// Kind of excitations that act in an answer.
 enum class Drive { none, harmonic, random, time, orders };
 
-/// That of a question by its name; harmonic for response and peaks.
+/// Kind of excitations of a question; harmonic for response and peaks.
 [[nodiscard]] Drive drive_of(const std::string& question);
 
 [[nodiscard]] bool drives(const model::Excitation& excitation, Drive drive);
 
-/// What to say where the model has no excitation of a kind.
+/// Message texts if the model has no excitation of a kind.
 struct MissingExcitation {
   const char* finding;
   const char* remedy;

@@ -21,8 +21,9 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   for (const std::string& word : asked->wanted.of)
     if (word == "base" || word.starts_with("base."))
       reader.error("of", "\"" + word + "\"",
-                   "an earthquake's answers are those of bodies and elements, against the ground", "remove it");
-  if (!reader.has("direction")) reader.missing("direction", "say how the ground shakes: direction = \"x\"");
+                   "an earthquake's answers are those of bodies and elements, relative to the ground", "remove it");
+  if (!reader.has("direction"))
+    reader.missing("direction", "give the direction of the ground motion: direction = \"x\"");
   asked->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
   const double damping = reader.number("damping", Quantity::pure).value_or(0.05);
   const bool over_period = reader.choice("over", {"period", "frequency"}).value_or("period") == "period";

@@ -35,7 +35,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     request.line.rms = reader.choice("level", {"rms", "zero_to_peak"}).value_or("rms") == "rms";
     static constexpr std::array<const char*, 3> units = {"m", "m/s", "m/s²"}, turning = {"rad", "rad/s", "rad/s²"};
     if (measured && reader.has("quantity") && names.is_force(request.of))
-      warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it says how a motion is measured",
+      warn_of_idle_key(reader, "quantity", "\"" + quantity + "\" of a force", "it applies to motions only",
                        "remove it");
     if (measured) {
       const bool force = *measured == Quantity::force || *measured == Quantity::moment;

@@ -19,7 +19,7 @@ namespace {
 constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity,
                                               assembly::Quantity::acceleration};
 
-/// A blank that is no part of a quoted name.
+/// True if a blank is outside the quoted names.
 bool has_stray_blank(const std::string& path) {
   char quote = 0;
   for (const char c : path) {
@@ -30,14 +30,14 @@ bool has_stray_blank(const std::string& path) {
   return false;
 }
 
-/// Tables that a thing need not have to be adjusted.
+/// Tables of adjustments, which the file need not have.
 bool is_adjustment(const std::string& key) {
   static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved",
                                                         "inertia_about_center"};
   return std::find(tables.begin(), tables.end(), key) != tables.end();
 }
 
-/// The path must lead to a number of the model, or to a key that is not written because its default holds.
+/// Checks that the path leads to a number of the model, or to a key that is not written and has a default.
 void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
   if (path.find('[') != std::string::npos)
@@ -46,7 +46,7 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
                                           "array of three, \"bodies.machine.mass\""));
   if (has_stray_blank(path))
     return static_cast<void>(reader.error(
-        "parameter", shown, "a path has blanks in quoted names alone",
+        "parameter", shown, "only quoted names in a path have blanks",
         R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
   const std::vector<std::string> parts = {"bodies",      "elements", "element_types",
@@ -77,7 +77,7 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
   };
   if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
     reader.error("parameter", shown,
-                 fmt::format("{} stands there, not a number",
+                 fmt::format("it is {}, not a number",
                              node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
                  "name one number; those of an array of three are .x, .y and .z");
 }
@@ -113,7 +113,7 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
   if (from && to && from->unit != to->unit)
     reader.error("to", fmt::format("from = {}, to = {}", shown(*table->find("from")), shown(*table->find("to"))),
-                 "both ends of a range have the same unit, or both none", "write them alike");
+                 "both ends of a range have the same unit, or neither has one", "give both the same unit");
   else if (from && to) {
     axis.from = from->value;
     axis.to = to->value;
@@ -130,13 +130,13 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
       axis.points = static_cast<int>(*points);
     else
       reader.error("points", fmt::format("{:.6g}", *points),
-                   fmt::format("a whole number from 2 to {:.0f} is wanted", most_designs), "change it");
+                   fmt::format("a whole number from 2 to {:.0f} is expected", most_designs), "change it");
   }
   reader.finish();
   return axis;
 }
 
-/// A number, or a text with a unit that tells displacement, velocity and acceleration apart.
+/// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
 void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
                 assembly::Quantity usual, std::vector<MapLimit>& limits) {
   if (value.kind == Node::Kind::text)
@@ -164,14 +164,14 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
   if (amplitude) limits.push_back({name, usual, *amplitude});
 }
 
-/// Of two limits of one quantity the looser never governs.
+/// Reports two limits of one quantity: the larger one has no effect.
 void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
                          const std::vector<MapLimit>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i)
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
-                                              "of two limits of one quantity the looser never governs",
+                                              "of two limits of one quantity, the larger has no effect",
                                               "keep the smaller"));
 }
 
@@ -205,7 +205,7 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
     if (names.is_group(word) || names.component(word, request.quantity)) continue;
     if (names.is_guided(word)) {
       map.error("no_peak", foundation::quoted(word),
-                "the `free` of its body leaves this coordinate out, so that it does not move",
+                "this coordinate is not in `free` of its body, so it does not move",
                 "name a free coordinate, or remove it");
       continue;
     }
@@ -236,7 +236,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     analyses.error("map",
                    "no harmonic excitation in the model" +
                        (other_excitations(mentioned).empty() ? "" : ": " + other_excitations(mentioned)),
-                   "a map judges amplitudes under harmonic forces (types harmonic, base, unbalance)",
+                   "a map checks amplitudes under harmonic forces (types harmonic, base, unbalance)",
                    "add [excitations.NAME] with type = \"harmonic\"");
   TableReader reader(*table, "analyses.map", root.problems());
   MapRequest request;
@@ -279,17 +279,17 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   const bool asks_for_peaks =
       no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty());  // readable or not
   if (!asks_for_peaks && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
-    reader.error("", "neither limits nor no_peak", "a map shows where designs keep rules",
+    reader.error("", "neither limits nor no_peak", "a map shows which designs meet the rules",
                  "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
   request.limits_of_file = !reader.has("limits");
   const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty() : root.has("limits");
   if (!has_limits && reader.has("band"))
     warn_of_idle_key(reader, "band", "a band without limits",
-                     "it bounds the frequencies of limited amplitudes; resonance peaks count wherever they lie",
+                     "it bounds the frequencies of limited amplitudes; resonance peaks count at all frequencies",
                      "add limits, or remove it");
   for (const char* key : {"min_prominence", "peak_tolerance"})
     if (!asks_for_peaks && reader.has(key))
-      warn_of_idle_key(reader, key, std::string(key) + " without no_peak", "it says which peaks count",
+      warn_of_idle_key(reader, key, std::string(key) + " without no_peak", "it selects the peaks that count",
                        "add no_peak, or remove it");
   reader.finish();
   result.map = std::move(request);

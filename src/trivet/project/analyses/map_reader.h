@@ -5,11 +5,11 @@
 
 namespace trivet::project {
 
-/// `map` of the analyses, if there is one, with its own limits. Reads after all other analyses.
+/// Reads `map` of the analyses, if there is one, with its own limits. Call it after all other analyses are read.
 void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const Mentioned& mentioned,
               Analyses& result);
 
-/// A map without limits of its own takes those of the file, which hold for the quantity of the response.
+/// Gives a map without own limits those of the file, which are for the quantity of the response.
 void take_limits_of_file(Analyses& analyses);
 
 }  // namespace trivet::project

@@ -19,7 +19,8 @@ struct Wanted {
   bool operator==(const Wanted&) const = default;
 };
 
-/// A question of [analyses] that stands by itself (question_table.h). What it lacks of `wanted` stays at its default.
+/// An independent question of [analyses] (question_table.h). Parts of `wanted` that it does not use have their
+/// defaults.
 struct Question {
   Wanted wanted;
   virtual ~Question() = default;

@@ -14,15 +14,15 @@ namespace trivet::project {
 
 /// How one question is read. Each is defined in NAME_question.cpp.
 struct QuestionReader {
-  const char* name = nullptr;  ///< of its table in [analyses]; given by question_readers()
+  const char* name = nullptr;  ///< of its table in [analyses]; set by question_readers()
   Drive drive = Drive::none;   ///< the model must have an excitation of this kind
   std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names,
                                     const Mentioned& mentioned) = nullptr;
-  bool searches_peaks = false;                        ///< its cost is that of a search for peaks
-  double (*curves)(const Question& asked) = nullptr;  ///< how many curves it computes, where `wanted.of` does not say
-  bool (*moves_by_itself)(const Node& table) = nullptr;  ///< needs no excitation after all
+  bool searches_peaks = false;                           ///< its cost is that of a search for peaks
+  double (*curves)(const Question& asked) = nullptr;     ///< number of curves, if not that of `wanted.of`
+  bool (*moves_by_itself)(const Node& table) = nullptr;  ///< true if it needs no excitation
   void (*check)(const Question& asked, const model::System& system,
-                foundation::Problems& problems) = nullptr;  ///< against a model that is right in itself
+                foundation::Problems& problems) = nullptr;  ///< checks the question against a valid model
   const char* keys = nullptr;                               ///< JSON Schema of its keys: `properties`, `required` …
 };
 
@@ -33,10 +33,10 @@ TRIVET_QUESTIONS(TRIVET_READER)
 /// All of them by their names, in the order of the table.
 [[nodiscard]] const std::vector<QuestionReader>& question_readers();
 
-/// Reads those that the file asks into `result`, and reports excitations that they lack.
+/// Reads the questions of the file into `result`, and reports missing excitations.
 void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result);
 
-/// Errors of questions that do not suit the model.
+/// Reports questions that do not suit the model.
 void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems);
 
 }  // namespace trivet::project

@@ -11,10 +11,9 @@
 namespace trivet::project {
 namespace {
 
-constexpr double most_values = 3e6;      // points × curves; with tables, page and figures each takes some 350 bytes
-constexpr double longest_search = 3600;  // [s]
-constexpr std::size_t most_inputs =
-    100;  // random inputs that go together: every pair has a cross-spectrum with every answer
+constexpr double most_values = 3e6;       // points × curves; with tables, page and figures each takes about 350 bytes
+constexpr double longest_search = 3600;   // [s]
+constexpr std::size_t most_inputs = 100;  // correlated random inputs: every pair has a cross-spectrum with every answer
 
 /// Measured on one core of 2020: a search for the peaks of one curve needs the modes of all coordinates.
 double seconds_of_search(double curves, double coordinates) {
@@ -55,9 +54,10 @@ class Sizes {
         count <= static_cast<double>(most_curves) && seconds > longest_search)
       problems.error(
           question,
-          fmt::format("resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: some {:.2g} hours of search",
-                      count, all_, seconds / 3600),
-          fmt::format("at most {:.0f} hour is begun", longest_search / 3600),
+          fmt::format(
+              "resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: about {:.2g} hours of search", count,
+              all_, seconds / 3600),
+          fmt::format("at most {:.0f} hour is allowed", longest_search / 3600),
           "name fewer answers in `of`, guide bodies by `free`, or split the model");
   }
 
@@ -92,8 +92,8 @@ void check_inputs(Sizes& sizes, const model::Description& description) {
       ++together;
   if (together > most_inputs)
     sizes.problems.error("excitations", fmt::format("{} random excitations with a coherence", together),
-                         fmt::format("at most {} go together", most_inputs),
-                         "join neighbouring ones, or let them be uncorrelated");
+                         fmt::format("at most {} may be correlated", most_inputs),
+                         "join neighbouring ones, or make them uncorrelated");
 }
 
 }  // namespace

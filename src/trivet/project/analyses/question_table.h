@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-/// The questions of [analyses] that stand by themselves, in the order of their answers: each is a command, a table of
-/// [analyses] and a part of the results. What belongs to one of them bears its name:
+/// The independent questions of [analyses], in the order of their answers: each is a command, a table of [analyses] and
+/// a part of the results. The files and objects of a question have its name:
 ///
 ///   project/analyses/NAME_question.cpp   NAME_question   how its keys are read, and what it needs of the model
 ///   study/NAME_answer.cpp                NAME_answer     how it is answered
@@ -16,7 +16,7 @@
 
 namespace trivet::project {
 
-/// A row of a list of such objects, under its name.
+/// A row of a list of such objects, with its name set.
 template <typename Row>
 [[nodiscard]] Row named(const char* name, Row row) {
   row.name = name;

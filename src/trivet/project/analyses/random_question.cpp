@@ -39,7 +39,7 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
   const std::vector<std::string>& of = asked->wanted.of;
   if (word && std::all_of(of.begin(), of.end(), [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
-                     "people feel motions, and no motion is asked for", "remove it, or ask for motions");
+                     "it applies to motions only, and no motion is requested", "remove it, or request motions");
   return asked;
 }
 

@@ -8,7 +8,7 @@ namespace trivet::project {
 
 /// Root mean squares and spectral densities under the random excitations.
 struct RandomQuestion : Question {
-  std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all motions that are asked for
+  std::optional<excitation::Weighting> weighting;  ///< of the accelerations of all requested motions
   std::optional<excitation::ContactPoint>
       contact;  ///< instead: each axis as people feel it there, with the vibration total value
 };

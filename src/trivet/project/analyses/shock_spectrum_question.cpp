@@ -15,7 +15,7 @@ std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultN
   asked->damping_ratio = reader.number("damping", Quantity::pure).value_or(0.05);
   if (!(asked->damping_ratio >= 0 && asked->damping_ratio < 1))
     reader.error("damping", fmt::format("{:.6g}", asked->damping_ratio),
-                 "a damping ratio is 0 … 1 (Q = 1/(2ζ); Q = 10 is 0.05)", "mend it");
+                 "a damping ratio is 0 … 1 (Q = 1/(2ζ); Q = 10 is 0.05)", "correct it");
   const auto band = read_band(reader, "band");
   if (!reader.has("band")) reader.missing("band", "give the natural frequencies: band = [\"5 Hz\", \"2000 Hz\"]");
   if (band && !(band->from > 0)) reader.error("band", "from 0", "natural frequencies are > 0", "raise the lower end");

@@ -31,8 +31,8 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   if (base) asked->direction.axis = *base;
   for (const char* key : {"rotation", "of"})
     if (reader.has("force") && reader.has(key))
-      reader.error(key, std::string(key) + " beside a force",
-                   "a force is compared with the force on the ground in its own direction", "remove it");
+      reader.error(key, std::string(key) + " together with a force",
+                   "a force is compared with the force on the ground in the same direction", "remove it");
   asked->direction.rotation = reader.boolean("rotation").value_or(false);
   std::vector<std::string> places = mentioned.bodies;
   places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
@@ -48,7 +48,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   return asked;
 }
 
-/// It needs a force along one direction.
+/// Reports a force that is not along one direction.
 void check_force(const Question& asked, const model::System& system, foundation::Problems& problems) {
   const std::string& force = static_cast<const TransmissibilityQuestion&>(asked).force;
   if (force.empty()) return;

@@ -6,8 +6,8 @@
 
 namespace trivet::project {
 
-/// Force on the ground over the one excitation that is wanted, or motion of the wanted bodies and points over a unit
-/// motion of the whole ground.
+/// Force on the ground over one force excitation, or motion of the wanted bodies and points over a unit motion of the
+/// whole ground.
 struct TransmissibilityQuestion : BandQuestion {
   std::string force;              ///< the excitation; empty: a motion of the ground
   response::Direction direction;  ///< of a motion

@@ -100,7 +100,7 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
                  names.remedy(word));
   }
   if (words->empty())
-    reader.error("of", "an empty list", "at least one result is wanted", "remove `of` for all coordinates");
+    reader.error("of", "an empty list", "at least one result is expected", "remove `of` for all coordinates");
   of = *words;
 }
 
@@ -113,10 +113,10 @@ void refuse_excitation(TableReader& reader, const std::string& name, const std::
                guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
-/// Nobody asks for no excitation; without the key all are taken.
+/// Reports an empty list; without the key, all excitations are taken.
 void refuse_none(TableReader& reader, const std::vector<std::string>& names) {
   if (names.empty())
-    reader.error("excitations", "an empty list", "at least one excitation is wanted", "remove `excitations` for all");
+    reader.error("excitations", "an empty list", "at least one excitation is expected", "remove `excitations` for all");
 }
 
 }  // namespace
@@ -134,7 +134,7 @@ std::vector<std::string> read_selected(TableReader& reader, const std::vector<st
 void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
   const std::string guess = foundation::nearest_name(name, names.components());
   if (names.is_guided(name))
-    reader.error(name, "guided", "the `free` of its body leaves this coordinate out, so that it does not move",
+    reader.error(name, "guided", "this coordinate is not in `free` of its body, so it does not move",
                  "limit a free coordinate or the force of an element, or add it to `free`");
   else
     reader.error(name, "no such result",
@@ -194,7 +194,7 @@ void read_wanted(TableReader& reader, const ResultNames& result_names, const std
         return result_names.is_force(name);
       }))
     warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
-                     "it says how motions are measured, and no motion is asked for", "remove it, or ask for motions");
+                     "it applies to motions only, and no motion is requested", "remove it, or request motions");
   if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
 }
 

@@ -11,7 +11,7 @@
 namespace trivet::project {
 namespace {
 
-/// A factor > 0; 1 where none is given or it is wrong.
+/// A factor > 0; 1 if it is missing or wrong.
 double read_factor(TableReader& reader, const std::string& key) {
   const auto factor = reader.number(key, Quantity::pure);
   if (!factor) return 1;
@@ -21,7 +21,7 @@ double read_factor(TableReader& reader, const std::string& key) {
   return 1;
 }
 
-/// {x = …, y = …, z = …}, those not given 0.
+/// {x = …, y = …, z = …}, missing ones 0.
 Eigen::Vector3d read_shift(TableReader& reader, const std::string& key) {
   Eigen::Vector3d by = Eigen::Vector3d::Zero();
   const Node* table = reader.table(key);
@@ -32,7 +32,7 @@ Eigen::Vector3d read_shift(TableReader& reader, const std::string& key) {
   return by;
 }
 
-/// The change of the element of that name; one that could not be read has none.
+/// Adds a change of the element of that name, if that could be read.
 template <typename Change>
 void change_element(Mentioned& mentioned, const std::string& name, const Change& change) {
   mentioned.adjustments.push_back([name, change](model::Description& description) {
@@ -55,8 +55,8 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
     const std::string key = model::coordinate_names[j];
     factors(static_cast<Eigen::Index>(j)) = read_factor(inside, key);
     if (inside.has(key) && !response::has_plain_stiffness(element))
-      inside.error(key, "a stiffness by direction of an element with inertia or a frequency dependence of its own",
-                   "these go with its stiffness as a whole", "use `all`, or `scale` of the element");
+      inside.error(key, "a stiffness by direction of an element with inertia or frequency-dependent stiffness",
+                   "these scale with the whole stiffness only", "use `all`, or `scale` of the element");
   }
   inside.finish();
   if (all != 1)
@@ -99,7 +99,7 @@ void read_body_adjustments(TableReader& reader, const model::Body& body, std::si
   TableReader inside(*table, reader.path() + ".inertia_about_center", reader.problems());
   if (!body.has_inertia)
     inside.error("", "a body without inertia", "there is nothing to change", "give it an inertia, or remove this");
-  // Products first: their unit is that of the moments as described.
+  // Products first: they are shares of the moments as described.
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}, {0, 0}, {1, 1}, {2, 2}}) {
     const std::string key = {"xyz"[i], "xyz"[j]};
     const double share = i == j ? read_factor(inside, key) - 1 : inside.number(key, Quantity::pure).value_or(0);

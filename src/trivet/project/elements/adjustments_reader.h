@@ -3,11 +3,11 @@
 
 #include "trivet/project/text/mentioned.h"
 
-/// Keys that change a thing as it was described, with all else kept (docs/project-file.md, "Adjustments").
+/// Keys that change a part as described, with all else unchanged (docs/project-file.md, "Adjustments").
 namespace trivet::project {
 
-/// `stiffness_factor`, `damping_factor` and `moved` of an element that has been read otherwise.
-/// @param complete  it was read without an error, so that what it lacks is not there
+/// `stiffness_factor`, `damping_factor` and `moved` of an element whose other keys are read.
+/// @param complete  it was read without an error, so what it lacks does not exist
 void read_element_adjustments(TableReader& reader, const model::Element& element, bool complete, Mentioned& mentioned);
 
 /// `mass_about_center`, `center_moved` and `inertia_about_center` of a body. @param index  of the body in the

@@ -30,7 +30,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   const auto sides = [&](const char* key) -> std::optional<std::vector<double>> {
     auto numbers = section.numbers(key, Quantity::length);
     if (numbers && numbers->size() != 2) {
-      section.error(key, fmt::format("{} numbers", numbers->size()), "two lengths are wanted",
+      section.error(key, fmt::format("{} numbers", numbers->size()), "two lengths are expected",
                     "tube = [outer, inner], rectangle = [x, y]");
       return std::nullopt;
     }
@@ -39,7 +39,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   const auto positive = [&](const char* key, double value) {
     if (!(value > 0))
       section.error(key, fmt::format("{:.6g} m", value), "a length of the section must be > 0",
-                    "mend the value or its unit");
+                    "correct the value or its unit");
     else if (!foundation::is_part_size(value))
       section.error(key, fmt::format("{:.6g} m", value), foundation::part_size_rule,
                     "check the unit and the power of ten");
@@ -72,7 +72,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
     if (const auto w = sides("rectangle"); w && positive("rectangle", (*w)[0]) && positive("rectangle", (*w)[1]))
       result = elements::rectangular_section((*w)[0], (*w)[1], metal);
   } else {
-    // Areas and second moments have no unit words here: SI numbers.
+    // Areas and second moments are SI numbers without units.
     result.area = section.required_number("area", Quantity::pure);
     result.moment_1 = section.required_number("moment_x", Quantity::pure);
     result.moment_2 = section.required_number("moment_y", Quantity::pure);
@@ -143,7 +143,7 @@ const ElementLaw beam_law = {.type = "beam", .sized = read_beam, .keys = R"json(
    "level": {"enum": ["quasi_static", "with_mass"], "description": "default: with_mass"}},
   "required": ["length", "section", "material"]})json"};
 
-/// A rod between two ball joints, by two names.
+/// Two names of one law: a rod between two ball joints.
 constexpr const char* link_keys = R"json({"properties": {
    "length": {"$ref": "#/$defs/number", "description": "between its two ball joints, m, > 0"},
    "stiffness": {"$ref": "#/$defs/number", "description": "axial, N/m, >= 0"},

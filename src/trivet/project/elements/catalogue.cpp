@@ -47,7 +47,7 @@ std::optional<Eigen::Vector2d> load_range(TableReader& reader) {
   return std::nullopt;
 }
 
-/// What is possible, but does not fit together.
+/// Warns of values that are possible but do not agree.
 void warn_of_slips(const Mount& mount, TableReader& reader) {
   const auto warn = [&](const std::string& key, std::string finding, std::string rule, std::string remedy) {
     reader.problems()
@@ -55,7 +55,7 @@ void warn_of_slips(const Mount& mount, TableReader& reader) {
         .origin = reader.node(key)->origin;
   };
   if (mount.loss_factor.value_or(0) > 1)
-    warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal lie below 1",
+    warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal are below 1",
          fmt::format("write \"{:.6g} %\" if percent are meant", *mount.loss_factor));
   if (!mount.static_load || !mount.static_deflection_limit || mount.translation.z() == 0) return;
   const double deflection = mount.static_load->y() / mount.translation.z();
@@ -82,7 +82,7 @@ Mount read_mount(const Node& table, const std::string& name, const std::string& 
   mount.static_deflection_limit = reader.number("static_deflection_limit", Quantity::length);
   if (mount.static_deflection_limit && !(*mount.static_deflection_limit > 0))
     reader.error("static_deflection_limit", fmt::format("{:.6g} m", *mount.static_deflection_limit), "it must be > 0",
-                 "leave it out if there is none");
+                 "remove it if there is no limit");
   mount.mass = at_least_zero(reader, "mass", Quantity::mass);
   mount.price = reader.text("price").value_or("");
   mount.source = reader.text("source").value_or(source);
@@ -107,7 +107,7 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
           .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
-                 fmt::format("a mount is a table with a name of at most {} signs on one line", longest_mount_name),
+                 fmt::format("a mount is a table with a name of at most {} characters on one line", longest_mount_name),
                  "write [mounts.\"NAME\"] and its data below")
           .origin = table->items[i].origin;
     else catalogue.mounts.push_back(read_mount(table->items[i], name, source, root.problems()));
@@ -165,7 +165,7 @@ foundation::Expected<Mount> mount_named(const std::string& name, const std::vect
   foundation::Problems problems;
   problems.error("catalogue", foundation::quoted(name),
                  fmt::format("none of the {} mounts has this name", names.size()),
-                 near.empty() ? "look into the catalogue for its names" : "did you mean \"" + near + "\"?");
+                 near.empty() ? "see the names in the catalogue" : "did you mean \"" + near + "\"?");
   return tl::make_unexpected(std::move(problems));
 }
 

@@ -21,7 +21,7 @@ struct Mount {
   std::optional<Eigen::Vector2d> static_load;     ///< lowest and highest compression along e3 [N]
   std::optional<double> static_deflection_limit;  ///< along e3 [m]
   std::optional<double> mass;                     ///< [kg]
-  std::string price;                              ///< as the maker words it
+  std::string price;                              ///< in the words of the maker
   std::string source;                             ///< where the numbers come from
   foundation::Origin origin;                      ///< its place in the catalogue
 };

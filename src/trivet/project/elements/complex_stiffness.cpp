@@ -14,10 +14,10 @@ namespace {
 
 using elements::Matrix12;
 
-/// Files keep six digits and more of a structural damping that is the same everywhere.
+/// Largest deviation from one loss factor: files keep at least six digits.
 constexpr double one_factor = 1e-6;
 
-/// η where K'' = ηK', entry by entry over √(K'_ii K'_jj).
+/// η if K'' = ηK', checked entry by entry over √(K'_ii K'_jj); else none.
 std::optional<double> common_factor(const Matrix12& stiffness, const Matrix12& loss) {
   const double eta = loss.cwiseProduct(stiffness).sum() / stiffness.squaredNorm();
   const elements::Vector12 size = stiffness.diagonal().cwiseAbs().cwiseSqrt();
@@ -33,24 +33,25 @@ void check_loss(TableReader& reader, const Matrix12& loss, const model::Span& sp
   foundation::Problems found;
   if (element.symmetric && verdict.asymmetry > elements::rounding_of_data)
     found.error("file", fmt::format("its imaginary part is unsymmetric by {:.3g} (scaled)", verdict.asymmetry),
-                "the loss of an element is symmetric", "mend the file, or set symmetric = false if it is meant");
+                "the loss of an element is symmetric", "correct the file, or set symmetric = false if it is intended");
   if (verdict.rigid_residual > elements::silent_residual) {
     const std::string finding = fmt::format("its imaginary part resists a rigid motion by {:.3g} % of the scaled loss",
                                             100 * verdict.rigid_residual);
     const char* rule = "an element loses no energy in a rigid motion";
     if (verdict.rigid_residual > elements::refused_residual && !element.allow_residual)
-      found.error("file", finding, rule,
-                  "mend the matrix, its order (N, then K) or its end points; take a dashpot to the ground out of the "
-                  "exported part");
+      found.error(
+          "file", finding, rule,
+          "correct the matrix, its order (N, then K) or its end points; remove a dashpot to the ground from the "
+          "exported part");
     else found.warning("file", finding, rule, "it may be rounding of the data or a wrong end point");
   }
   const double lowest = verdict.lowest_eigenvalue / std::max(1.0, verdict.highest_eigenvalue);
   const std::string finding = fmt::format("its imaginary part has the scaled eigenvalue {:.4g}", lowest);
-  const char* rule = "a passive element takes energy in every motion (e^{+iωt}: K'' ≥ 0)";
+  const char* rule = "a passive element absorbs energy in every motion (e^{+iωt}: K'' ≥ 0)";
   if (lowest < -noisy_loss)
-    found.error("file", finding, rule, "check the sign of the imaginary part: with e^{-iωt} it is the other one");
+    found.error("file", finding, rule, "check the sign of the imaginary part: with e^{-iωt} it is the opposite");
   else if (lowest < -rounded_loss)
-    found.warning("file", finding, rule, "it can feed energy into some motion; ask for more digits");
+    found.warning("file", finding, rule, "it can feed energy into some motion; export more digits");
   reader.add(found);
 }
 
@@ -68,7 +69,7 @@ void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& spa
   if (const auto eta = common_factor(element.law.nominal_stiffness, loss)) {
     element.law.damping = elements::LossFactor{*eta};
     element.facts.push_back(
-        {"loss factor", fmt::format("{:.6g}: its imaginary part is that multiple of the real one", *eta)});
+        {"loss factor", fmt::format("{:.6g}: the imaginary part is this multiple of the real part", *eta)});
     return;
   }
   const elements::Matrix12c both = element.law.nominal_stiffness.cast<std::complex<double>>() +
@@ -77,7 +78,7 @@ void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& spa
   constant.elastic = false;
   constant.stiffness = [both](std::complex<double>, double) { return both; };
   element.law.frequency_dependence = std::move(constant);
-  element.facts.push_back({"loss", "a 12×12 of its own, the same at every frequency"});
+  element.facts.push_back({"loss", "a separate 12×12, the same at every frequency"});
 }
 
 }  // namespace trivet::project

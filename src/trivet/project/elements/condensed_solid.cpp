@@ -12,7 +12,7 @@
 namespace trivet::project {
 namespace {
 
-/// Raised whenever meshes or kernels change, so that no older result is taken out of the cache.
+/// Change it whenever meshes or kernels change, so that older results in the cache are not used.
 constexpr const char* method = "finite elements 1";
 
 std::vector<double> numbers_of(const fem::SolidStiffness& s) {
@@ -40,7 +40,7 @@ std::vector<double> numbers_of(const fem::PreloadedStiffness& p) {
   return numbers;
 }
 
-/// Computes, or takes the numbers of an earlier run.
+/// Numbers of an earlier run from the cache, or computed ones.
 template <typename Make, typename Compute>
 std::vector<double> remembered(const std::string& key, std::size_t count, const Make& make, const Compute& numbers) {
   if (const auto kept = cached_numbers(key); kept && kept->size() == count) return *kept;
@@ -53,7 +53,7 @@ void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
   element.facts.push_back(
       {"found by", fmt::format("finite elements: {} elements, {} unknowns", s.elements, s.unknowns)});
   if (s.relative_error.isZero(0)) {
-    element.facts.push_back({"estimated error of the mesh", "not estimated: level 1 has no coarser mesh beside it"});
+    element.facts.push_back({"estimated error of the mesh", "not estimated: level 1 has no coarser mesh"});
     return;
   }
   std::string errors;
@@ -117,7 +117,7 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
                    const std::optional<Compression>& compression, model::Element& element) {
   const std::size_t before = reader.errors();
   try {
-    std::optional<Solid> solid;  // meshed once, and only if something is not remembered
+    std::optional<Solid> solid;  // meshed once, and only if a result is not in the cache
     const auto meshed = [&]() -> const Solid& {
       if (!solid) solid = make();
       return *solid;
@@ -156,15 +156,15 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
     element.facts.push_back({"preload", fmt::format("{:.6g} N of compression", -(*element.law.preload)(8))});
     if (p[160] > 0)
       reader.error("preload", fmt::format("{} negative pivots", p[160]),
-                   "a mount that has buckled between its plates carries nothing", "lower the preload");
+                   "a mount that has buckled between its plates carries no load", "lower the preload");
     return p[158];
   } catch (const foundation::InvalidInput& reason) {
-    if (reader.errors() == before)  // the mesher tells more
+    if (reader.errors() == before)  // the mesher reports more
       reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed",
-                   "mend the solid, its plates or its mesh");
+                   "correct the solid, its plates or its mesh");
   } catch (const foundation::NotComputable& reason) {
     reader.error(compression ? "preload" : "type", reason.what(), "the static state must exist",
-                 "lower the preload, or look at the solid and its plates");
+                 "lower the preload, or check the solid and its plates");
   }
   return std::nullopt;
 }

@@ -10,10 +10,10 @@
 #include "trivet/fem/mesh.h"
 #include "trivet/project/elements/element_parts.h"
 
-/// Solids that are meshed and condensed onto their two plates, or remembered from an earlier run.
+/// Solids that are meshed and condensed onto their two plates, or taken from the cache of an earlier run.
 namespace trivet::project {
 
-/// A solid between its plates, whatever it was made from.
+/// Mesh, materials and frame of a solid between its plates.
 struct Solid {
   fem::Mesh mesh;
   std::optional<fem::Mesh> coarse;  ///< for the error estimate of hexahedra
@@ -28,20 +28,20 @@ struct Compression {
   bool is_force = false;
 };
 
-/// preload = {compression = …} or {force = …}.
+/// Reads preload = {compression = …} or {force = …}.
 [[nodiscard]] std::optional<Compression> read_compression(TableReader& reader);
 
-/// mooney_rivlin = [c10, c01] or yeoh = [c10, c20, c30] in place of the shear modulus of a rubber.
+/// Reads mooney_rivlin = [c10, c01] or yeoh = [c10, c20, c30] in place of the shear modulus of a rubber.
 void read_large_strain(TableReader& reader, fem::Material& material);
 
-/// All that distinguishes a material, for the key of what is remembered.
+/// All constants of a material, for the key of the cache.
 [[nodiscard]] std::string words(const fem::Material& material);
 
-/// Key of a solid among what is remembered: its description in words, and the files it comes from.
+/// Key of a solid in the cache: from its description and the contents of its files.
 [[nodiscard]] std::string solid_key(const std::string& description, const std::vector<std::string>& files = {});
 
-/// Stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the plates in the preloaded
-/// state; nothing without preload, or after reporting why there is none.
+/// Gives the element the stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the
+/// plates in the preloaded state; none without preload or after reporting errors.
 [[nodiscard]] LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
                                  const std::optional<Compression>& compression, model::Element& element);
 

@@ -5,7 +5,7 @@
 #include "trivet/project/elements/element_parts.h"
 #include "trivet/project/text/idle_key.h"
 
-/// Laws that are constants in the file: a matrix, springs at a point, a damper along a line.
+/// Laws with constants in the file: a matrix, springs at a point, a damper along a line.
 namespace trivet::project {
 namespace {
 
@@ -18,7 +18,7 @@ void read_matrix(TableReader& reader, Placement& ends, model::Element& element) 
     element.law.nominal_stiffness = full_matrix(*matrix, ends.span);
 }
 
-/// Where its springs act: a fraction of the way from N to K.
+/// Elastic centre as a fraction of the way from N to K.
 double read_center(TableReader& reader, Placement& ends) {
   const double center = reader.number("center", Quantity::pure).value_or(0.5);
   if (reader.has("center") && ends.known && ends.span.arm.isZero(0))
@@ -55,12 +55,12 @@ void read_damper(TableReader& reader, Placement& ends, model::Element& element) 
                  "a negative one would feed energy into the motion");
   for (const char* key : {"damping", "scale"}) {
     if (reader.has(key))
-      reader.error(key, std::string(key) + " of a damper", "its coefficient says it all",
+      reader.error(key, std::string(key) + " of a damper", "a damper has only a coefficient",
                    "remove it, and change the coefficient");
     static_cast<void>(reader.node(key));
   }
   Eigen::Vector3d line = ends.span.arm;
-  if (reader.has("axis")) line = Eigen::Vector3d::UnitZ();  // the local e3 that `axis` laid
+  if (reader.has("axis")) line = Eigen::Vector3d::UnitZ();  // local e3, which `axis` sets
   else if (!(line.norm() > 0)) {
     if (ends.known)
       reader.error("axis", "both ends are at the same point", "a damper works along a line",

@@ -14,7 +14,7 @@ constexpr const char* rule =
     "damping is one of {proportional}, {loss_factor}, {matrix}, {translation, rotation}, {kelvin_voigt}, {zener}, "
     "{maxwell}, {fractional_zener}, {loops}";
 
-/// The laws that the table names, each once; `translation` and `rotation` are one.
+/// The laws in the table, each once; `translation` and `rotation` count as one.
 std::vector<std::string> laws_given(TableReader& damping) {
   std::vector<std::string> laws;
   for (const char* key :
@@ -35,7 +35,7 @@ void report_several(TableReader& reader, const Node& table, const std::vector<st
   reader.error("damping", given, rule, "keep one of them").origin = latest->origin;
 }
 
-/// {zener = {ratio = 0.8, time = "2 ms"}} and its like.
+/// {zener = {ratio = 0.8, time = "2 ms"}} and similar laws.
 std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
   std::optional<Viscoelastic> law;
   for (const char* key : {"kelvin_voigt", "zener", "maxwell", "fractional_zener"}) {
@@ -68,7 +68,6 @@ std::optional<Viscoelastic> read_viscoelastic(TableReader& damping) {
 
 }  // namespace
 
-/// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
 Quantity matrix_entry(bool damping, int i, int j) {
   const bool moment = i % 6 >= 3, angle = j % 6 >= 3;
   if (damping) {
@@ -91,7 +90,7 @@ elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quan
   for (int i = 0; i < 6; ++i)
     if (k(i) < 0)
       reader.error(i < 3 ? "translation" : "rotation", fmt::format("{:.6g}", k(i)), "each constant must be ≥ 0",
-                   "a negative one would give energy away");
+                   "a negative one would be a source of energy");
   return k;
 }
 
@@ -126,8 +125,7 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
   for (const char* key : {"of", "translation", "rotation"}) {
     const bool misplaced = std::string(key) == "of" && damping.has("of") && !damping.has("proportional");
     if (misplaced)
-      damping.error("of", "of without proportional", "it says of which stiffness a proportional damping is taken",
-                    "remove it");
+      damping.error("of", "of without proportional", "it selects the stiffness of a proportional damping", "remove it");
     static_cast<void>(damping.node(key));
   }
   damping.finish();

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t largest_entry = 1u << 20;  // the largest kept is 2.4 kB
+constexpr std::size_t largest_entry = 1u << 20;  // the largest stored one has 2.4 kB
 
 std::optional<fs::path> folder() {
   if (const char* given = std::getenv("TRIVET_CACHE")) return *given ? std::optional<fs::path>(given) : std::nullopt;
@@ -30,7 +30,7 @@ std::optional<fs::path> folder() {
   return std::nullopt;
 }
 
-/// Once, so that what a killed run left goes even if nothing new has to be kept.
+/// Removes what killed runs left, once per run, also if no new entry is stored.
 void clean(const fs::path& cache) {
   static std::once_flag cleaned;
   std::call_once(cleaned, [&] { foundation::remove_abandoned_folders(cache); });

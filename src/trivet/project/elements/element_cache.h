@@ -8,13 +8,13 @@
 
 namespace trivet::project {
 
-/// Numbers that cost long to find, kept on disk under a hash of everything they depend on. The folder is $TRIVET_CACHE,
+/// Results of long computations, stored on disk under a hash of all that they depend on. The folder is $TRIVET_CACHE,
 /// else trivet/ in $XDG_CACHE_HOME or ~/.cache; TRIVET_CACHE="" switches it off. A damaged entry, a link or a folder in
-/// its place counts as absent; without a folder that can be written, nothing is kept.
+/// its place counts as absent; without a writable folder, no entry is stored.
 [[nodiscard]] std::optional<std::vector<double>> cached_numbers(const std::string& key);
 void keep_numbers(const std::string& key, const std::vector<double>& numbers);
 
-/// A key from a description of the computation in words and digits, and from the contents of files.
+/// Key from a description of the computation and from the contents of files.
 [[nodiscard]] std::string content_key(const std::string& description, const std::vector<std::string>& files = {});
 
 }  // namespace trivet::project

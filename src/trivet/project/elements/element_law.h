@@ -8,21 +8,20 @@
 
 namespace trivet::project {
 
-/// Where an element is put.
+/// Ends of an element.
 struct Placement {
   model::Span span;
-  bool known = false;  ///< its ends could be read; else the span is 0 and the law is read for its own problems alone
-  double damping_at =
-      0.5;  ///< fraction of the way from N to K where constants of `damping` act; a law that acts elsewhere says so
+  bool known = false;       ///< its ends could be read; else the span is 0 and the law is read only for its problems
+  double damping_at = 0.5;  ///< fraction of the way from N to K where constants of `damping` act; a law may change it
 };
 
-/// One type of element in the project file. Each is defined beside its reader in this room, as TYPE_law.
+/// One type of element in the project file. Each is defined next to its reader in this folder, as TYPE_law.
 struct ElementLaw {
   const char* type;  ///< "beam"; "catalogue:NAME" for every word that begins with "catalogue:"
 
-  /// A law that knows its own size: it fills law and facts, in local axes with e3 from N to K.
+  /// Reader of a law with its own length: it fills law and facts, in local axes with e3 from N to K.
   LengthOf (*sized)(TableReader& reader, model::Element& element) = nullptr;
-  /// Instead: a law between ends that the project file places.
+  /// Or the reader of a law between ends that the project file places.
   void (*placed)(TableReader& reader, Placement& ends, model::Element& element) = nullptr;
 
   bool takes_damping = true;  ///< has the table `damping` of all elements
@@ -45,7 +44,7 @@ TRIVET_ELEMENT_LAWS(TRIVET_LAW)
 
 [[nodiscard]] const std::vector<const ElementLaw*>& element_laws();
 
-/// Of that type; none if there is no such type.
+/// The law of that type; null if there is no such type.
 [[nodiscard]] const ElementLaw* element_law(const std::string& type);
 
 }  // namespace trivet::project

@@ -10,29 +10,29 @@
 /// One function per part of an element's table.
 namespace trivet::project {
 
-/// What entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix measures.
+/// Quantity of entry (i, j) of a 6×6 or 12×12 stiffness or damping matrix.
 [[nodiscard]] Quantity matrix_entry(bool damping, int i, int j);
 
-/// A 12×12 is taken as given; a 6×6 of the K end is completed by equilibrium.
+/// The 12×12 of a given matrix: a 12×12 as it is, a 6×6 of the K end completed by equilibrium.
 [[nodiscard]] elements::Matrix12 full_matrix(const Eigen::MatrixXd& given, const model::Span& span);
 
 /// `translation` and, if wanted, `rotation`: six constants along and about the local axes, each ≥ 0.
 [[nodiscard]] elements::Vector6 read_constants(TableReader& reader, Quantity translation, Quantity rotation,
                                                bool with_rotation);
 
-/// The table `damping` of an element into its law; constants act at the fraction `centre` of the span.
+/// Reads the table `damping` of an element into its law; constants act at the fraction `centre` of the span.
 void read_damping(TableReader& reader, const model::Span& span, double centre, model::Element& element);
 
-/// `damping = {loops = "file.csv", law = "best"}`: the law of the element out of measured hysteresis loops.
+/// Reads `damping = {loops = "file.csv", law = "best"}`: a damping law fitted to measured hysteresis loops.
 void read_loops(TableReader& damping, model::Element& element);
 
-/// The distance from N to K [m], or nothing after reporting what is wrong.
+/// Distance from N to K [m]; none after reporting errors.
 using LengthOf = std::optional<double>;
 [[nodiscard]] LengthOf read_step_mount(TableReader& reader,
-                                       model::Element& element);  ///< a solid_mount out of a STEP file
+                                       model::Element& element);  ///< a solid_mount from a STEP file
 
-/// Rubber is stiffer in vibration than at rest: found with the static moduli, the element then moves with
-/// `material.stiffening` times the stiffness of its deformations; what a preload does in a rigid motion stays.
+/// Multiplies the deformation stiffness of an element, computed with static moduli, by `material.stiffening`: rubber is
+/// stiffer in vibration than at rest. The effect of a preload in a rigid motion is unchanged. Returns `length`.
 [[nodiscard]] LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element);
 
 }  // namespace trivet::project

@@ -26,7 +26,7 @@ std::vector<std::string> all_types(const Mentioned& mentioned) {
   return types;
 }
 
-/// Builds one element: where its ends are, then its law in their axes.
+/// Reads one element: the places of its ends, then its law in their axes.
 class ElementReader {
  public:
   ElementReader(const Node& node, const std::string& name, const model::Description& description, Mentioned& mentioned,
@@ -53,19 +53,19 @@ class ElementReader {
     if (!law_ || law_->takes_damping) read_damping(reader_, ends_.span, ends_.damping_at, element_);
     if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, mentioned_);
     if (law_) reader_.finish();
-    else report_tables_inside(node_);  // which other keys belong here depends on the type
+    else report_tables_inside(node_);  // the valid keys depend on the type
     return ends_.known && reader_.errors() == before ? std::optional(element_) : std::nullopt;
   }
 
  private:
-  /// A table that no law has is most likely the rest of a name with a dot: [elements.front.left].
+  /// Reports tables that no law has, most likely the rest of a name with a dot: [elements.front.left].
   void report_tables_inside(const Node& node) {
     for (std::size_t i = 0; i < node.keys.size(); ++i) {
       const bool ours = node.keys[i] == "damping" || node.keys[i] == "stiffness_factor" || node.keys[i] == "moved" ||
           node.keys[i].ends_with("orientation");
       if (node.items[i].kind == Node::Kind::table && !ours && !outside_feature(reader_.path(), node.keys[i]))
         reader_.error(node.keys[i], "unknown key", "no element has a table of this name",
-                      "a name with a dot stands in quotes, and names here have none: write [elements.\"front left\"]");
+                      "names have no dots; write names with blanks in quotes: [elements.\"front left\"]");
     }
   }
 
@@ -83,7 +83,7 @@ class ElementReader {
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
     if (law_ && law_->sized && reader_.has("from_orientation"))
-      reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends of it share its own axes",
+      reader_.error("from_orientation", "from_orientation of a " + element_.type, "both ends have the same axes",
                     "remove it, and turn the element by axis or orientation");
     if (reader_.has("axis") && reader_.has("orientation"))
       reader_.error("axis", "axis and orientation", "only one of them turns the local axes", "remove one");
@@ -110,7 +110,7 @@ class ElementReader {
     return true;
   }
 
-  /// An element with a length and two given ends lies along them.
+  /// Aligns e3 of an element with its own length with the line from N to K.
   void align_with(const Eigen::Vector3d& arm) {
     if (arm.norm() > 0) element_.k.axes = spatial::axes_along(arm.normalized());
   }
@@ -123,10 +123,10 @@ class ElementReader {
                   fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", ends_.span.arm.x(),
                               ends_.span.arm.y(), ends_.span.arm.z()),
                   fmt::format("this element is {:.9g} m long along its local e3", *length_),
-                  "leave from_at away, or mend the ends, the axis or the element");
+                  "remove from_at, or correct the ends, the axis or the element");
   }
 
-  /// A type that is no law: a slip, or a feature of other programs.
+  /// Reports a type that is not a law: a misspelling, or a feature outside this version.
   void refuse_type() {
     if (const auto outside = outside_type(element_.type))
       reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
@@ -138,12 +138,12 @@ class ElementReader {
   const model::Description& bodies_;
   Mentioned& mentioned_;
   model::Element element_;
-  const ElementLaw* law_ = nullptr;  ///< none if the type is not known
+  const ElementLaw* law_ = nullptr;  ///< null if the type is not known
   Placement ends_{{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}};
-  LengthOf length_;  ///< of a law that knows it
+  LengthOf length_;  ///< of a law with its own length
 };
 
-/// An element of an earlier description, unless a foundation stands under it: these are counted anew.
+/// An unchanged element of an earlier description; null for one on a foundation, because foundations get new indices.
 const model::Element* known_element(const KnownModel& known, const std::string& name, const Node& now,
                                     const model::Description& description) {
   if (now.find("foundation") || !known.unchanged("elements", name, now)) return nullptr;

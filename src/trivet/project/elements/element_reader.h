@@ -5,8 +5,8 @@
 
 namespace trivet::project {
 
-/// `elements` of the file; adds to the description and reports its problems.
-/// @param known  read earlier; elements that are the same there, between the same bodies, are taken from it
+/// Reads the table `elements` into the description and reports its problems.
+/// @param known  a model read earlier; unchanged elements between unchanged bodies are copied from it
 void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned,
                    const KnownModel* known = nullptr);
 

@@ -14,7 +14,7 @@
 namespace trivet::project {
 namespace {
 
-/// Whole numbers out of a list of the given length.
+/// Whole numbers from a list of the given length.
 std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* key, std::size_t count) {
   const auto numbers = reader.numbers(key, Quantity::pure);
   if (!numbers) return std::nullopt;
@@ -23,25 +23,25 @@ std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* k
     if (number >= 0 && number < 2e9 && number == std::floor(number)) whole.push_back(static_cast<int>(number));
   if (whole.size() == count && numbers->size() == count) return whole;
   if (numbers->size() == count) {
-    reader.error(key, "a number that is not whole or negative", fmt::format("{} whole numbers are wanted", count),
+    reader.error(key, "a number that is negative or not whole", fmt::format("{} whole numbers are expected", count),
                  "count nodes as the file does, rows from 1");
     return std::nullopt;
   }
-  reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are wanted", count),
+  reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are expected", count),
                "count nodes as the file does, rows from 1");
   return std::nullopt;
 }
 
-/// 12×12 out of what the file holds: two named nodes, twelve rows, or the whole.
+/// 12×12 from two named nodes, twelve rows, or the whole matrix of the file.
 foundation::Expected<exchange::EndMatrix> reduced(TableReader& reader, const exchange::NamedMatrix& matrix) {
   const std::size_t before = reader.errors();
   const auto nodes = whole_numbers(reader, "nodes", 2), turning = whole_numbers(reader, "rotation_nodes", 2);
   const auto given = whole_numbers(reader, "rows", 12);
   if (reader.has("nodes") && reader.has("rows"))
-    reader.error("rows", "nodes and rows", "the ends are named in one way", "keep one of them");
+    reader.error("rows", "nodes and rows", "only one of them names the ends", "keep one of them");
   if (reader.has("rotation_nodes") && !reader.has("nodes"))
-    reader.error("rotation_nodes", "rotation_nodes without nodes",
-                 "they hold the rotations of the ends that nodes names", "add nodes = [N, K], or remove it");
+    reader.error("rotation_nodes", "rotation_nodes without nodes", "they have the rotations of the ends in `nodes`",
+                 "add nodes = [N, K], or remove it");
   if (reader.errors() > before) return tl::make_unexpected(foundation::Problems());
   if (nodes) {
     const exchange::NodeEnd n{(*nodes)[0], turning ? (*turning)[0] : 0}, k{(*nodes)[1], turning ? (*turning)[1] : 0};
@@ -103,7 +103,7 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
 
 const ElementLaw imported_law = {.type = "imported", .placed = read_imported, .keys = R"json({"properties": {
    "file": {"type": "string", "description": "relative to the project file"},
-   "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"], "description": "default: told by the file"},
+   "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"], "description": "default: determined from the file"},
    "name": {"type": "string", "description": "of one of several matrices in the file"},
    "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
    "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},

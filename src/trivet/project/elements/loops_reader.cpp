@@ -19,7 +19,7 @@ using identification::LawFit;
 using identification::LoopFit;
 using identification::LoopRecord;
 
-/// Project-file words of the laws that can be fitted, and their names there.
+/// Laws that can be fitted: their names in the project file and in LawFit.
 const std::map<std::string, std::string> law_names = {{"hysteretic", "hysteretic"},
                                                       {"kelvin_voigt", "viscous (Kelvin–Voigt)"},
                                                       {"zener", "Zener"},
@@ -33,8 +33,8 @@ void add_problems(TableReader& reader, const foundation::Problems& problems) {
   }
 }
 
-/// Rows of one value of `loop` are one record; displacement and force in the units given, frequency_hz and time where
-/// there are such columns.
+/// One record for each run of rows with the same `loop`: displacement and force in the given units; frequency_hz and
+/// time if these columns exist.
 std::vector<LoopRecord> records(const CsvTable& table, const Eigen::MatrixXd& needed, double length_unit,
                                 double force_unit) {
   const auto column = [&](const char* name) -> Eigen::Index {
@@ -74,7 +74,7 @@ void add_facts(const std::vector<LoopFit>& loops, const identification::LawRanki
                      loop.viscous_coefficient ? ", c = " + interval(*loop.viscous_coefficient) + " N s/m" : "")});
   for (const LawFit& law : ranking.laws)
     element.facts.push_back({law.law + (&law == &taken ? " (taken)" : ""),
-                             fmt::format("misses the loops by {:.3g} % rms, AICc {:.3g} above the best",
+                             fmt::format("deviates from the loops by {:.3g} % rms, AICc {:.3g} above the best",
                                          100 * law.relative_rms, law.akaike_difference)});
 }
 
@@ -98,7 +98,7 @@ void read_loops(TableReader& damping, model::Element& element) {
   for (const std::string& name : table->columns)
     if (name != "loop" && name != "displacement" && name != "force" && name != "time" && name != "frequency_hz")
       damping.error("loops", "column " + foundation::quoted(name),
-                    "columns are loop, displacement, force, and time, frequency_hz where they are known",
+                    "columns are loop, displacement, force, and time, frequency_hz if they are known",
                     "rename or remove it");
   const auto needed = columns(*table, {"loop", "displacement", "force"});
   if (!needed) {
@@ -139,9 +139,10 @@ void read_loops(TableReader& damping, model::Element& element) {
   constexpr double poor = 0.05, alike = 2;
   foundation::Problems doubts;
   if (taken->relative_rms > poor)
-    doubts.warning("loops",
-                   fmt::format("the law \"{}\" misses the loops by {:.3g} %", taken->law, 100 * taken->relative_rms),
-                   "a law should follow its data within 5 %", "take law = \"best\", or look at the loops");
+    doubts.warning(
+        "loops",
+        fmt::format("the law \"{}\" deviates from the loops by {:.3g} %", taken->law, 100 * taken->relative_rms),
+        "a law should fit its data within 5 %", "take law = \"best\", or check the loops");
   const Eigen::Vector3d translations = element.law.nominal_stiffness.diagonal().tail<6>().head<3>();
   if (translations.maxCoeff() > 0 &&
       !(taken->stiffness > translations.minCoeff() / alike && taken->stiffness < alike * translations.maxCoeff()))

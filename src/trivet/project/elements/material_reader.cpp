@@ -12,7 +12,7 @@ namespace {
 
 void require_positive(TableReader& reader, const char* key, double value, const char* unit) {
   if (!(value > 0))
-    reader.error(key, fmt::format("{:.6g} {}", value, unit), "it must be > 0", "mend the value or its unit");
+    reader.error(key, fmt::format("{:.6g} {}", value, unit), "it must be > 0", "correct the value or its unit");
 }
 
 std::optional<elements::Metal> named_metal(TableReader& reader) {
@@ -22,7 +22,7 @@ std::optional<elements::Metal> named_metal(TableReader& reader) {
   return name ? elements::metal(*name) : std::nullopt;
 }
 
-/// A possible value that is most likely a slip of units.
+/// Warns of a possible value that is most likely in a wrong unit.
 void warn_unlikely(TableReader& reader, const std::string& key, std::string finding, std::string rule) {
   foundation::Problems one;
   one.warning(key, std::move(finding), std::move(rule), "check the unit: a bare number is SI");
@@ -44,7 +44,7 @@ bool one_of(TableReader& reader, const std::vector<const char*>& keys, const cha
     static_cast<void>(reader.node(key));
   }
   reader.error(last, given == 0 ? "missing" : fmt::format("{} of {}", given, list),
-               "exactly one of " + list + " is wanted", remedy);
+               "exactly one of " + list + " is expected", remedy);
   return false;
 }
 
@@ -81,7 +81,7 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
                                                metal.young_modulus, metal.shear_modulus, poisson)
                                  : fmt::format("{:.6g}", poisson),
                   "Poisson's ratio of an isotropic material lies between −1 and 0.5",
-                  "mend E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
+                  "correct E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
   }
   if (const auto density = table.number("density", Quantity::density)) {
     metal.density = *density;
@@ -94,7 +94,7 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
     warn_unlikely(table, "density", fmt::format("{:.4g} kg/m³", metal.density), "solids have 500 to 20000 kg/m³");
   if (poisson > -1 && poisson < 0)
     warn_unlikely(table, table.has("G") ? "G" : "nu", fmt::format("Poisson's ratio {:.3g}", poisson),
-                  "that of metals lies near 0.3");
+                  "metals have about 0.3");
   table.finish();
   return reader.errors() == before ? std::optional(metal) : std::nullopt;
 }
@@ -107,7 +107,7 @@ void read_poisson(TableReader& table, elements::Rubber& rubber) {
   if (!nu) return;
   constexpr double least_of_rubber = 0.45;
   if (table.has("bulk_modulus"))
-    table.error("nu", "nu and bulk_modulus", "one of them says how the rubber resists compression", "remove one");
+    table.error("nu", "nu and bulk_modulus", "only one of them sets the compressibility", "remove one");
   if (!(*nu >= 0 && *nu < 0.5)) {
     table.error("nu", fmt::format("{:.6g}", *nu),
                 "Poisson's ratio of a compressible rubber lies between 0 and 0.5, 0.5 excluded",
@@ -116,7 +116,7 @@ void read_poisson(TableReader& table, elements::Rubber& rubber) {
   }
   if (*nu < least_of_rubber)
     warn_unlikely(table, "nu", fmt::format("Poisson's ratio {:.4g}", *nu),
-                  "that of solid rubber lies above 0.499; formulas of bonded rubber hold for little compression");
+                  "solid rubber has more than 0.499; formulas of bonded rubber hold for nearly incompressible rubber");
   if (table.has("E")) rubber.shear_modulus *= 3 / (2 * (1 + *nu));
   rubber.bulk_modulus = 2 * rubber.shear_modulus * (1 + *nu) / (3 * (1 - 2 * *nu));
 }
@@ -127,7 +127,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
   if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
     reader.error("material", foundation::quoted(given->text),
-                 "compounds of one name differ, so a rubber has a modulus or a hardness", remedy);
+                 "compounds of one name differ, so a rubber needs a modulus or a hardness", remedy);
     return std::nullopt;
   }
   const Node* node = reader.table("material");

@@ -8,12 +8,12 @@
 
 namespace trivet::project {
 
-/// `material = "spring_steel"` or `{E, G or nu, density}`. The density may be NaN; all else is there, or nothing after
-/// reporting.
+/// `material = "spring_steel"` or `{E, G or nu, density}`. The density may be NaN. None after reporting
+/// errors.
 [[nodiscard]] std::optional<elements::Metal> read_metal(TableReader& reader);
 
-/// `material = {G, E or hardness, bulk_modulus or nu, stiffening}`: rubber at the frequency that `stiffening` (dynamic
-/// over static modulus) stands for.
+/// `material = {G, E or hardness, bulk_modulus or nu, stiffening}`: static moduli of a rubber; `stiffening` (dynamic
+/// over static modulus) is only checked.
 [[nodiscard]] std::optional<elements::Rubber> read_rubber(TableReader& reader);
 
 }  // namespace trivet::project

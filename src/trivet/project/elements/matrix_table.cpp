@@ -37,7 +37,7 @@ std::optional<std::pair<int, int>> entry_of(std::string_view column) {
   return entry;
 }
 
-/// Entries over frequency, mirrored where the element is symmetric.
+/// Entries over frequency, mirrored if the element is symmetric.
 struct MatrixTable {
   struct Entry {
     int row, column;
@@ -84,7 +84,7 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
     const std::string name = entry ? fmt::format("k_{}_{}", entry->first, entry->second) : column,
                       loss = name + std::string(loss_ending);
     if (column == loss && std::find(csv.columns.begin(), csv.columns.end(), name) != csv.columns.end())
-      continue;  // comes with its storage
+      continue;  // read with its storage
     const bool in_range =
         entry && std::min(entry->first, entry->second) >= 1 && std::max(entry->first, entry->second) <= 12;
     if (!in_range) {
@@ -94,8 +94,8 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
     const auto [i, j] = *entry;
     if (i > j && element.symmetric) {
       reader.error("file", "column \"" + column + "\" below the diagonal",
-                   "of a symmetric element the upper triangle is given",
-                   fmt::format("give k_{}_{}, or set symmetric = false if it is meant", j, i));
+                   "a symmetric element has only the upper triangle",
+                   fmt::format("give k_{}_{}, or set symmetric = false if it is intended", j, i));
       continue;
     }
     table.size = std::max(i, j) > 6 ? 12 : table.size;
@@ -114,7 +114,7 @@ std::optional<MatrixTable> table_of(TableReader& reader, const CsvTable& csv, mo
   return table;
 }
 
-/// A loss matrix with a negative eigenvalue gives energy in some motion.
+/// Reports a loss matrix with a negative eigenvalue: it feeds energy into some motion.
 void check_passive(TableReader& reader, const MatrixTable& table, const model::Span& span) {
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions(span.arm, span.n_from_k);
   double worst = 0, at = 0;
@@ -125,10 +125,10 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
   }
   if (worst >= -rounded_loss) return;
   const std::string finding = fmt::format("at {:.6g} Hz the scaled loss matrix has the eigenvalue {:.4g}", at, worst);
-  const char* rule = "a passive element takes energy in every motion";
+  const char* rule = "a passive element absorbs energy in every motion";
   foundation::Problems found;
   if (worst < -noisy_loss)
-    found.error("file", finding, rule, "check signs and phases of the loss columns, couplings above all");
+    found.error("file", finding, rule, "check signs and phases of the loss columns, especially of couplings");
   else
     found.warning("file", finding, rule,
                   "noise of the measurement may explain it; it can feed energy into some motion");

@@ -5,15 +5,15 @@
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/table_reader.h"
 
-/// A whole dynamic stiffness matrix over frequency, out of the columns k_I_J and k_I_J_loss of a file.
+/// A whole dynamic stiffness matrix over frequency, from the columns k_I_J and k_I_J_loss of a file.
 namespace trivet::project {
 
-/// Has it a column that looks like an entry of a matrix?
+/// True if a column has the name of a matrix entry.
 [[nodiscard]] bool is_matrix_table(const CsvTable& csv);
 
-/// Indices 1 … 6 are those of the moved end K with N held, 1 … 12 those of N, then K; an entry without columns is 0. Of
-/// a symmetric element the upper triangle is given. Each row must be passive: the loss matrix has no negative
-/// eigenvalue; linear interpolation keeps it so.
+/// Indices 1 … 6 are those of the moved end K with N held, 1 … 12 those of N, then K; an entry without columns is 0.
+/// A symmetric element has only the upper triangle. Each row must be passive, with no negative eigenvalue of the loss
+/// matrix; linear interpolation keeps it passive.
 void read_matrix_table(TableReader& reader, const CsvTable& csv, const model::Span& span, model::Element& element);
 
 }  // namespace trivet::project

@@ -35,8 +35,8 @@ void add_problems(TableReader& reader, const foundation::Problems& problems, con
   }
 }
 
-/// Columns x … rz and fx … mz of the moved end K; with the prefix "n_" those of end N, which is fixed and unmeasured
-/// without them.
+/// Load cases from the columns x … rz and fx … mz of the moved end K, and with the prefix "n_" of end N. Without them,
+/// N is fixed and its loads are not measured.
 std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTable& table, const RigUnits& units) {
   const auto column = [&](const std::string& name) -> Eigen::Index {
     const auto found = std::find(table.columns.begin(), table.columns.end(), name);
@@ -100,7 +100,7 @@ void add_facts(const StiffnessFit& fit, std::size_t cases, double confidence, mo
   element.facts.push_back({"outliers", fit.outliers.empty() ? "none" : fmt::format("{}", fit.outliers.size())});
   if (fit.semidefinite)
     element.facts.push_back({"nearest semidefinite matrix",
-                             fmt::format("taken as asked, {:.3g} % away", 100 * fit.semidefinite->distance)});
+                             fmt::format("taken as requested, {:.3g} % away", 100 * fit.semidefinite->distance)});
   element.evidence = model::Evidence{fit.half_width, fmt::format("{:.4g} % confidence", 100 * confidence), {}};
 }
 
@@ -158,7 +158,7 @@ const ElementLaw measured_law = {.type = "measured", .placed = read_measured, .k
    "load_cases": {"type": "string", "description": "CSV relative to the project file: name, x y z rx ry rz, fx fy fz mx my mz of end K; the same with n_ of end N"},
    "unknowns": {"enum": ["self_balanced", "full_symmetric"], "description": "21 or 78 constants (default: self_balanced)"},
    "confidence": {"$ref": "#/$defs/number", "description": "of the intervals, above 0, below 1 (default: 0.95)"},
-   "zero_offsets": {"type": "boolean", "description": "fit the zero of each channel too (default: false)"},
+   "zero_offsets": {"type": "boolean", "description": "also fit the zero of each channel (default: false)"},
    "nearest_semidefinite": {"type": "boolean", "description": "take the nearest positive semidefinite matrix (default: false)"},
    "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
    "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},

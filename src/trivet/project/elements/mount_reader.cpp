@@ -15,7 +15,8 @@ int read_mesh_level(TableReader& reader) {
   const auto level = reader.number("mesh_level", Quantity::pure);
   if (level && !(*level >= 1 && *level <= finest && *level == std::floor(*level))) {
     reader.error("mesh_level", fmt::format("{:.6g}", *level),
-                 fmt::format("a whole number from 1 to {}; the elements grow as its cube", finest), "3 is the default");
+                 fmt::format("a whole number from 1 to {}; the number of elements grows with its cube", finest),
+                 "3 is the default");
     return fem::default_level;
   }
   return level ? static_cast<int>(*level) : fem::default_level;
@@ -40,11 +41,11 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
   const std::size_t before = reader.errors();
   const int level = read_mesh_level(reader);
   if (const auto* disc = std::get_if<elements::RubberDisc>(&shape.formulas); disc && disc->hole_radius > 0)
-    reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has none",
+    reader.error("hole_diameter", "a disc with a hole", "the parametric mesh has no hole",
                  "use closed formulas, or a STEP file");
   if (const auto* sandwich = std::get_if<elements::Sandwich>(&shape.formulas))
     if (const auto* disc = std::get_if<elements::RubberDisc>(&sandwich->layer); disc && disc->hole_radius > 0)
-      reader.error("hole_diameter", "a sandwich with a hole", "the parametric mesh has none",
+      reader.error("hole_diameter", "a sandwich with a hole", "the parametric mesh has no hole",
                    "use closed formulas, or a STEP file");
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
@@ -63,7 +64,7 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
   return moved ? moved : LengthOf(shape.length);
 }
 
-/// Finite elements do not care for the range of the formulas.
+/// Findings of a shape; for finite elements without those on the range of the formulas.
 foundation::Problems findings_of(const RubberShape& shape, bool by_elements) {
   foundation::Problems result;
   const foundation::Problems all = check(shape);
@@ -103,7 +104,7 @@ LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::
   return shape->length;
 }
 
-/// Which keys belong here is not known without a shape.
+/// Marks all keys as known: without a shape, the valid keys are not known.
 void know_all_keys(TableReader& reader) {
   reader.also_known({"step",          "shape",           "mesh_size",      "rim_size",       "rim_distance",
                      "plate_n",       "plate_k",         "step_axis",      "materials",      "material",

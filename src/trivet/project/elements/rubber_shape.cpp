@@ -31,7 +31,7 @@ LayerFormulas read_formulas(TableReader& reader) {
                                                                            : LayerFormulas::measured;
 }
 
-/// Metal plates are rigid beside rubber: 70 GPa and up make no difference to the twelfth digit of what follows.
+/// Metal plates are rigid compared with rubber: from 70 GPa up, the modulus does not change the first twelve digits.
 fem::Material plate_metal() { return fem::linear_elastic(206e9, 0.3); }
 
 }  // namespace
@@ -92,7 +92,7 @@ std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::str
         },
         shape.formulas);
   if (reader.errors() > before) {
-    reader.add(check(shape), shape_keys());  // of what could be read
+    reader.add(check(shape), shape_keys());  // of the values that could be read
     return std::nullopt;
   }
   shape.materials = {fem::Material{.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus},

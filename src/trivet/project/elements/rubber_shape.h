@@ -12,7 +12,7 @@
 
 namespace trivet::project {
 
-/// A parametric rubber mount as its closed forms and as its finite elements want it.
+/// A parametric rubber mount, for closed formulas and for finite elements.
 struct RubberShape {
   std::variant<elements::RubberDisc, elements::RubberBlock, elements::RubberBush, elements::Sandwich> formulas;
   fem::Shape solid;
@@ -20,10 +20,10 @@ struct RubberShape {
   double length = 0;                     ///< from N to K [m]
 };
 
-/// Dimensions and material of `kind` ("disc", "block", "bush", "sandwich"); nothing after reporting what is wrong.
+/// Dimensions and material of `kind` ("disc", "block", "bush", "sandwich"); none after reporting errors.
 [[nodiscard]] std::optional<RubberShape> read_rubber_shape(TableReader& reader, const std::string& kind);
 
-/// The keys that stand for what the checks of the formulas name.
+/// Keys of the file for the names in the checks of the formulas.
 [[nodiscard]] const TableReader::Names& shape_keys();
 [[nodiscard]] foundation::Problems check(const RubberShape& shape);
 [[nodiscard]] elements::Matrix12 stiffness_by_formulas(const RubberShape& shape);

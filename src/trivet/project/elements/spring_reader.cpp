@@ -60,7 +60,7 @@ std::array<Value, 2> both_ends(const std::optional<std::vector<Value>>& list, co
 void read_ends_of_coil(TableReader& reader, CoilSpring& spring) {
   const auto wrong = [&](const char* key) {
     return [&reader, key] {
-      reader.error(key, "not one and not two values", "one value holds for both ends, two are those of N and K",
+      reader.error(key, "neither one nor two values", "one value is for both ends, two are for N and K",
                    "give one or two");
     };
   };
@@ -95,7 +95,7 @@ void add_facts(const CoilSpring& spring, double distance, model::Element& elemen
   element.facts.push_back({"lateral stiffness", fmt::format("{:.6g} and {:.6g} N/m", k(6, 6), k(7, 7))});
 }
 
-/// Mass and frequency dependence of the spring in the state that `coil` describes; none without a density.
+/// Reads mass and frequency dependence of the spring in the state `seated`, which needs a density.
 void read_level(TableReader& reader, const std::optional<elements::SeatedCoil>& seated, const std::string& level,
                 model::Element& element) {
   if (seated) {
@@ -136,8 +136,8 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
   const char* key = asked->is_force ? "force" : "compression";
   if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
     reader.error("ends", "\"pivoted\" with a preload",
-                 "a pivot cannot hold the moment by which a compressed spring keeps itself from turning",
-                 "clamp both seats, or leave the preload out");
+                 "a pivot cannot carry the moment that keeps a compressed spring from turning",
+                 "clamp both seats, or remove the preload");
     return std::nullopt;
   }
   try {
@@ -165,7 +165,7 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
                            limit ? fmt::format("at {:.6g} N, {:.6g} m", limit->axial_force, limit->compression)
                                  : "not before its coils touch"});
   const auto standard = elements::standard_buckling(spring);
-  element.facts.push_back({"the same by EN 13906-1, which smears the coils out",
+  element.facts.push_back({"the same by EN 13906-1, with smeared coils",
                            standard ? fmt::format("at {:.6g} m", *standard) : "not before its coils touch"});
   const bool round = std::holds_alternative<elements::RoundWire>(spring.wire);
   const double stress = round ? elements::wahl_shear_stress(spring, state.axial_force)

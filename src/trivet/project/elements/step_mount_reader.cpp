@@ -16,7 +16,7 @@
 namespace trivet::project {
 namespace {
 
-/// "top", "bottom" and their like, {cylinder = radius, point, axis}, {faces = [1, 4]}, {low, high}.
+/// A direction such as "-z", {cylinder = diameter, point, axis}, {faces = [1, 4]} or {low, high}.
 std::optional<fem::FaceSelection> read_plate(TableReader& reader, const std::string& key) {
   const Node* node = reader.node(key);
   if (!node) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<fem::FaceSelection> read_plate(TableReader& reader, const std::str
   } else if (const auto diameter = plate.number("cylinder", Quantity::length)) {
     if (!(*diameter > 0))
       plate.error("cylinder", fmt::format("{:.6g} m", *diameter), "the diameter of a cylinder is > 0",
-                  "mend the value or its unit");
+                  "correct the value or its unit");
     fem::FacesOnCylinder cylinder{*diameter / 2};
     cylinder.point = plate.vector("point", Quantity::length).value_or(Eigen::Vector3d::Zero());
     cylinder.axis = plate.direction("axis").value_or(Eigen::Vector3d::UnitZ());
@@ -70,7 +70,7 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
   std::vector<fem::Material> materials;
   for (const char* key : {"material", "mooney_rivlin", "yeoh"})
     if (reader.node(key))
-      reader.error(key, std::string(key) + " beside materials", "materials holds all there is about them",
+      reader.error(key, std::string(key) + " together with materials", "materials has all data of the materials",
                    "remove one of the two");
   if (list->kind != Node::Kind::array || list->items.empty()) {
     reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : words(list->kind),
@@ -91,7 +91,7 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
     } else if (const auto rubber = read_rubber(single)) {
       if (list->items[i].find("stiffening"))
         reader.error("materials", "stiffening of one material among several", "it applies to the mount as a whole",
-                     "multiply G of this material by it, or leave it out");
+                     "multiply G of this material by it, or remove it");
       materials.push_back({.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus});
       single.add(fem::check(materials.back()), {{"shear_modulus", "material"}, {"bulk_modulus", "material"}});
     }
@@ -109,7 +109,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   options.size = reader.required_number("mesh_size", Quantity::length);
   if (reader.errors() == before_size && !(options.size > 0))
     reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0",
-                 "mend the value or its unit");
+                 "correct the value or its unit");
   options.rim_size = reader.number("rim_size", Quantity::length).value_or(0);
   options.rim_distance = reader.number("rim_distance", Quantity::length).value_or(0);
   if (const auto plate = read_plate(reader, "plate_n")) options.plate_n = *plate;
@@ -148,7 +148,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
     const double aside = (across - *distance * axis).norm();
     if (aside > 1e-6 * std::abs(*distance) && aside > 1e-9)
       throw foundation::InvalidInput(
-          fmt::format("the centres of plates N and K lie {:.6g} m aside of each other across step_axis", aside));
+          fmt::format("the centres of plates N and K are {:.6g} m apart perpendicular to step_axis", aside));
     keep_numbers(key + "-length", {*distance});
     return solid;
   };
@@ -157,11 +157,11 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   if (!distance)
     if (const auto kept = cached_numbers(key + "-length"); kept && kept->size() == 1) distance = (*kept)[0];
   try {
-    if (!distance) static_cast<void>(make());  // only the stiffness was remembered
+    if (!distance) static_cast<void>(make());  // only the stiffness was in the cache
   } catch (const foundation::InvalidInput& reason) {
     if (reader.errors() == before)
       reader.error("step", reason.what(), "the distance of its plates follows from its mesh",
-                   "mend the solid, its plates or its mesh");
+                   "correct the solid, its plates or its mesh");
   }
   return distance;
 }

@@ -17,7 +17,7 @@ std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const
   table.storage = values.col(1);
   table.loss = values.col(2);
   table.interpolation = interpolation;
-  table.angular_frequencies.assign(values.col(0).begin(), values.col(0).end());  // [Hz], for the words
+  table.angular_frequencies.assign(values.col(0).begin(), values.col(0).end());  // [Hz], for the messages
   elements::StiffnessTable as_written = table;
   if (coupling) as_written.loss = as_written.loss.cwiseAbs();
   foundation::Problems findings = elements::check(as_written, "");
@@ -57,7 +57,7 @@ void judge_causality(TableReader& reader, const std::string& name, const element
   foundation::Problems doubtful;
   doubtful.warning(
       "file", fmt::format("{}: {:.3g} % from the nearest passive, causal stiffness", name, 100 * check->relative_rms),
-      "storage and loss of a real element belong together (Kramers and Kronig)",
+      "storage and loss of a physical element satisfy the Kramers–Kronig relations",
       identification::remedy(check->kind) + ": " + check->verdict);
   reader.add(doubtful);
 }

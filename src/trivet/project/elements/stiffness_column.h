@@ -9,21 +9,21 @@
 #include "trivet/model/system.h"
 #include "trivet/project/text/table_reader.h"
 
-/// One stiffness over frequency out of the columns of a file.
+/// One stiffness over frequency from the columns of a file.
 namespace trivet::project {
 
-/// Columns frequency [Hz], storage, loss. What is wrong with them goes to the key `file`; a negative loss is only that
-/// of a coupling.
+/// Table of the columns frequency [Hz], storage, loss. Problems are reported at the key `file`; only a coupling may
+/// have a negative loss.
 [[nodiscard]] std::optional<elements::StiffnessTable> checked_table(TableReader& reader, const std::string& name,
                                                                     const Eigen::MatrixXd& values,
                                                                     elements::Interpolation interpolation,
                                                                     bool coupling = false);
 
-/// Do storage and loss belong together? The verdict becomes a fact of the element, a doubtful one a warning too.
+/// Checks if storage and loss are causal. The verdict becomes a fact of the element, a doubtful one also a warning.
 void judge_causality(TableReader& reader, const std::string& name, const elements::StiffnessTable& table,
                      model::Element& element);
 
-/// [rad/s] in words.
+/// The range [rad/s] as a fact in Hz.
 [[nodiscard]] model::Fact defined_range(double from, double to);
 
 }  // namespace trivet::project

@@ -28,7 +28,8 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
       ? elements::Interpolation::linear
       : elements::Interpolation::monotone_cubic;
   const auto file = read_file_name(reader, "file");
-  if (reader.has("damping")) reader.error("damping", "damping beside a table", "its table holds the loss", "remove it");
+  if (reader.has("damping"))
+    reader.error("damping", "damping together with a table", "its table holds the loss", "remove it");
   static_cast<void>(reader.node("damping"));
   if (!(centre >= 0 && centre <= 1))
     reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)",
@@ -42,8 +43,8 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   if (is_matrix_table(*csv)) {
     for (const char* key : {"center", "interpolation"})
       if (reader.has(key))
-        reader.error(key, std::string(key) + " beside a table of matrices",
-                     "a matrix says where it acts, and is interpolated linearly so that it stays passive", "remove it");
+        reader.error(key, std::string(key) + " together with a table of matrices",
+                     "a matrix has no center, and is interpolated linearly so that it stays passive", "remove it");
     if (reader.errors() == before) read_matrix_table(reader, *csv, ends.span, element);
     return;
   }
@@ -106,7 +107,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
 
 }  // namespace
 
-/// One law by three names.
+/// Three names of one law.
 constexpr const char* table_keys = R"json({"properties": {
    "file": {"type": "string", "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved end K) or 12 (N, then K)"},
    "interpolation": {"enum": ["monotone_cubic", "linear"], "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},

@@ -24,7 +24,7 @@ spatial::Vector6 read_phase(TableReader& reader) {
   return spatial::Vector6::Constant(reader.number("phase", Quantity::angle).value_or(0));
 }
 
-/// Six numbers under two keys, of which one at least must be there.
+/// Reads six numbers under two keys; at least one key is required.
 void read_six(TableReader& reader, const std::string& first, Quantity of_first, const std::string& second,
               Quantity of_second, const std::string& remedy, ActionNumbers numbers, model::Action& action) {
   const bool factors = numbers == ActionNumbers::factors;
@@ -42,7 +42,7 @@ void read_six(TableReader& reader, const std::string& first, Quantity of_first, 
         phase(j) == 0 ? std::complex<double>(six(j)) : six(j) * std::exp(std::complex<double>(0, phase(j)));
 }
 
-/// The element whose end stands on the ground under the named one: itself, or the impedance of its foundation.
+/// Index of the element with an end on the ground: the named one, or the impedance of its foundation.
 std::optional<std::size_t> standing_on_ground(const model::Description& description, const std::string& name) {
   for (std::size_t e = 0; e < description.elements.size(); ++e) {
     const model::Element& element = description.elements[e];
@@ -57,7 +57,7 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
   const auto names = reader.texts("elements", R"(["front left", "front right"])");
   if (!names) return;
   if (names->empty())
-    reader.error("elements", "an empty list", "at least one element is wanted",
+    reader.error("elements", "an empty list", "at least one element is expected",
                  "remove the key to move the whole foundation");
   for (const std::string& name : *names) {
     if (const auto found = standing_on_ground(description, name)) {
@@ -68,12 +68,12 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
                                   [&](const model::Element& e) { return e.name == name; });
     const bool known =
         std::find(mentioned.elements.begin(), mentioned.elements.end(), name) != mentioned.elements.end();
-    if (known && !read) continue;  // its own problem is told elsewhere
+    if (known && !read) continue;  // its own problem is reported elsewhere
     const std::string guess = foundation::nearest_name(name, mentioned.elements);
     if (read)
       reader.error("elements", foundation::quoted(name),
-                   "it has no end on moving ground: it stands on a body, or on the modes of a foundation",
-                   "name elements that stand on the ground");
+                   "it has no end on moving ground: it is on a body, or on the modes of a foundation",
+                   "name elements that are on the ground");
     else
       reader.error("elements", foundation::quoted(name), "no element has this name",
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
@@ -86,10 +86,10 @@ void read_wave(TableReader& reader, model::Action& action) {
   TableReader wave(*node, reader.path() + ".wave", reader.problems());
   const auto direction = wave.direction("direction");
   const double speed = wave.required_number("speed", Quantity::velocity);
-  if (!wave.has("direction")) wave.missing("direction", "say where it travels: direction = \"x\"");
+  if (!wave.has("direction")) wave.missing("direction", "give its direction: direction = \"x\"");
   if (wave.has("speed") && !(speed > 0))
     wave.error("speed", fmt::format("{:.6g} m/s", speed), "a wave travels with a speed > 0",
-               "turn the direction instead");
+               "reverse the direction instead");
   wave.finish();
   if (direction && speed > 0) action.wave = model::Wave{*direction, speed};
 }
@@ -133,17 +133,18 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
   read_moving_elements(reader, description, mentioned, action);
   read_wave(reader, action);
   if (reader.has("at") && (!action.elements.empty() || action.wave))
-    reader.error("at", "a place of rotation beside elements or a wave",
+    reader.error("at", "a centre of rotation together with elements or a wave",
                  "then each ground end moves about its own reference point", "remove `at`");
   if (reader.has("on"))
     reader.error("on", "a body under a moving ground", "the ground moves, not a body", "remove `on`");
   static_cast<void>(reader.node("on"));
-  // Elements on the modes of a foundation are on the ground too; that they cannot follow it is reported of the model.
+  // Elements on the modes of a foundation are on the ground too; the checks of the model report that modes cannot
+  // follow it.
   if (action.elements.empty() &&
       std::none_of(description.elements.begin(), description.elements.end(),
                    [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
       description.elements.size() == mentioned.elements.size())
-    reader.error("", "no element stands on the ground", "a moving ground acts through the elements that stand on it",
+    reader.error("", "no element is on the ground", "a moving ground acts through the elements that are on it",
                  "add one, or excite a body");
   return action;
 }

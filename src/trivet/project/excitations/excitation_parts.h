@@ -9,14 +9,14 @@
 /// One function per part of an excitation's table.
 namespace trivet::project {
 
-/// What the six numbers of an action are: amplitudes with units, or factors on what its course gives in units.
+/// Meaning of the six numbers of an action: amplitudes with units, or factors on a course with units.
 enum class ActionNumbers { amplitudes, factors };
 
 /// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
 [[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
                                                       const Mentioned& mentioned, ActionNumbers numbers);
 
-/// `on` and `at` alone, of excitations that know their directions.
+/// Only `on` and `at`, of excitations with their own directions.
 [[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
                                                       const Mentioned& mentioned);
 
@@ -25,7 +25,7 @@ enum class ActionNumbers { amplitudes, factors };
                                                               const model::Description& description,
                                                               const Mentioned& mentioned, ActionNumbers numbers);
 
-/// What the course of an action with factors measures: a force, a moment, or a motion.
+/// Quantity of the course of an action with factors: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);
 
 /// `psd`: rows over frequency, a file, a road class, or one level over a band.

@@ -25,7 +25,8 @@ void read_constant(TableReader& reader, const std::string& name, model::Descript
                    const Mentioned& mentioned) {
   const auto action = read_force(reader, description, mentioned, ActionNumbers::amplitudes);
   for (const char* key : {"phase", "delay"})
-    if (reader.has(key)) reader.error(key, std::string("a ") + key, "a constant force has none", "remove it");
+    if (reader.has(key))
+      reader.error(key, std::string("a ") + key, "a constant force has no phase or delay", "remove it");
   if (!action) return;
   spatial::Wrench wrench{action->amplitude.head<3>().real(), action->amplitude.tail<3>().real()};
   description.constant_forces.push_back({name, *action->body, action->at, wrench});
@@ -42,7 +43,7 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
     if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
   if (tables.empty() || (node->kind == Node::Kind::array && tables.size() < node->items.size()))
     reader.error("coherence", words(node->kind),
-                 "a table, or a list of tables, is wanted: {with = \"NAME\", value = 0.6}", "write it so");
+                 "a table, or a list of tables, is expected: {with = \"NAME\", value = 0.6}", "write it so");
   for (const Node* one : tables) {
     TableReader inside(*one, reader.path() + ".coherence", reader.problems());
     model::Random::Partner partner;
@@ -53,7 +54,7 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
     partner.coherence.speed = inside.number("speed", Quantity::velocity).value_or(0);
     for (const char* key : {"distance", "speed"})
       if (inside.has(key) && !inside.has("decay"))
-        inside.error(key, std::string(key) + " without decay", "they say together how coherence falls with frequency",
+        inside.error(key, std::string(key) + " without decay", "together they set how coherence falls with frequency",
                      "add decay, or remove it");
     inside.finish();
     partners.push_back(partner);
@@ -62,7 +63,7 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
 }
 
 constexpr const char* zero_factors = "all components are 0";
-constexpr const char* rule_of_factors = "they are factors on the history or spectrum: this excitation moves nothing";
+constexpr const char* rule_of_factors = "they are factors on the history or spectrum: this excitation has no effect";
 constexpr const char* remedy_of_factors = "give a direction, for instance [0, 0, 1]";
 
 const char* key_of_factors(const TableReader& reader) {
@@ -80,13 +81,12 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   else if (type == "random") mentioned.random_excitations.push_back(name);
   else if (type == "time") mentioned.time_excitations.push_back(name);
   else if (type == "orders") mentioned.order_excitations.push_back(name);
-  else
-    mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: no second problem where it is selected
+  else mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
   if (type == "unbalance") mentioned.order_excitations.push_back(name);
   const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
     if (action) description.excitations.push_back({name, *action, std::move(course)});
   };
-  if (!type) {  // what else may stand here depends on the type
+  if (!type) {  // the valid keys depend on the type
     static_cast<void>(read_place(reader, description, mentioned));
     return;
   }
@@ -116,7 +116,7 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
     const auto action = read_directed(reader, description, mentioned);
     if (action && action->amplitude.isZero(0))
       warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
-                       remedy_of_factors);  // a case may switch it off
+                       remedy_of_factors);  // a case may set it to 0
     if (auto signal = read_history(reader, "history", action.value_or(model::Action{})))
       add(action, model::History{std::move(*signal)});
   }

@@ -5,7 +5,7 @@
 
 namespace trivet::project {
 
-/// `excitations` of the file; adds to the description and reports its problems.
+/// Reads the table `excitations` into the description and reports its problems.
 void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned);
 
 }  // namespace trivet::project

@@ -17,7 +17,7 @@ namespace {
 
 using foundation::standard_gravity;
 
-/// Numbers of one pulse: a missing one that has no default is a problem.
+/// Reads the numbers of one pulse: a missing one without a default is a problem.
 struct PulseReader {
   TableReader& table;
   Quantity measured;
@@ -90,7 +90,7 @@ std::optional<excitation::Signal> read_pulse(TableReader& history, const Pulse& 
   }
   reader.finish();
   if (reader.errors() > before) return std::nullopt;  // a missing number counts as 0 above
-  if (!refusal.empty()) reader.error("", refusal, "a pulse has finite numbers and times above 0", "mend the number");
+  if (!refusal.empty()) reader.error("", refusal, "a pulse has finite numbers and times above 0", "correct the number");
   return signal;
 }
 
@@ -106,7 +106,7 @@ std::optional<excitation::Signal> signal_from_rows(TableReader& reader, const st
   try {
     return excitation::from_samples(samples);
   } catch (const foundation::InvalidInput& wrong) {
-    reader.error(key, wrong.what(), "straight lines between samples have finite slopes", "look at the times");
+    reader.error(key, wrong.what(), "straight lines between samples have finite slopes", "check the times");
     return std::nullopt;
   }
 }
@@ -150,7 +150,7 @@ std::optional<excitation::Signal> read_history(TableReader& reader, const std::s
     std::string names;
     for (const Pulse& pulse : pulses()) names += std::string(", ") + pulse.name;
     history.error("", given.empty() && !sampled ? "no course" : "more than one course",
-                  "exactly one of file, rows" + names + " is wanted", "for several use several excitations");
+                  "exactly one of file, rows" + names + " is expected", "for several use several excitations");
     for (const Pulse* pulse : given) static_cast<void>(history.node(pulse->name));
     if (given.empty() && !sampled) return std::nullopt;
     for (const char* name : {"file", "rows", "unit", "scale", "after"}) static_cast<void>(history.node(name));

@@ -41,7 +41,7 @@ excitation::EngineLayout::Kind read_kind(TableReader& engine) {
 
 int whole_number(TableReader& reader, const std::string& key, double value, int from, int to) {
   if (value >= from && value <= to && value == std::floor(value)) return static_cast<int>(value);
-  reader.error(key, fmt::format("{:.6g}", value), fmt::format("a whole number from {} to {} is wanted", from, to),
+  reader.error(key, fmt::format("{:.6g}", value), fmt::format("a whole number from {} to {} is expected", from, to),
                "change it");
   return from;
 }
@@ -56,7 +56,7 @@ excitation::EngineLayout read_layout(TableReader& engine) {
   if (layout.kind == excitation::EngineLayout::Kind::vee && !engine.has("bank_angle"))
     engine.missing("bank_angle", "give the angle between the banks: bank_angle = \"60 deg\"");
   if (layout.kind != excitation::EngineLayout::Kind::vee && engine.has("bank_angle"))
-    engine.error("bank_angle", "of an engine that is no vee",
+    engine.error("bank_angle", "of an engine that is not a vee",
                  "an inline engine has one bank, a boxer 180° between them", "remove it");
   if (layout.kind == excitation::EngineLayout::Kind::in_line && engine.has("bank_offset"))
     engine.error("bank_offset", "of an inline engine", "it has one bank", "remove it");
@@ -76,17 +76,17 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
     const Node* rows = engine.node("gas_torque");
     if (rows->kind != Node::Kind::array || rows->items.empty()) {
       engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : words(rows->kind),
-                   "rows of [order, amplitude in N m, phase in rad] of one cylinder are wanted",
+                   "rows of [order, amplitude in N m, phase in rad] of one cylinder are expected",
                    "give them, or remove the key");
       return {};
     }
     if (engine.has("pressure"))
-      engine.error("pressure", "beside gas_torque", "one of them says what the gas does", "remove one");
+      engine.error("pressure", "together with gas_torque", "only one of them sets the gas torque", "remove one");
     for (std::size_t i = 0; i < rows->items.size(); ++i) {
       const Node& row = rows->items[i];
       const std::string where = fmt::format("{}.gas_torque[{}]", engine.path(), i);
       if (row.kind != Node::Kind::array || row.items.size() != 3) {
-        engine.error("gas_torque", fmt::format("row {} is no list of three", i + 1),
+        engine.error("gas_torque", fmt::format("row {} is not a list of three", i + 1),
                      "each row is [order, amplitude in N m, phase in rad] of one cylinder", "complete it");
         return {};
       }
@@ -103,7 +103,7 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   TableReader pressure(*node, engine.path() + ".pressure", engine.problems());
   const double bore = pressure.required_number("bore", Quantity::length);
   if (pressure.has("bore") && !(bore > 0))
-    pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "mend it");
+    pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "correct it");
   const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure");
   pressure.finish();
   if (!rows || !(bore > 0)) return {};
@@ -151,7 +151,7 @@ std::optional<std::vector<excitation::Order>> read_engine(const Node& node, cons
           orders = excitation::joined(orders, excitation::gas_orders(data, gas));
       }
     } catch (const foundation::InvalidInput& wrong) {
-      engine.error("", wrong.what(), "an engine that can be built is wanted", "mend the number");
+      engine.error("", wrong.what(), "the engine must be physically possible", "correct the number");
     }
   }
   for (const char* key : {"gas_torque", "pressure"}) static_cast<void>(engine.node(key));
@@ -200,7 +200,7 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   if (engine)
     if (auto list = read_engine(*engine, reader.path() + ".engine", reader.problems())) orders.list = std::move(*list);
   if (table && table->kind != Node::Kind::array) {
-    reader.error("table", words(table->kind), "a list of orders is wanted",
+    reader.error("table", words(table->kind), "a list of orders is expected",
                  "table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
   } else if (table && table->items.size() > most_orders) {
     reader.error("table", fmt::format("{} orders", table->items.size()),
@@ -234,7 +234,7 @@ void read_unbalance(TableReader& reader, model::Action& action) {
                  mass = reader.required_number("rotor_mass", Quantity::mass),
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);
     if (reader.has("mass_eccentricity"))
-      reader.error("mass_eccentricity", "beside a grade", "one of them says how large the unbalance is", "remove one");
+      reader.error("mass_eccentricity", "together with a grade", "only one of them sets the unbalance", "remove one");
     for (const auto& [key, value] : {std::pair{"grade", grade}, {"rotor_mass", mass}, {"service_speed", speed}})
       if (reader.errors() == before && reader.has(key) && !(value > 0))
         reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");

@@ -16,7 +16,7 @@ namespace {
 
 using foundation::standard_gravity;
 
-/// Bare densities are in SI per hertz; accelerations may be told in g.
+/// Bare densities are in SI per hertz; accelerations may be in g.
 double density_unit(TableReader& psd, const model::Action& action) {
   if (psd.choice("unit", {"SI", "g^2/Hz"}).value_or("SI") == "SI") return 1;
   if (course_quantity(action) != Quantity::acceleration)
@@ -54,7 +54,7 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
   if (const auto waviness = psd.number("waviness", Quantity::pure)) road.waviness = *waviness;
   if (!(road.waviness > 0 && road.waviness <= 5))
     psd.error("waviness", fmt::format("{:.6g}", road.waviness),
-              "the waviness of roads is about 2, and between 0 and 5 here", "mend it");
+              "the waviness of roads is about 2, and between 0 and 5 here", "correct it");
   if (const auto range = psd.numbers("wave_numbers", Quantity::pure)) {
     if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0])
       road.wave_number_from = (*range)[0], road.wave_number_to = (*range)[1];
@@ -63,8 +63,8 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
                 "[from, to] in cycles per metre with 0 < from < to", "for instance [0.011, 2.83]");
   }
   if (course_quantity(action) != Quantity::length)
-    psd.error("road", "a road under something else than a displacement of the ground",
-              "a road class tells the height of the ground",
+    psd.error("road", "a road for a quantity other than a displacement of the ground",
+              "a road class gives the height of the ground",
               "use base = true, translation = [0, 0, 1] and no quantity");
   return speed > 0 && psd.errors() == 0 ? std::optional(excitation::road_spectrum(road, speed)) : std::nullopt;
 }
@@ -74,7 +74,7 @@ std::optional<excitation::Spectrum> read_flat(TableReader& psd, double unit) {
   const double density = psd.required_number("flat", Quantity::pure);
   const bool is_number = psd.errors() == before;
   const std::optional<response::Band> band = read_band(psd, "band");
-  if (!psd.has("band")) psd.missing("band", "say from where to where: band = [\"5 Hz\", \"500 Hz\"]");
+  if (!psd.has("band")) psd.missing("band", "give the band: band = [\"5 Hz\", \"500 Hz\"]");
   if (is_number && !(density > 0))
     psd.error("flat", fmt::format("{:.6g}", density), "a spectral density is > 0",
               "give it in SI units squared per hertz");

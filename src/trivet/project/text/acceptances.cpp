@@ -44,7 +44,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
       const std::string guess = foundation::nearest_name(kind, kinds);
       problems
           .error(subject, foundation::quoted(kind), "there is no suspicion of this kind",
-                 guess.empty() ? "the warning names its kind" : "did you mean \"" + guess + "\"?")
+                 guess.empty() ? "the warning states its kind" : "did you mean \"" + guess + "\"?")
           .origin = reason.origin;
       continue;
     }
@@ -115,8 +115,8 @@ foundation::Problems AcceptanceBook::unneeded(bool changed) const {
   for (const Acceptance& a : all_)
     if (!needed_.contains(key(a)) && (!changed || a.origin.source.starts_with("--set")))
       result
-          .error(join(a.table, "accept"), "\"" + a.kind + "\"", "nothing of this kind is suspicious here, in no case",
-                 "remove it, so that it hides nothing later")
+          .error(join(a.table, "accept"), "\"" + a.kind + "\"", "no case has a suspicion of this kind here",
+                 "remove it, so that it cannot hide a later one")
           .origin = a.origin;
   return result;
 }

@@ -13,28 +13,28 @@
 
 namespace trivet::project {
 
-/// `accept = {"mass" = "reason"}` of one table: a suspicion that its author has looked at.
+/// `accept = {"mass" = "reason"}` of one table: a suspicion that its author has checked.
 struct Acceptance {
   std::string table;  ///< "bodies.machine"; "" is the top of the file
   std::string kind;
   foundation::Origin origin;
 };
 
-/// Has a table of this path a key `accept`? The top of the file has one too.
+/// True if the table at this path may have a key `accept`; false for the top of the file, which may have one too.
 [[nodiscard]] bool may_accept(const std::string& path);
 
-/// All of them; kinds that do not exist and reasons that say nothing are problems.
+/// All acceptances of the document; unknown kinds and empty reasons are problems.
 [[nodiscard]] std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems);
 
-/// Which acceptances exist, in any case of a project, and which of them silence something.
+/// Acceptances of all cases of a project, and those of them that suppress a warning.
 class AcceptanceBook {
  public:
-  /// Warnings of the suspicions that are not accepted, with their places in the document. One typed number has one
-  /// text in all cases.
+  /// Warnings of the suspicions that are not accepted, with their places in the document. A number of the file has the
+  /// same warning in all cases.
   [[nodiscard]] foundation::Problems warnings(const std::vector<plausibility::Suspicion>& suspicions,
                                               const std::vector<Acceptance>& acceptances, const Node& document);
-  /// An error for each acceptance that silences nothing in any case. @param changed  numbers come from the command
-  /// line: only acceptances from there are judged
+  /// An error for each acceptance that suppresses no warning in any case. @param changed  the command line changes
+  /// numbers: only its own acceptances are checked
   [[nodiscard]] foundation::Problems unneeded(bool changed) const;
 
  private:

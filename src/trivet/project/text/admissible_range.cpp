@@ -10,12 +10,12 @@ namespace trivet::project {
 Largest largest(Quantity quantity) {
   constexpr const char* of_force = "the thrust of the largest rocket is 1e8 N";
   constexpr const char* of_stiffness = "a cube of steel of 1 km has 2e14 N/m";
-  constexpr const char* of_damping = "it holds a mountain of 1e12 kg still at 1e6 rad/s";
+  constexpr const char* of_damping = "it is mω of a mountain of 1e12 kg at 1e6 rad/s";
   switch (quantity) {
     case Quantity::pure:
       return {1e30, "no plain number of a machine is larger"};
     case Quantity::length:
-      return {1e9, "the moon is nearer"};
+      return {1e9, "the moon is at 4e8 m"};
     case Quantity::mass:
       return {1e15, "a mountain has less"};
     case Quantity::inertia:
@@ -25,7 +25,7 @@ Largest largest(Quantity quantity) {
     case Quantity::density:
       return {1e8, "the core of the sun has 1.5e5 kg/m³"};
     case Quantity::angle:
-      return {1e9, "doubles no longer resolve a part of a turn well"};
+      return {1e9, "double precision no longer resolves a part of a turn"};
     case Quantity::angular_frequency:
       return {1e12, "atoms of a solid vibrate at 1e13 rad/s"};
     case Quantity::time:
@@ -33,7 +33,7 @@ Largest largest(Quantity quantity) {
     case Quantity::per_time:
       return {1e15, "atoms of a solid vibrate at 1e13 rad/s"};
     case Quantity::velocity:
-      return {3e8, "light travels so fast"};
+      return {3e8, "the speed of light"};
     case Quantity::angular_velocity:
       return {1e12, "atoms of a solid vibrate at 1e13 rad/s"};
     case Quantity::acceleration:
@@ -68,18 +68,17 @@ std::optional<std::string> outside_range(double value, Quantity quantity) {
   const Largest most = largest(quantity);
   const std::string unit = si_unit(quantity);
   if (std::abs(value) > most.magnitude)
-    return fmt::format("at most {:.0e}{}{} in magnitude is admitted here ({})", most.magnitude, unit.empty() ? "" : " ",
+    return fmt::format("at most {:.0e}{}{} in magnitude is allowed here ({})", most.magnitude, unit.empty() ? "" : " ",
                        unit, most.reason);
   if (value != 0 && std::abs(value) < smallest_number)
-    return fmt::format("a number is 0 or at least {:.0e} in magnitude: products of smaller ones vanish",
+    return fmt::format("a number is 0 or at least {:.0e} in magnitude: products of smaller ones underflow",
                        smallest_number);
   return std::nullopt;
 }
 
 std::optional<std::string> wrong_band(double from, double to) {
-  constexpr double narrowest =
-      1e-9;  // of its upper end: answers differ by as little, and grids between such ends repeat their points
-  constexpr double lowest = 1e-9;  // [rad/s] a turn in 200 years
+  constexpr double narrowest = 1e-9;  // of its upper end: below it, answers do not differ and grids repeat their points
+  constexpr double lowest = 1e-9;     // [rad/s] a turn in 200 years
   if (!(from >= 0 && to > from)) return "[from, to] with 0 ≤ from < to";
   if (to - from < narrowest * to) return fmt::format("its ends differ by {:.0e} of the upper one or more", narrowest);
   if (to < lowest) return fmt::format("its upper end is {:.0e} rad/s or more", lowest);

@@ -24,7 +24,7 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
   const auto band = reader.numbers(key, Quantity::angular_frequency);
   if (!band) return std::nullopt;
   if (has_mixed_units(*reader.node(key))) {
-    reader.error(key, "one end has a unit, the other has none", "both have their unit, or none for rad/s",
+    reader.error(key, "one end has a unit, the other has none", "both ends have a unit, or neither (rad/s)",
                  "give both a unit");
     return std::nullopt;
   }

@@ -9,7 +9,7 @@
 namespace trivet::project {
 namespace {
 
-/// Tables whose keys exclude each other: in braces, a new one takes the place of the old.
+/// Tables whose keys exclude each other: a new one in braces replaces the old one.
 bool is_one_thing(const std::string& key) {
   return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
 }
@@ -35,7 +35,7 @@ void change_components(Node& array, const Node& changes, const std::string& path
     const auto component = component_of(array, changes.keys[i]);
     if (component && change.kind != Node::Kind::table) {
       array.items[*component] = change;
-      array.origin = change.origin;  // what is wrong with the whole is found where it was last written
+      array.origin = change.origin;  // problems of the whole array are reported where it was last written
     } else if (component) {
       problems.error(here, "a longer path", "a component of an array is one number", "end the path at " + here).origin =
           change.origin;
@@ -45,7 +45,7 @@ void change_components(Node& array, const Node& changes, const std::string& path
           .error(
               here, is_vector ? "no such component" : fmt::format("an array of {}", array.items.size()),
               is_vector ? "its components are x, y and z" : "only arrays of three numbers have components: x, y and z",
-              is_vector ? "name one of them" : "replace the array as a whole, or name a number that stands alone")
+              is_vector ? "name one of them" : "replace the whole array, or name a single number")
           .origin = change.origin;
     }
   }
@@ -120,7 +120,7 @@ foundation::Expected<Node> parse_setting(const std::string& setting) {
     if (as_text) return as_text;
     for (auto& problem : plain.error().list())
       problem.remedy =
-          "a setting is KEY=VALUE as in the file: a name with blanks stands in quotes (elements.\"front "
+          "a setting is KEY=VALUE as in the file: write a name with blanks in quotes (elements.\"front "
           "left\".scale=2), and a number of an array of three as at.x, at.y, at.z";
   }
   return plain;

@@ -19,11 +19,11 @@
 namespace trivet::project {
 namespace {
 
-constexpr std::string_view table_rule = "a table is a header row and rows of numbers as long as it";
+constexpr std::string_view table_rule = "a table has a header row and rows of the same length";
 constexpr std::string_view name_column = "name";
-/// Problems of one kind that are listed; a file with the wrong separator would fill the screen.
+/// Most listed problems of one kind; a file with the wrong separator would fill the screen.
 constexpr int most_listed = 20;
-/// Numbers of one table: 160 MB of them.
+/// Most numbers of one table: 160 MB.
 constexpr std::size_t most_cells = 20'000'000;
 
 std::string_view without_blanks(std::string_view text) {
@@ -32,7 +32,7 @@ std::string_view without_blanks(std::string_view text) {
                                          : text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// Cells of a line; a cell in quotes may hold the separator, a doubled quote is one. Empty if a quote is not closed.
+/// Cells of a line; a cell in quotes may contain the separator, and "" is one quote. None if a quote is not closed.
 std::optional<std::vector<std::string>> cells(std::string_view line, char separator) {
   std::vector<std::string> result;
   for (std::size_t at = 0; at <= line.size();) {
@@ -54,8 +54,8 @@ std::optional<std::vector<std::string>> cells(std::string_view line, char separa
   return result;
 }
 
-/// A number, NaN for a cell that says "not measured", nothing for anything else (inf, numbers beyond double and those
-/// that no project may hold included).
+/// Number of a cell, NaN if it means "not measured", none for anything else (also inf, numbers beyond double and those
+/// outside the range of projects).
 std::optional<double> number(std::string_view cell) {
   if (cell.empty() || cell == "-" || cell == "nan" || cell == "NaN" || cell == "NAN")
     return std::numeric_limits<double>::quiet_NaN();
@@ -74,7 +74,7 @@ std::string rule_of_cell(std::string_view cell) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (end == cell.data() + cell.size() && error == std::errc{} && std::isfinite(value))
     if (const auto broken = outside_range(value, Quantity::pure)) return *broken;
-  return "a cell is a finite number with a decimal point, or empty where nothing was measured";
+  return "a cell is a finite number with a decimal point, or empty if not measured";
 }
 
 std::string names_listed(const std::vector<std::string>& names) {
@@ -83,7 +83,7 @@ std::string names_listed(const std::vector<std::string>& names) {
   return text;
 }
 
-/// Separator of a header: the first of tab, semicolon, comma that it holds.
+/// Separator of a header: the first of tab, semicolon, comma in it.
 char separator_of(std::string_view header) {
   return header.find('\t') != std::string_view::npos ? '\t' : header.find(';') != std::string_view::npos ? ';' : ',';
 }
@@ -134,7 +134,7 @@ class Reader {
     if (names->size() > most_columns)
       return problem(number_of_line, fmt::format("{} columns", names->size()),
                      fmt::format("a table has at most {} columns", most_columns),
-                     "is this the right file? keep the columns that are wanted");
+                     "is this the right file? keep the columns that are needed");
     width_ = names->size();
     most_rows_ = std::min(most_rows_, most_cells / width_);
     header_ = *names;
@@ -149,8 +149,8 @@ class Reader {
                 "every column has a name", "name it");
       if (count[name] > 1) {
         count[name] = 1;  // reported once
-        problem(number_of_line, "the column " + foundation::shortened(name) + " stands twice",
-                "every column has a name of its own", "rename one");
+        problem(number_of_line, "the column " + foundation::shortened(name) + " appears twice",
+                "every column has a different name", "rename one");
       }
       if (name == name_column) texts_at_ = &name - names->data();
       else table_.columns.push_back(name);
@@ -170,7 +170,7 @@ class Reader {
       too_long_ = true;
       return problem(number_of_line, fmt::format("more than {} rows", most_rows_),
                      fmt::format("a table of this kind has at most {} rows", most_rows_),
-                     "take every tenth row, or the part that is wanted");
+                     "take every tenth row, or the part that is needed");
     }
     table_.lines.push_back(number_of_line);
     for (std::size_t i = 0; i < width_; ++i) {
@@ -223,7 +223,7 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     return refused(path, error ? error.message() : "no such file", "check the path");
-  if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is no file", "name the .csv file");
+  if (!std::filesystem::is_regular_file(path, error)) return refused(path, "this is not a file", "name the .csv file");
   const auto size = std::filesystem::file_size(path, error);
   if (size > largest_csv_file)
     return refused(path, fmt::format("larger than {} MiB", largest_csv_file >> 20), "is this the right file?");
@@ -235,7 +235,7 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
   if (stream.bad() || static_cast<std::uintmax_t>(stream.gcount()) != size)
     return refused(path, "reading failed", "check the disk");
   if (text.find('\0') != std::string::npos)
-    return refused(path, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
+    return refused(path, "the file contains NUL bytes", "it is not a text file, or is in UTF-16: save it as UTF-8");
   return text;
 }
 
@@ -272,7 +272,7 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
     }
     if (table.columns.empty()) separator = separator_of(content);
     auto row = cells(content, separator);
-    // A last empty cell may end in blanks that `content` lacks.
+    // `content` lacks the last tabs of a row with empty last cells.
     if (row && !table.columns.empty() && row->size() < table.columns.size() && (separator == '\t'))
       row->resize(table.columns.size());
     for (std::size_t i = 0; row && i < row->size(); ++i)
@@ -289,8 +289,8 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
           problem(line, fmt::format("column {} has no name", i + 1), "every column has a name", "name it");
         else if (std::count(table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(i),
                             table.columns[i]) > 0)
-          problem(line, "the column " + foundation::shortened(table.columns[i]) + " stands twice",
-                  "every column has a name of its own", "rename one");
+          problem(line, "the column " + foundation::shortened(table.columns[i]) + " appears twice",
+                  "every column has a different name", "rename one");
       }
       if (table.columns.size() > most_columns)
         problem(line, fmt::format("{} columns", table.columns.size()),

@@ -14,11 +14,11 @@ namespace trivet::project {
 /// Largest table that is read.
 inline constexpr std::uintmax_t largest_csv_file = 256u << 20;
 
-/// Rows of a table that each become a part of a law over frequency; real ones have a few hundred.
+/// Most rows of a table for a law over frequency; real ones have a few hundred.
 inline constexpr std::size_t most_rows_over_frequency = 20'000;
-/// Rows of measured loads and time histories: a quarter of an hour at 1 kHz.
+/// Most rows of measured loads and time histories: a quarter of an hour at 1 kHz.
 inline constexpr std::size_t most_rows_over_time = 1'000'000;
-/// Columns of any table: a 12×12 of complex numbers has 289.
+/// Most columns of any table: a 12×12 of complex numbers has 289.
 inline constexpr std::size_t most_columns = 2'000;
 
 /// A table of numbers with named columns. An empty cell, "nan" or "-" is NaN: not measured.
@@ -30,32 +30,31 @@ struct CsvTable {
   std::vector<std::string> names;    ///< of the rows: the column "name" if there is one, else empty; not in `columns`
 };
 
-/// A header row, then numbers with a decimal point; comma, semicolon or tab between cells (the first of tab, semicolon,
-/// comma that the header holds); `#` begins a comment line; a byte order mark, CRLF and quoted cells are taken. A
-/// column called "name" holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated
-/// or empty column names, rows of another length, cells that are no number, more columns or rows than are taken.
+/// Table of a text with a header row, then numbers with a decimal point. The separator is the first of tab, semicolon,
+/// comma in the header; `#` begins a comment line; a byte order mark, CRLF and quoted cells are accepted. A column
+/// "name" holds texts. Problems, all at once up to 20 of a kind, with file and line: no header, repeated or empty
+/// column names, rows of another length, cells that are not a number, too many columns or rows.
 [[nodiscard]] foundation::Expected<CsvTable> csv_table(std::string_view text, const std::string& source,
                                                        std::size_t most_rows = most_rows_over_time);
 
-/// The same from a file; refuses what cannot be read, is empty, binary or larger than `largest_csv_file`.
+/// As `csv_table`, from a file; rejects unreadable, empty and binary files and those larger than `largest_csv_file`.
 [[nodiscard]] foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path,
                                                             std::size_t most_rows = most_rows_over_time);
 
-/// A table of cells as they are written, outer blanks and quotes removed.
+/// A table of cells as written, outer blanks and quotes removed.
 struct TextTable {
   int header_line = 0;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;  ///< as long as `columns`
   std::vector<int> lines;                      ///< of each row in the file, from 1
   std::vector<int>
-      comments_like_rows;  ///< lines of comments with as many cells as the header: rows named "#1", perhaps
+      comments_like_rows;  ///< lines of comments with as many cells as the header: possibly rows named "#1"
 };
 
-/// The same kind of file with cells of any kind.
+/// As `read_csv_table`, with cells of any kind.
 [[nodiscard]] foundation::Expected<TextTable> read_text_table(const std::filesystem::path& path, std::size_t most_rows);
 
-/// The columns asked for, in that order. Problems name every missing column, the nearest name and the columns there
-/// are.
+/// The wanted columns, in that order. Problems name every missing column, the nearest name and the existing columns.
 [[nodiscard]] foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table,
                                                             const std::vector<std::string>& wanted);
 

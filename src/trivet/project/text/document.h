@@ -9,7 +9,7 @@
 
 namespace trivet::project {
 
-/// One value of a project file, with where it stands. Tables keep the order of the file.
+/// One value of a project file, with its place. Tables keep the order of the file.
 struct Node {
   enum class Kind { table, array, text, integer, real, boolean, other };
   Kind kind = Kind::table;
@@ -27,19 +27,19 @@ struct Node {
 
 [[nodiscard]] const char* words(Node::Kind kind);
 
-/// A value for a message: numbers as such, texts in quotes, shortened; the kind of what is neither.
+/// A value for a message: a number, true or false, or a text in quotes (shortened); else the kind of the value.
 [[nodiscard]] std::string shown(const Node& node);
 
-/// Do both say the same, wherever they stand?
+/// True if both have the same content, at any place.
 [[nodiscard]] bool same_content(const Node& a, const Node& b);
 
-/// The value written out, equal for equal values.
+/// Text form of a value, equal for equal values.
 [[nodiscard]] std::string canonical(const Node& node);
 
-/// "elements.front spring.damping" → the deepest node on that path that exists.
+/// Deepest existing node on a path such as "elements.front spring.damping".
 [[nodiscard]] const Node& deepest(const Node& root, std::string_view path);
 
-/// Sets the origin of every problem that has none from its subject path.
+/// Sets missing origins of problems from their subject paths.
 void locate(foundation::Problems& problems, const Node& root);
 
 }  // namespace trivet::project

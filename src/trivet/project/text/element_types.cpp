@@ -12,7 +12,7 @@
 namespace trivet::project {
 namespace {
 
-/// Keys of the element itself: where it is, how it is turned, on what it stands, and what its author says of it alone.
+/// Keys of the element itself: its place, orientation, foundation, scale and acceptances.
 constexpr std::array<const char*, 12> of_element = {"type",       "on",    "at",          "from",
                                                     "from_at",    "axis",  "orientation", "from_orientation",
                                                     "foundation", "scale", "accept",      "moved"};
@@ -30,7 +30,7 @@ void set(Node& table, const std::string& key, Node value) {
   table.items.push_back(std::move(value));
 }
 
-/// The types of a file. What is wrong with one of them is reported once; its elements are read on.
+/// The types of a file. An error of a type is reported once; its elements are still read.
 class Types {
  public:
   Types(const Node& table, const std::vector<std::string>& laws, foundation::Problems& problems)
@@ -43,7 +43,7 @@ class Types {
     return type && type->kind == Node::Kind::table;
   }
 
-  /// The element with what its type gives.
+  /// The element with the keys of its type.
   [[nodiscard]] Node merged(const Node& element, const std::string& path, const std::string& type) const {
     const Node& shared = *table_.find(type);
     Node result = element;
@@ -53,14 +53,14 @@ class Types {
       if (key == "stiffness_factor") multiply_each(result, key, shared.items[i]);
       if (key == "type") set(result, key, shared.items[i]);
       if (is_of_element(key) || key.ends_with("_factor"))
-        continue;  // others of an element than type and scale are a problem of the type
+        continue;  // keys of an element in a type are reported by check()
       if (const Node* own = element.find(key))
         problems_
             .error(path + "." + key, shown(*own),
                    fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type,
                                foundation::place(shared.items[i].origin)),
-                   fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one a "
-                               "type of its own",
+                   fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one "
+                               "another type",
                                type, key))
             .origin = own->origin;
       set(result, key, shared.items[i]);
@@ -94,7 +94,7 @@ class Types {
           .origin = law->origin;
     if (const Node* scale = type.find("scale"); scale && !(factor(*scale).value_or(0) > 0))
       problems_
-          .error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text of one with a unit such as %",
+          .error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text with a unit such as %",
                  "scale = 1.5, for instance")
           .origin = scale->origin;
     for (std::size_t i = 0; i < type.keys.size(); ++i)
@@ -113,8 +113,8 @@ class Types {
     return value ? std::optional(*value) : std::nullopt;
   }
 
-  /// Both factors act. What is wrong with a scale of the type is reported above, with the others by the reader of the
-  /// element.
+  /// Multiplies the factors of element and type. check() reports a wrong scale of the type, the reader of the element
+  /// the other errors.
   static void multiply(Node& element, const std::string& key, const Node& of_type) {
     Node* own = element.find(key);
     const auto shared = factor(of_type), mine = own ? factor(*own) : std::nullopt;
@@ -136,14 +136,14 @@ class Types {
   foundation::Problems& problems_;
 };
 
-/// Is this the place of something inside the node?
+/// True if the place is that of the node or of something inside it.
 bool holds(const Node& node, const foundation::Origin& origin) {
   if (node.origin.line == origin.line && node.origin.column == origin.column && node.origin.source == origin.source)
     return true;
   return std::any_of(node.items.begin(), node.items.end(), [&](const Node& item) { return holds(item, origin); });
 }
 
-/// Of "known here: …" what a type may have.
+/// The keys of "known here: …" that a type may have.
 std::string without_keys_of_elements(const std::string& rule) {
   constexpr std::string_view start = "known here: ", between = ", ";
   std::string kept;
@@ -157,7 +157,7 @@ std::string without_keys_of_elements(const std::string& rule) {
   return kept.empty() ? rule : kept;
 }
 
-/// The type of an element that lacks a key of its law.
+/// Type of an element without a required key of its law.
 std::optional<std::string> type_that_lacks(const Node& document, const Node& types, const std::string& subject,
                                            const std::string& finding) {
   if (finding != "missing") return std::nullopt;
@@ -194,7 +194,7 @@ std::optional<Node> with_element_types(const Node& document, const std::vector<s
     std::erase(unused, type->text);
     element = types.merged(element, "elements." + elements->keys[i], std::string(type->text));
   }
-  if (!elements || elements->keys.empty()) unused.clear();  // there is more to say than that
+  if (!elements || elements->keys.empty()) unused.clear();  // the missing elements are the problem
   for (const std::string& name : unused)
     problems
         .warning("element_types." + name, "no element is of this type", "a type acts only through its elements",

@@ -7,17 +7,16 @@
 
 #include "trivet/project/text/document.h"
 
-/// `[element_types.NAME]`: what equal elements share, written once (docs/project-file.md, "Element types").
+/// `[element_types.NAME]`: properties that equal elements share (docs/project-file.md, "Element types").
 namespace trivet::project {
 
-/// The document with the keys of its type in every element that names one, in place of that name; nothing if it has no
-/// types. An element keeps its place, and its scale multiplies that of its type. What both write is a problem that
-/// names both places.
-/// @param laws  built-in types, which no type may be called
+/// The document with the keys of the type merged into every element that names one; none if it has no types. An element
+/// keeps its place, and its scale multiplies that of its type. A key in both is a problem that names both places.
+/// @param laws  built-in types, whose names are reserved
 [[nodiscard]] std::optional<Node> with_element_types(const Node& document, const std::vector<std::string>& laws,
                                                      foundation::Problems& problems);
 
-/// Problems of keys that elements have from their type become problems of the type, and so does what the type lacks.
+/// Moves problems of keys that come from a type, or are missing in it, from the elements to the type.
 void name_element_types(const Node& document, foundation::Problems& problems);
 
 }  // namespace trivet::project

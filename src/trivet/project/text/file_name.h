@@ -9,7 +9,7 @@
 
 namespace trivet::project {
 
-/// A file that a project file names, relative to its own folder. A missing key is a problem.
+/// Path of a file that the project file names relative to its folder. A missing key is a problem.
 [[nodiscard]] std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key);
 
 }  // namespace trivet::project

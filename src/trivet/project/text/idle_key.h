@@ -7,7 +7,7 @@
 
 namespace trivet::project {
 
-/// Warns of a key that is read but has no effect beside the others of its table.
+/// Warns of a key that has no effect because of the other keys of its table.
 void warn_of_idle_key(TableReader& reader, const std::string& key, std::string finding, std::string rule,
                       std::string remedy);
 

@@ -11,10 +11,9 @@
 
 namespace trivet::project {
 
-/// Names that stand in the file, whether what they name could be read or not: a reference to an unreadable thing is no
-/// second problem.
+/// Names in the file, of readable and unreadable parts: a reference to an unreadable part is not a second problem.
 struct Mentioned {
-  bool bodies_unknown = false;  ///< there is no readable table of bodies at all
+  bool bodies_unknown = false;  ///< there is no readable table of bodies
   std::vector<std::string> bodies, points, elements, element_types, harmonic_excitations, constant_excitations;
   std::vector<std::string> order_excitations, random_excitations,
       time_excitations;  ///< an unbalance drives harmonically and by orders
@@ -24,20 +23,20 @@ struct Mentioned {
   };
   std::vector<Standing> stands_on;                                    ///< elements and the foundations that they name
   std::vector<std::string> guided;                                    ///< "body.y": coordinates that do not move
-  std::vector<std::function<void(model::Description&)>> adjustments;  ///< made when all has been read
+  std::vector<std::function<void(model::Description&)>> adjustments;  ///< applied after all is read
 };
 
-/// A document that has been read already: what another one has in common with it need not be read again.
+/// A document that was read earlier: parts that another document has in common with it need not be read again.
 struct KnownModel {
   const Node& document;
   const model::Description& description;
 
-  /// The thing of this name in a table ("bodies", "elements"), if both documents say the same of it and it has no
-  /// adjustments, which are made in the description.
+  /// The part of this name in a table ("bodies", "elements"), if it is the same in both documents and has no
+  /// adjustments, which change the description later.
   [[nodiscard]] const Node* unchanged(const char* table, const std::string& name, const Node& now) const;
 };
 
-/// The body of that name, if it was read; a name that stands nowhere is a problem at `key`.
+/// Index of the body named at `key`, if it was read; an unknown name is a problem.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
                                                     const model::Description& description, const Mentioned& mentioned);
 

@@ -12,7 +12,7 @@
 namespace trivet::project {
 namespace {
 
-/// SI value of 1 in a unit, for each quantity that it can measure.
+/// SI value of 1 in a unit; none if the unit does not measure the quantity.
 std::optional<double> si_factor(const std::string& unit, Quantity quantity) {
   if (unit.empty()) return 1.0;
   const auto factor = to_si("1 " + unit, quantity);

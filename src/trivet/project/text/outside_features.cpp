@@ -61,12 +61,12 @@ const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", 
 
 const OutsideFeature of_elements = {
     "nonlinear elements are outside this version: every element is linear about its static state",
-    "give its stiffness and damping about the state in which it works, a coil spring or a solid mount its preload; or "
+    "give its stiffness and damping about its static state, or the preload of a coil spring or solid mount; or "
     "remove the key"};
 const OutsideFeature of_designs = {"optimisation and the selection of mounts are outside this version",
-                                   "a map of two numbers shows which designs hold: analyses.map; or remove the key"};
+                                   "a map of two numbers shows the feasible designs: analyses.map; or remove the key"};
 const OutsideFeature of_motions = {"answers of nonlinear elements are outside this version",
-                                   "every answer here is that of the linear system; remove the key"};
+                                   "every answer is that of the linear system; remove the key"};
 const OutsideFeature of_shafts = {
     "gyroscopic terms of turning shafts are outside this version",
     "bodies vibrate about rest; give the shaft as an excitation of type \"unbalance\" or \"orders\""};

@@ -6,7 +6,7 @@
 
 #include "trivet/foundation/problems.h"
 
-/// Keys by which users ask for what this version does not do: they are no typing mistakes, and the message says so.
+/// Keys of features that this version does not have: the message names the feature instead of a typing mistake.
 namespace trivet::project {
 
 /// Rule and remedy for a key that belongs to a feature outside this version.

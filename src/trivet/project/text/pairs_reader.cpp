@@ -15,7 +15,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   const Node* value = reader.node(key);
   if (!value) return std::nullopt;
   const auto refuse = [&](const std::string& finding) {
-    reader.error(key, finding, "rows of two numbers are wanted: [[x, y], …]", "check brackets and commas");
+    reader.error(key, finding, "rows of two numbers are expected: [[x, y], …]", "check brackets and commas");
     return std::nullopt;
   };
   if (value->kind != Node::Kind::array) return refuse(words(value->kind));
@@ -59,7 +59,7 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
       if (column != x_name && column != y_name) others += (others.empty() ? "" : ", ") + foundation::quoted(column);
     warn_of_idle_key(
         reader, "file", "column" + std::string(csv->columns.size() > 3 ? "s " : " ") + others + " not used",
-        "one column is read beside " + x_name, "say which: " + y + " = \"" + y_name + "\", or remove the others");
+        "one column is read in addition to " + x_name, "name it: " + y + " = \"" + y_name + "\", or remove the others");
   }
   foundation::Problems holes;
   constexpr std::size_t most = 20;

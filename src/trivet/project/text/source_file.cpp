@@ -46,7 +46,8 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
     return refused(path, kind, "the file is empty",
                    kind == "project file" ? "`trivet new` prints a starter" : "was it saved?");
   if (text.find('\0') != std::string::npos)
-    return refused(path, kind, "the file holds zero bytes", "it is no text file, or in UTF-16: save it as UTF-8");
+    return refused(path, kind, "the file contains NUL bytes",
+                   "it is not a text file, or is in UTF-16: save it as UTF-8");
   return text;
 }
 

@@ -11,7 +11,7 @@ namespace trivet::project {
 /// Largest project file that is read.
 inline constexpr std::uintmax_t largest_project_file = 16u << 20;
 
-/// Text of a project file or a catalogue; refuses directories, unreadable, empty, binary and absurdly large files.
+/// Text of a project file or a catalogue; rejects directories and unreadable, empty, binary and too large files.
 [[nodiscard]] foundation::Expected<std::string> read_source(const std::filesystem::path& path,
                                                             const std::string& kind = "project file");
 

@@ -16,7 +16,7 @@
 namespace trivet::project {
 namespace {
 
-/// Deviation of a given rotation matrix from orthonormality that is taken for rounding of its digits.
+/// Largest deviation of a given rotation matrix from orthonormality that counts as rounding of its digits.
 constexpr double orthonormal_within = 1e-9;
 
 std::string joined(const std::vector<std::string>& words) {
@@ -97,7 +97,7 @@ const Node* TableReader::node(const std::string& key) {
 const Node* TableReader::table(const std::string& key) {
   const Node* found = node(key);
   if (!found || found->kind == Node::Kind::table) return found;
-  error(key, shown(*found), "a table is wanted here",
+  error(key, shown(*found), "a table is expected here",
         "write " + key + " = {…} or [" + (path_.empty() ? key : path_ + "." + key) + "]");
   return nullptr;
 }
@@ -125,7 +125,7 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
     }
     number = *converted;
   } else {
-    error_at(value, where, shown(value), "a number is wanted here", remedy);
+    error_at(value, where, shown(value), "a number is expected here", remedy);
     return std::nullopt;
   }
   if (!std::isfinite(number)) {
@@ -158,7 +158,7 @@ std::optional<std::string> TableReader::text(const std::string& key) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind == Node::Kind::text) return value->text;
-  error(key, shown(*value), "a text is wanted here", "put it in quotes");
+  error(key, shown(*value), "a text is expected here", "put it in quotes");
   return std::nullopt;
 }
 
@@ -171,7 +171,7 @@ std::optional<bool> TableReader::boolean(const std::string& key) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind == Node::Kind::boolean) return value->boolean;
-  error(key, shown(*value), "true or false is wanted here", "write true or false, without quotes");
+  error(key, shown(*value), "true or false is expected here", "write true or false, without quotes");
   return std::nullopt;
 }
 
@@ -186,7 +186,7 @@ std::optional<std::vector<std::string>> TableReader::texts(const std::string& ke
     result.push_back(item.text);
   }
   if (good) return result;
-  error(key, shown(*value), "a text or an array of texts is wanted here", "for instance " + key + " = " + example);
+  error(key, shown(*value), "a text or an array of texts is expected here", "for instance " + key + " = " + example);
   return std::nullopt;
 }
 
@@ -197,15 +197,15 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
     const bool component = value->kind == Node::Kind::table &&
         std::all_of(value->keys.begin(), value->keys.end(),
                     [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
-    error(key, component ? "components of an array that the file does not write" : shown(*value),
-          "an array of numbers is wanted here", "put the numbers in square brackets, with commas between them");
+    error(key, component ? "components of an array that the file does not have" : shown(*value),
+          "an array of numbers is expected here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
   }
   std::vector<double> result;
   bool good = true;
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const std::string place = value->items.size() == 3 ? std::string{'.', "xyz"[i]}
-                                                       : fmt::format("[{}]", i);  // as its path, where it has one
+                                                       : fmt::format("[{}]", i);  // as in its path, if it has one
     const auto item = scalar(value->items[i], path_ + (path_.empty() ? "" : ".") + key + place, quantity);
     good = good && item;
     result.push_back(item.value_or(0));
@@ -217,7 +217,7 @@ std::optional<Eigen::Vector3d> TableReader::vector(const std::string& key, Quant
   const auto values = numbers(key, quantity);
   if (!values) return std::nullopt;
   if (values->size() == 3) return Eigen::Vector3d((*values)[0], (*values)[1], (*values)[2]);
-  error(key, fmt::format("{} numbers", values->size()), "three are wanted: x, y, z", "complete or shorten the array");
+  error(key, fmt::format("{} numbers", values->size()), "three are expected: x, y, z", "complete or shorten the array");
   return std::nullopt;
 }
 
@@ -228,7 +228,7 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
   if (!value) return std::nullopt;
   std::vector<std::string> sizes;
   for (const int size : allowed_sizes) sizes.push_back(fmt::format("{0}×{0}", size));
-  const std::string rule = "an array of rows, " + joined(sizes) + ", is wanted here";
+  const std::string rule = "an array of rows, " + joined(sizes) + ", is expected here";
   const auto refuse = [&](const std::string& finding) {
     error(key, finding, rule, "check brackets, rows and columns");
     return std::nullopt;
@@ -269,7 +269,7 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
   const auto components = vector(key, Quantity::pure);
   if (!components) return std::nullopt;
   if (components->norm() > 0) return components->normalized();
-  error(key, "[0, 0, 0]", "a direction has a length", "give at least one number that is not 0");
+  error(key, "[0, 0, 0]", "a direction is not zero", "give at least one number that is not 0");
   return std::nullopt;
 }
 
@@ -306,7 +306,7 @@ std::optional<std::string> TableReader::choice(const std::string& key, const std
   const auto word = text(key);
   if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
   const std::string guess = foundation::nearest_name(*word, words);
-  error(key, foundation::quoted(*word), "one of " + joined(words) + " is wanted here",
+  error(key, foundation::quoted(*word), "one of " + joined(words) + " is expected here",
         guess.empty() ? "choose one" : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
@@ -324,7 +324,7 @@ void TableReader::finish() {
       continue;
     }
     error_at(table_.items[i], where, "unknown key",
-             known_.empty() ? "nothing may stand here" : "known here: " + joined(known_),
+             known_.empty() ? "this table has no keys" : "known here: " + joined(known_),
              guess.empty() ? "remove it" : "did you mean \"" + guess + "\"?");
   }
 }

@@ -14,8 +14,8 @@
 
 namespace trivet::project {
 
-/// Reads one table of a project file key by key; every problem goes to the list, and reading goes on. What no call
-/// asked for is an unknown key, reported by `finish`.
+/// Reads one table of a project file key by key; adds every problem to the list and continues. A key that no call reads
+/// is unknown; `finish` reports it.
 class TableReader {
  public:
   TableReader(const Node& table, std::string path, foundation::Problems& problems);
@@ -24,21 +24,21 @@ class TableReader {
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] foundation::Problems& problems() const { return problems_; }
 
-  /// The node behind a key, or none; the key counts as known.
+  /// The node of a key, or null; the key counts as known.
   const Node* node(const std::string& key);
-  /// A table behind a key; another kind of value is a problem.
+  /// The table of a key, or null; another kind of value is a problem.
   const Node* table(const std::string& key);
 
-  /// Keys that belong here even if reading ends before it comes to them.
+  /// Marks keys as known, even if reading ends before it reaches them.
   void also_known(std::initializer_list<const char*> keys);
   /// Errors found so far, here and elsewhere; warnings do not count.
   [[nodiscard]] std::size_t errors() const;
 
-  /// What a check calls a value, and the key that the user gave for it.
+  /// Name of a value in a check, and the key of the file for it.
   using Names = std::vector<std::pair<const char*, const char*>>;
-  /// Findings of a check whose subjects are keys of this table. A key that could not be read has no finding of its own.
+  /// Adds findings of a check whose subjects are keys of this table, except for keys that could not be read.
   void add(const foundation::Problems& findings, const Names& names = {});
-  /// Problems of the file that a key names: they keep their place in it.
+  /// Adds problems of the file that a key names; they keep their place in that file.
   void add_of_file(const std::string& key, const foundation::Problems& findings);
 
   std::optional<double> number(const std::string& key, Quantity quantity);
@@ -46,11 +46,11 @@ class TableReader {
   std::optional<std::string> text(const std::string& key);
   std::string required_text(const std::string& key);
   std::optional<bool> boolean(const std::string& key);
-  /// One text or several. @param example  of both brackets and words, for the message
+  /// One text or several. @param example  a value for the message
   std::optional<std::vector<std::string>> texts(const std::string& key, const std::string& example);
   std::optional<Eigen::Vector3d> vector(const std::string& key, Quantity quantity);
   std::optional<std::vector<double>> numbers(const std::string& key, Quantity quantity);
-  /// rows × columns of numbers; `quantity_of(i, j)` says what each entry measures.
+  /// Square matrix; `quantity_of(size, i, j)` is the quantity of each entry.
   std::optional<Eigen::MatrixXd> matrix(const std::string& key,
                                         const std::function<Quantity(int, int, int)>& quantity_of,
                                         const std::vector<int>& allowed_sizes);
@@ -62,9 +62,9 @@ class TableReader {
   std::optional<std::string> choice(const std::string& key, const std::vector<std::string>& words);
 
   void missing(const std::string& key, const std::string& remedy);
-  /// An empty key: the table itself.
+  /// Adds an error at a key; an empty key means the table itself.
   foundation::Problem& error(const std::string& key, std::string finding, std::string rule, std::string remedy);
-  /// Reports keys that nobody asked for.
+  /// Reports keys that no call has read.
   void finish();
 
   /// One number or text with a unit.

@@ -19,7 +19,7 @@
 namespace trivet::project {
 namespace {
 
-/// Rows of one table; a model has at most as many elements.
+/// Most rows of one table; a model has at most as many elements.
 constexpr std::size_t most_rows = 5000;
 
 Node text_node(std::string text, const foundation::Origin& origin) {
@@ -61,7 +61,7 @@ std::optional<double> number_of(const std::string& cell) {
   return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
 }
 
-/// A cell as a value of the project file: a number with the unit of its column, a truth, or a text.
+/// A cell as a value of the project file: a number with the unit of its column, true or false, or a text.
 Node cell_node(const std::string& cell, const std::string& unit, const foundation::Origin& origin) {
   const auto number = number_of(cell);
   if (number && unit.empty()) {
@@ -93,7 +93,7 @@ void put(Node& table, const std::vector<std::string>& keys, Node value) {
   node->items.push_back(std::move(value));
 }
 
-/// Columns at.x, at.y, at.z are one array, as the file writes it.
+/// Combines columns such as at.x, at.y, at.z into one array.
 class VectorsOfRow {
  public:
   VectorsOfRow(std::string path, foundation::Problems& problems) : path_(std::move(path)), problems_(problems) {}
@@ -124,7 +124,7 @@ class VectorsOfRow {
             .error(path_ + "." + key + "." + component, "missing", "a place or direction has three components",
                    fmt::format("give {0}.x, {0}.y and {0}.z", key))
             .origin = item.origin;
-        array.items.push_back(cell_node("0", "", item.origin));  // reading goes on
+        array.items.push_back(cell_node("0", "", item.origin));  // to continue reading
       }
     }
     item = std::move(array);
@@ -134,7 +134,7 @@ class VectorsOfRow {
   foundation::Problems& problems_;
 };
 
-/// One kind of things: "elements", "bodies" or "points".
+/// One kind of parts: "elements", "bodies" or "points".
 class ThingTable {
  public:
   ThingTable(Node& document, std::string kind, foundation::Problems& problems)
@@ -192,7 +192,7 @@ class ThingTable {
     }
   }
 
-  /// Cells that would be read as something that nobody wrote: a second unit, and the ground where a body was left out.
+  /// Reports ambiguous cells: a second unit, and an empty `from`, which would mean the ground.
   void refuse_doubtful_cells(TextTable& cells, const std::vector<std::optional<Column>>& columns,
                              const std::string& source) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -209,23 +209,22 @@ class ThingTable {
           problems_
               .error("tables." + kind_,
                      fmt::format("{} under {}", foundation::quoted(cell), foundation::quoted(cells.columns[c])),
-                     "below a header with a unit there are numbers",
+                     "cells below a header with a unit are numbers",
                      "write the number in the unit of the column, or units in every cell and none in the header")
               .origin = here;
           if (const std::string number = cell.substr(0, cell.find(' ')); number_of(number))
-            cell = number;  // what is wrong was said
+            cell = number;  // the error is reported
         }
         if (some_from && cell.empty() && !blank)
           problems_
               .error("tables." + kind_, "an empty cell under \"from\"",
-                     "where other rows name a body, each row says on what its element stands",
-                     "write the body, or \"ground\"")
+                     "if other rows name a body, each row names a body or the ground", "write the body, or \"ground\"")
               .origin = here;
       }
     }
   }
 
-  /// Columns that write one key twice, or a key and a part of it.
+  /// Reports columns that set one key twice, or a key and a part of it.
   bool collide(const std::vector<std::optional<Column>>& columns, const foundation::Origin& header) {
     bool found = false;
     for (std::size_t i = 0; i < columns.size(); ++i)
@@ -237,8 +236,7 @@ class ThingTable {
           continue;
         problems_
             .error("tables." + kind_, fmt::format("columns {} and {}", i + 1, j + 1),
-                   "both write " + shorter.front() + (shorter.size() > 1 ? "." + shorter.back() : ""),
-                   "keep one of them")
+                   "both set " + shorter.front() + (shorter.size() > 1 ? "." + shorter.back() : ""), "keep one of them")
             .origin = header;
         found = true;
       }
@@ -271,7 +269,7 @@ class ThingTable {
     }
   }
 
-  /// A row among the things of its kind, under its name.
+  /// Adds a row to the parts of its kind, under its name.
   void add(Node row) {
     const Node* name = row.find("name");
     const foundation::Origin origin = row.origin;
@@ -279,7 +277,7 @@ class ThingTable {
         (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
       problems_
           .error("tables." + kind_, name ? shown(*name) : "a row without a name",
-                 "every row has a name, under the key or column \"name\"", "add it; keys are written small")
+                 "every row has a name, under the key or column \"name\"", "add it; keys are in lower case")
           .origin = origin;
       return;
     }
@@ -293,7 +291,7 @@ class ThingTable {
     if (const Node* other = things->find(called)) {
       problems_
           .error(path, fmt::format("a second one, in {}", foundation::place(origin)),
-                 fmt::format("the name is that of another one, in {}", foundation::place(other->origin)),
+                 fmt::format("the name is already used in {}", foundation::place(other->origin)),
                  "names are unique: rename one of them")
           .origin = origin;
       return;
@@ -315,7 +313,7 @@ class ThingTable {
     things->items.push_back(std::move(row));
   }
 
-  /// As for names in the file; the line is that of the row.
+  /// Checks a name as names in the file; problems have the line of the row.
   bool is_good_name(const std::string& called, const Node& row) {
     const std::string path = kind_ + "." + foundation::shortened(called);
     if (called.empty() || called.find('.') != std::string::npos) {
@@ -335,7 +333,7 @@ class ThingTable {
     return !found.has_errors();
   }
 
-  /// The table that the thing goes into; made where the file has none.
+  /// The table for the new part; created if the file has none.
   Node* holder(Node& row, const std::string& called) {
     if (kind_ != "points") return made(document_, kind_, row.origin);
     const Node* on = row.find("on");
@@ -376,8 +374,7 @@ class ThingTable {
 }  // namespace
 
 void gather_columns(foundation::Problems& problems) {
-  std::map<std::string, std::vector<std::size_t>>
-      columns;  // problems that one column of a file brings to several rows: a key, or a unit
+  std::map<std::string, std::vector<std::size_t>> columns;  // problems of one column in several rows: a key, or a unit
   for (std::size_t i = 0; i < problems.list().size(); ++i) {
     const foundation::Problem& problem = problems.list()[i];
     const std::size_t name = problem.subject.find('.'), unit = problem.finding.find(' ');
@@ -385,7 +382,7 @@ void gather_columns(foundation::Problems& problems) {
     const std::string_view finding = problem.finding;
     const bool number =
         !finding.empty() && std::string_view("0123456789-+.\"").find(finding.front()) != std::string_view::npos;
-    const bool fixed = problem.rule.find("is fixed by its type") != std::string::npos;  // whatever the cells say
+    const bool fixed = problem.rule.find("is fixed by its type") != std::string::npos;  // whatever the cells contain
     const std::string same(fixed ? "" : number && unit != std::string::npos ? finding.substr(unit) : finding);
     const std::size_t key = problem.subject.find('.', name + 1);
     if (key != std::string::npos && (!number || fixed || same.size() < finding.size()))
@@ -411,8 +408,10 @@ void put_tables_in_place(Node& document, foundation::Problems& problems) {
   document.items.erase(document.items.begin() + (at - document.keys.begin()));
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {
-    problems.error("tables", words(tables.kind), "tables are tables of things", "write [tables.elements]").origin =
-        tables.origin;
+    problems
+        .error("tables", words(tables.kind), "[tables] has tables of bodies, points and elements",
+               "write [tables.elements]")
+        .origin = tables.origin;
     return;
   }
   TableReader reader(tables, "tables", problems);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int deepest_nesting = 64;
 
-/// Where the comment or string that starts at `at` ends (one past it); `at` itself if neither starts there.
+/// Position after the comment or string that starts at `at`; `at` itself if neither starts there.
 std::size_t skipped(std::string_view text, std::size_t at) {
   const char c = text[at];
   if (c == '#') return std::min(text.find('\n', at), text.size());
@@ -30,7 +30,7 @@ std::size_t skipped(std::string_view text, std::size_t at) {
   return text.size();
 }
 
-/// The parser builds one level of stack per bracket and per dot of a key: count them before it does.
+/// Line with too many brackets or dots, or 0. The parser needs one level of stack for each, so they are counted first.
 int line_of_excessive_nesting(std::string_view text) {
   int brackets = 0, dots = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -65,7 +65,7 @@ Node converted(const toml::node& from, const std::string& source) {
       Node& item = node.items.back();
       if (item.origin.line == 0 && key.source().begin.line > 0) item.origin = origin_of(key.source(), source);
     }
-    // The parser sorts by name; a project file means the order of its lines.
+    // The parser sorts by name; the order of the lines is restored.
     std::vector<std::size_t> order(node.keys.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto place = [&](std::size_t i) {
@@ -103,7 +103,7 @@ Node converted(const toml::node& from, const std::string& source) {
   return node;
 }
 
-/// Where a column, counted in characters, stands in a line of bytes.
+/// Index of the byte of a column that is counted in characters.
 std::size_t byte_of(std::string_view line, unsigned column) {
   std::size_t at = 0;
   const auto begins = [&] { return (static_cast<unsigned char>(line[at]) & 0xC0) != 0x80; };
@@ -111,7 +111,7 @@ std::size_t byte_of(std::string_view line, unsigned column) {
   return at;
 }
 
-/// The key whose value starts at a place, or the name in the header that does, as written.
+/// Key as written whose value starts at a place, or the name in a header that starts there.
 std::string key_around(std::string_view text, const toml::source_position& place) {
   for (unsigned l = 1; l < place.line; ++l) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
   const std::string_view line = text.substr(0, text.find('\n'));
@@ -128,13 +128,13 @@ std::string key_around(std::string_view text, const toml::source_position& place
   return first == std::string_view::npos ? "" : std::string(key.substr(first, last + 1 - first));
 }
 
-/// The parser repeats letters of a quoted key that stands twice: the key comes out of the text.
+/// The parser repeats letters of a quoted key that appears twice, so the key is taken from the text.
 std::string finding_of(const toml::parse_error& error, std::string_view text) {
   const std::string finding(error.description());
   const std::size_t begin = finding.find('\''), end = finding.rfind('\'');
   const std::string key = key_around(text, error.source().begin);
   if (finding.find("cannot redefine existing") == std::string::npos || begin == end || key.empty()) return finding;
-  if (end + 1 == finding.size()) return key + " stands twice";
+  if (end + 1 == finding.size()) return key + " appears twice";
   return finding.substr(0, begin) + key + finding.substr(end + 1);
 }
 
@@ -162,8 +162,8 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     const std::string finding = finding_of(error, text);
     const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
     return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
-                   encoding ? "it is no UTF-8 text: save it as UTF-8"
-                            : "mend this line (strings in quotes, one value per key, arrays in square brackets)");
+                   encoding ? "it is not UTF-8 text: save it as UTF-8"
+                            : "correct this line (strings in quotes, one value per key, arrays in square brackets)");
   }
 }
 

@@ -26,7 +26,7 @@ using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 constexpr std::size_t longest_unit = 48;
 using foundation::standard_gravity;
 
-/// UDUNITS-2 with angle and energy as base dimensions and the words of rotating machinery added.
+/// UDUNITS-2 with angle and energy as base dimensions and the units of rotating machinery added.
 class UnitSystem {
  public:
   UnitSystem() {
@@ -53,8 +53,8 @@ class UnitSystem {
     for (const char* plural : {"radians"}) name(plural, "rad", radian.get());
     for (const char* plural : {"turn", "turns", "revolutions"}) name(plural, "rev", turn.get());
     for (const char* plural : {"joules"}) name(plural, "J", joule.get());
-    // What the database derives from the dimensionless radian and from the newton metre of energy goes: it would pass
-    // for a number or for a moment.
+    // Remove the units that the database derives from the dimensionless radian and from the newton metre of energy:
+    // they would count as numbers or moments.
     for (const char* word : {"circle",
                              "circles",
                              "arc_degree",
@@ -144,14 +144,14 @@ class UnitSystem {
   ut_system* system_ = nullptr;
 };
 
-/// Read at the first unit that is met: plain numbers never pay for it.
+/// Read at the first unit; plain numbers do not need it.
 const UnitSystem& unit_system() {
   static const UnitSystem system;
   return system;
 }
 
-/// The library also knows dates, logarithms, offsets and numbers inside a unit ("12 500 kg" would be 12 × 500 kg); here
-/// a unit is letters and signs, and a digit is an exponent right behind a letter, a ^ or a minus.
+/// True for a unit of letters and operators, with digits only as exponents right after a letter, a ^ or a minus. The
+/// library also reads dates, logarithms, offsets and numbers inside a unit ("12 500 kg" would be 12 × 500 kg).
 bool is_plain_unit(std::string_view text) {
   const auto letter = [](char c) {
     return std::isalpha(static_cast<unsigned char>(c)) || static_cast<unsigned char>(c) >= 0x80 || c == '_' ||
@@ -176,7 +176,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// From one unit into another, or why there is none.
+/// Conversion from one unit to another, or the reason why there is none.
 struct Conversion {
   std::shared_ptr<const cv_converter> converter;
   std::string reason;
@@ -186,16 +186,15 @@ Conversion new_conversion(const std::string& from, const std::string& to) {
   const Unit unit(unit_system().parsed(from));
   if (!unit) return {nullptr, "\"" + from + "\" is not a unit"};
   const Unit target(unit_system().parsed(to));
-  if (!ut_are_convertible(unit.get(), target.get()))
-    return {nullptr, "\"" + from + "\" does not measure what is wanted here"};
+  if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" measures another quantity"};
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
   const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
   if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
-    return {nullptr, "\"" + from + "\" is no plain unit"};
+    return {nullptr, "\"" + from + "\" is not a plain unit"};
   return {converter, ""};
 }
 
-/// Each pair is looked up once: the library keeps its state in globals, and many designs are read at once.
+/// Looks up each pair once, under a lock: the library has global state, and many designs are read in parallel.
 Conversion conversion(const std::string& from, const std::string& to) {
   static std::shared_mutex access;
   static std::map<std::pair<std::string, std::string>, Conversion> known;
@@ -274,16 +273,14 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (error != std::errc() || !std::isfinite(value))
     return tl::make_unexpected("it does not start with a finite number");
   const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  if (unit_text == "g" && quantity == Quantity::acceleration)
-    return value * standard_gravity;  // no gram measures an acceleration
+  if (unit_text == "g" && quantity == Quantity::acceleration) return value * standard_gravity;  // not a gram
   const std::string expected = si_unit(quantity);
   if (unit_text.empty())
     return tl::make_unexpected(quantity == Quantity::pure ? "a number in quotes without a unit"
                                                           : "the unit is missing");
   if (unit_text.starts_with(',')) return tl::make_unexpected("write a decimal point, not a comma");
   if (!is_plain_unit(unit_text)) return tl::make_unexpected(foundation::quoted(unit_text) + " is not a unit");
-  if (unit_text == expected)
-    return value;  // SI needs no database, whose reading takes longer than all the rest of a small question
+  if (unit_text == expected) return value;  // SI needs no database; reading it takes longer than a small question
   const Conversion found = conversion(std::string(unit_text), expected);
   if (!found.converter) return tl::make_unexpected(found.reason);
   return cv_convert_double(found.converter.get(), value);

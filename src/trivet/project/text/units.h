@@ -8,7 +8,7 @@
 
 namespace trivet::project {
 
-/// What a number of the project file measures; its SI unit stands in `si_unit`.
+/// Physical quantity of a number in the project file; `si_unit` has its SI unit.
 enum class Quantity {
   pure,
   length,
@@ -39,8 +39,8 @@ enum class Quantity {
 
 [[nodiscard]] const char* si_unit(Quantity quantity);
 
-/// "452.3 lb" → 205.16 for a mass. Angle is a dimension of its own here and energy another, so that Hz is 2π rad/s, and
-/// "5 rad" is no pure number nor "5 J" a moment. The result is the value or what is wrong with the text.
+/// SI value of a text, "452.3 lb" → 205.16 for a mass, or the reason why it has none. Angle and energy are separate
+/// dimensions here: Hz is 2π rad/s, "5 rad" is not a pure number and "5 J" is not a moment.
 [[nodiscard]] tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity);
 
 }  // namespace trivet::project

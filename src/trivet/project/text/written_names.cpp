@@ -12,7 +12,7 @@ namespace trivet::project {
 namespace {
 
 constexpr std::size_t longest_name =
-    100;  // [bytes] of a thing: case names become folders, and file systems take 255 bytes
+    100;  // [bytes] of a part: case names become folders, and file systems allow 255 bytes
 constexpr std::size_t longest_key = 330;    // "BODY.POINT.rx", "ELEMENT.force.x" of names as long as may be
 constexpr std::size_t longest_text = 4096;  // a path on Linux
 
@@ -35,7 +35,7 @@ void check_key(const std::string& path, const std::string& key, const foundation
   if (key.size() > most)
     problems
         .error(where, fmt::format("a name of {} bytes", key.size()),
-               fmt::format("at most {} bytes are admitted: file names are made of it", most), "shorten it")
+               fmt::format("at most {} bytes are allowed: file names contain it", most), "shorten it")
         .origin = origin;
 }
 
@@ -47,7 +47,7 @@ void check_names(const Node& node, const std::string& path, foundation::Problems
     if (node.text.size() > longest_text)
       problems
           .error(path, fmt::format("a text of {} bytes", node.text.size()),
-                 fmt::format("at most {} bytes are admitted", longest_text), "shorten it")
+                 fmt::format("at most {} bytes are allowed", longest_text), "shorten it")
           .origin = node.origin;
   }
   for (std::size_t i = 0; i < node.items.size(); ++i) {

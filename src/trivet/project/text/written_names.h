@@ -5,8 +5,8 @@
 
 namespace trivet::project {
 
-/// Names and texts that no table, picture or file name could carry: control characters, and names too long for the file
-/// names made of them.
+/// Problems of names and texts that tables, pictures or file names cannot contain: control characters, and names too
+/// long for file names.
 [[nodiscard]] foundation::Problems check_names_and_texts(const Node& document);
 
 }  // namespace trivet::project

@@ -12,7 +12,7 @@ namespace {
 
 using Vector6c = Eigen::Matrix<std::complex<double>, 6, 1>;
 
-/// Seen in ground axes.
+/// The motion in ground axes.
 Vector6c turned(const Eigen::Matrix3d& rotation, const Vector6c& motion) {
   return spatial::both_blocks(rotation).cast<std::complex<double>>() * motion;
 }

@@ -10,30 +10,30 @@
 
 namespace trivet::response {
 
-/// A place that moves as Re(motion · e^{iωt}).
+/// A point that moves as Re(motion · e^{iωt}).
 struct MovingPlace {
   std::string name;  ///< BODY, BODY.POINT, ELEMENT.foot (its end N) or ELEMENT.head (its end K)
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< at rest, ground frame [m]
   /// translation [m] and rotation [rad], ground axes
   Eigen::Matrix<std::complex<double>, 6, 1> motion = Eigen::Matrix<std::complex<double>, 6, 1>::Zero();
-  std::optional<std::size_t> body = {};  ///< it moves with; none on the ground or a foundation
+  std::optional<std::size_t> body = {};  ///< body that it moves with; empty on the ground or a foundation
 };
 
-/// Operating deflection shape: where everything goes at one ω.
+/// Operating deflection shape: motion of all points at one ω.
 struct DeflectionShape {
   double angular_frequency = 0;     ///< [rad/s]
   std::vector<MovingPlace> bodies;  ///< poles
   std::vector<MovingPlace> points;
   std::vector<MovingPlace> feet;   ///< one per element
   std::vector<MovingPlace> heads;  ///< one per element
-  double largest_excursion = 0;    ///< of all of them [m]
+  double largest_excursion = 0;    ///< over all places [m]
 };
 
-/// @throws foundation::NotComputable where Z(ω) is singular
+/// @throws foundation::NotComputable if Z(ω) is singular
 [[nodiscard]] DeflectionShape deflection_shape(const model::System& system, const assembly::Assembled& assembled,
                                                const assembly::Loading& loading, double angular_frequency);
 
-/// Farthest from rest on the ellipse Re(u e^{iωt}): √(½(|u|² + |u·u|)) [m].
+/// Largest distance from rest on the ellipse Re(u e^{iωt}): √(½(|u|² + |u·u|)) [m].
 [[nodiscard]] double excursion(const Eigen::Vector3cd& translation);
 
 /// Position at the phase ωt [rad], motion enlarged by `scale`.

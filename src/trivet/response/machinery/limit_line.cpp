@@ -17,7 +17,7 @@ namespace {
 
 using foundation::infinity;
 
-/// One straight piece on logarithmic axes, limits zero-to-peak.
+/// One straight piece of the line on logarithmic axes; limits zero-to-peak.
 struct Piece {
   Band band;
   double from_limit = 0, to_limit = 0;
@@ -65,7 +65,7 @@ class Comparison {
   /// Highest ratio between two frequencies with one maximum between them, by golden section.
   Node summit(double from, double to) const {
     constexpr double golden = 0.6180339887498949;
-    constexpr int steps = 40;  // 0.618⁴⁰ = 4e-9 of the interval: the square root of round-off, where a maximum is flat
+    constexpr int steps = 40;  // 0.618⁴⁰ = 4e-9 of the interval, about √round-off, the limit at a flat maximum
     Node left = node(to - golden * (to - from)), right = node(from + golden * (to - from));
     for (int step = 0; step < steps; ++step) {
       if (left.ratio > right.ratio) {
@@ -81,7 +81,7 @@ class Comparison {
     return left.ratio > right.ratio ? left : right;
   }
 
-  /// Where the ratio passes 1 between neighbours on either side of it.
+  /// Frequency at which the ratio crosses 1 between two neighbours on either side of 1.
   double crossing(const Node& a, const Node& b) const {
     double above = a.ratio > 1 ? a.omega : b.omega, below = a.ratio > 1 ? b.omega : a.omega;
     for (int step = 0; step < 100; ++step) {
@@ -99,7 +99,7 @@ class Comparison {
   const Piece& piece_;
 };
 
-/// Adds the true maxima beside grid points that could hide one above 1 or above all others: the grid follows the curve
+/// Adds the true maxima next to grid points that may hide one above 1 or above all others; the grid follows the curve
 /// to better than `hidden`.
 void add_summits(const Comparison& comparison, const foundation::Progress& progress, std::vector<Node>& nodes) {
   constexpr double hidden = 0.03;
@@ -130,7 +130,7 @@ void note_exceeded(const Comparison& comparison, const foundation::Progress& pro
     if (above && !before) {
       const double from = i == 0 ? nodes[i].omega : comparison.crossing(nodes[i - 1], nodes[i]);
       if (i == 0 && !exceeded.empty() && exceeded.back().to == from)
-        exceeded.back().to = nodes[i].omega;  // goes on from the piece before
+        exceeded.back().to = nodes[i].omega;  // continues the previous piece
       else exceeded.push_back({from, nodes[i].omega});
     }
     if (before) exceeded.back().to = above ? nodes[i].omega : comparison.crossing(nodes[i - 1], nodes[i]);
@@ -150,13 +150,13 @@ foundation::Problems check(const LimitLine& line, const std::string& subject) {
   for (std::size_t i = 0; i < line.limit.size(); ++i)
     if (!(line.limit[i] > 0 && std::isfinite(line.limit[i])))
       problems.error(subject, fmt::format("{}: limit {:g} in row {}", named, line.limit[i], i + 1),
-                     "a limit is a number > 0", "correct or leave out the row");
+                     "a limit is a number > 0", "correct or remove the row");
   const std::vector<double>& omega = line.angular_frequency;
   for (std::size_t i = 0; i < omega.size(); ++i) {
     const double hertz = omega[i] / (2 * std::numbers::pi);
     if (!(omega[i] > 0 && std::isfinite(omega[i])))
       problems.error(subject, fmt::format("{}: {:g} Hz in row {}", named, hertz, i + 1),
-                     "frequencies are > 0, as the axis is logarithmic", "correct or leave out the row");
+                     "frequencies are > 0, as the axis is logarithmic", "correct or remove the row");
     else if (i > 0 && omega[i] < omega[i - 1])
       problems.error(subject,
                      fmt::format("{}: {:g} Hz in row {} after {:g} Hz", named, hertz, i + 1,
@@ -164,7 +164,7 @@ foundation::Problems check(const LimitLine& line, const std::string& subject) {
                      "frequencies ascend", "sort the table by frequency");
     else if (i > 1 && omega[i] == omega[i - 2])
       problems.error(subject, fmt::format("{}: {:g} Hz three times, row {}", named, hertz, i + 1),
-                     "two rows of one frequency are a step", "leave out the row between");
+                     "two rows of equal frequency form a step", "remove the middle row");
   }
   if (omega.size() > 1 && omega.front() == omega.back())
     problems.error(subject, fmt::format("{}: all rows at {:g} Hz", named, omega[0] / (2 * std::numbers::pi)),
@@ -179,7 +179,7 @@ double zero_to_peak_limit(const LimitLine& line, double angular_frequency) {
       lowest = std::min(lowest, piece.at(angular_frequency));
   if (std::isinf(lowest))
     throw foundation::InvalidInput(
-        fmt::format("limit line \"{}\" says nothing at {:g} rad/s", line.name, angular_frequency));
+        fmt::format("limit line \"{}\" is not defined at {:g} rad/s", line.name, angular_frequency));
   return lowest;
 }
 
@@ -189,14 +189,14 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
   if (const foundation::Problems problems = check(line, "limit line"); problems.has_errors())
     throw foundation::InvalidInput(foundation::message(problems.list().front()));
   if (line.unit != channel.unit)
-    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; compare like with like",
-                                               line.name, line.unit, channel.name, channel.unit));
+    throw foundation::InvalidInput(fmt::format("limit line \"{}\" is in {}, {} in {}; the units must agree", line.name,
+                                               line.unit, channel.name, channel.unit));
   LimitComparison result;
   result.compared = {std::max(band.from, line.angular_frequency.front()),
                      std::min(band.to, line.angular_frequency.back())};
   if (!(result.compared.to > result.compared.from))
     throw foundation::NotComputable(fmt::format(
-        "limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: nothing in common",
+        "limit line \"{}\" runs from {:g} to {:g} rad/s, the band from {:g} to {:g} rad/s: they do not overlap",
         line.name, line.angular_frequency.front(), line.angular_frequency.back(), band.from, band.to));
   const std::vector<double> grid =
       automatic_grid(assembled, {channel}, loading, poles, peaks, result.compared, progress);

@@ -13,7 +13,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   const auto& gravity = system.description().gravity;
   if (!gravity || gravity->isZero(0))
     throw foundation::NotComputable(
-        "load sharing: without gravity no load has a direction; give gravity = [0, 0, -9.80665]");
+        "load sharing: the direction of gravity is missing; give gravity = [0, 0, -9.80665]");
   LoadSharing result;
   std::vector<std::string> words;
   for (const std::size_t e : mounts(system)) {
@@ -23,7 +23,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   const StaticResponse rest = static_response(
       system, assembled, assembly::channels(system, assembled, words, assembly::Quantity::displacement));
   const Eigen::Vector3d down = gravity->normalized();
-  // Each mount has its six of wrench, then its six of deflection.
+  // Per mount: six components of the wrench, then six of the deflection.
   double largest = 0;
   for (std::size_t m = 0; m < result.mounts.size(); ++m) {
     MountLoad& mount = result.mounts[m];
@@ -37,8 +37,7 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   }
   constexpr double round_off = 1e-12;
   if (!(result.bearing_in_total > round_off * largest))
-    throw foundation::NotComputable(
-        "load sharing: the mounts bear nothing in the direction of gravity: there is nothing to share");
+    throw foundation::NotComputable("load sharing: the mounts carry no load in the direction of gravity");
   for (MountLoad& mount : result.mounts) mount.share = mount.bearing / result.bearing_in_total;
   return result;
 }

@@ -9,7 +9,7 @@
 namespace trivet::response {
 namespace {
 
-/// Orders of one excitation; empty if nothing in it goes with a shaft.
+/// Orders of one excitation; empty if it does not depend on a shaft speed.
 std::vector<excitation::Order> orders_of(const model::Excitation& excitation) {
   if (const auto* orders = std::get_if<model::Orders>(&excitation.course)) return orders->list;
   const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
@@ -17,7 +17,7 @@ std::vector<excitation::Order> orders_of(const model::Excitation& excitation) {
   return {{1, excitation.action.amplitude, excitation::ComplexVector6::Zero()}};
 }
 
-/// `factor` (iω)^power times the force of the action.
+/// Adds `factor` (iω)^power times the force of the action.
 void add_force(const assembly::Assembled& assembled, model::Action action, const excitation::ComplexVector6& amplitude,
                int power, double factor, assembly::Loading& total) {
   action.amplitude = factor * amplitude;
@@ -42,7 +42,7 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
   for (const std::string& name : selected)
     if (std::none_of(excitations.begin(), excitations.end(),
                      [&](const model::Excitation& e) { return e.name == name && !orders_of(e).empty(); }))
-      throw foundation::InvalidInput("\"" + name + "\" names no orders and no unbalance of this model");
+      throw foundation::InvalidInput("\"" + name + "\" is not an order excitation or unbalance of this model");
   std::vector<OrderLoading> result;
   for (const model::Excitation& excitation : excitations) {
     if (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()) continue;

@@ -17,9 +17,9 @@ double mean_power(const Force& force, const Displacement& displacement, double o
   return 0.5 * (Complex(0, omega) * displacement).dot(force).real();
 }
 
-/// Damping of the system as a whole: what B holds beyond elements and foundations.
+/// System damping: the part of B that does not come from elements and foundations.
 struct SystemDamping {
-  Eigen::MatrixXd free, ground;  ///< empty if there is none
+  Eigen::MatrixXd free, ground;  ///< empty without system damping
 };
 
 SystemDamping system_damping(const model::System& system, const assembly::Assembled& assembled) {
@@ -42,7 +42,7 @@ SystemDamping system_damping(const model::System& system, const assembly::Assemb
   return rest;
 }
 
-/// Taken by the impedances of ground that gives.
+/// Power absorbed by the impedances of flexible foundations.
 double foundation_power(const model::System& system, const assembly::Assembled& assembled, const SteadyMotion& motion) {
   double sum = 0;
   const double omega = motion.angular_frequency;

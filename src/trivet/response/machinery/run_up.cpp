@@ -14,7 +14,7 @@ namespace {
 
 using foundation::infinity;
 
-/// Ascending; speeds equal but for round-off once.
+/// Sorts ascending and removes speeds that are equal within round-off.
 void sort_apart(std::vector<double>& speed) {
   constexpr double same = 1e-13;
   std::sort(speed.begin(), speed.end());
@@ -35,7 +35,7 @@ void set_relative_heights(std::size_t curves, std::vector<CriticalSpeed>& critic
     c.relative_height = c.amplitude == highest[c.curve] ? 1 : c.amplitude / highest[c.curve];
 }
 
-/// Speeds around a resonance, in widths of its root.
+/// Adds speeds around a resonance at multiples of |Re λ| of its root.
 void add_around(const CriticalSpeed& critical, const Eigen::VectorXcd& poles, std::vector<double>& speed) {
   Eigen::Index nearest = 0;
   (poles.array() - std::complex<double>(0, critical.angular_frequency)).abs().minCoeff(&nearest);
@@ -83,10 +83,10 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
              const RunUpOptions& options, const foundation::Progress& progress) {
   const Band& speed = options.speed;
   if (!(speed.from >= 0 && speed.to > speed.from && std::isfinite(speed.to)))
-    throw foundation::InvalidInput("run-up: a range of speed needs 0 ≤ from < to");
+    throw foundation::InvalidInput("run-up: the speed range must satisfy 0 ≤ from < to");
   if (order_loadings.empty())
-    throw foundation::InvalidInput("run-up: no excitation goes with a shaft; give orders or an unbalance");
-  if (options.points < 2) throw foundation::InvalidInput("run-up: fewer than two speeds");
+    throw foundation::InvalidInput("run-up: no excitation depends on a shaft speed; give orders or an unbalance");
+  if (options.points < 2) throw foundation::InvalidInput("run-up: at least two speeds are needed");
   RunUp result;
   for (const OrderLoading& order : order_loadings) {
     Peaks found = peaks(assembled, channels, order.loading, modes, roots,
@@ -121,7 +121,7 @@ RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::C
 
 std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int spectra) {
   if (spectra < 2 || run_up.orders.empty() || curve >= run_up.orders.front().curves.size())
-    throw foundation::InvalidInput("waterfall: needs a curve of the run-up and at least two spectra");
+    throw foundation::InvalidInput("waterfall: a curve of the run-up and at least two spectra are needed");
   std::vector<WaterfallLine> lines;
   std::size_t last = run_up.speed.size();
   for (const double wanted : linear_grid({run_up.speed.front(), run_up.speed.back()}, spectra)) {

@@ -15,12 +15,12 @@ namespace trivet::response {
 struct RunUpOptions {
   Band speed;                    ///< of the shaft [rad/s], 0 ≤ from < to
   double min_prominence = 1e-6;  ///< see PeakOptions
-  int points = 501;              ///< equally spaced speeds, at least 2, beside the critical ones and those around them
+  int points = 501;  ///< equally spaced speeds, at least 2, in addition to critical speeds and points around them
   double tall_from =
-      0.01;  ///< height of a peak over the highest of its answer from which the curves are drawn through it
+      0.01;  ///< least height of a peak, relative to the highest of its answer, at which the speed grid includes it
 };
 
-/// One order over the speeds of its run-up: all answers at ω = order · Ω.
+/// Answers to one order over the speeds of the run-up, at ω = order · Ω.
 struct OrderCurves {
   double order = 0;
   std::vector<Curve> curves;
@@ -34,35 +34,35 @@ struct CriticalSpeed {
   double angular_frequency = 0;  ///< ω = order · Ω [rad/s]
   double amplitude = 0;          ///< of this order alone; infinite at an undamped natural frequency
   double prominence = 0;
-  double relative_height =
-      0;  ///< over the highest critical amplitude of this answer to any order; 0 beside an infinite one
+  double relative_height = 0;  ///< amplitude / highest critical amplitude of this answer over all orders; 0 for a
+                               ///< finite one if that is infinite
   std::optional<int> nearest_mode;
 };
 
-/// One answer with all orders together.
+/// One answer to all orders together.
 struct Overall {
   std::string name;
   std::string unit;
   Eigen::VectorXd rms;        ///< √(Σ |y_k|² / 2): the orders differ in frequency
-  Eigen::VectorXd bound;      ///< Σ |y_k| ≥ |y(t)|: as high as all orders can add up
-  double highest_rms = 0;     ///< at the speeds of the grid; infinite with an undamped resonance among them
+  Eigen::VectorXd bound;      ///< Σ |y_k| ≥ |y(t)|: all orders in phase
+  double highest_rms = 0;     ///< over the speeds of the grid; infinite with an undamped resonance in the range
   double highest_rms_at = 0;  ///< Ω [rad/s]
 };
 
 struct RunUp {
-  std::vector<double>
-      speed;  ///< Ω [rad/s], ascending, with every finite peak of every order that is tall, and points around it
+  std::vector<double> speed;  ///< Ω [rad/s], ascending; includes every finite peak of every order above `tall_from`,
+                              ///< and points around it
   std::vector<OrderCurves> orders;      ///< ascending order, all curves over `speed`
   std::vector<Overall> overall;         ///< per channel
   std::vector<CriticalSpeed> critical;  ///< all in the range; by curve, then ascending speed
   std::vector<double>
-      undefined_at;  ///< Ω [rad/s] where an order meets an undamped resonance on the grid: its values are NaN there
+      undefined_at;  ///< Ω [rad/s] of grid points at an undamped resonance of an order: its values are NaN there
   double worst_backward_error = 0;  ///< see SolutionCheck
 };
 
-/// Slow run-up: the steady response to each order at each shaft speed. Peaks lie where d|y_k|/dΩ = 0 exactly, the
-/// growth of unbalance with Ω² included.
-/// @throws foundation::InvalidInput without orders, for a range that is none, or less than two points
+/// Slow run-up: the steady response to each order at each shaft speed. Peaks are exact roots of d|y_k|/dΩ = 0,
+/// including the growth of unbalance with Ω².
+/// @throws foundation::InvalidInput without orders, unless 0 ≤ from < to, or for fewer than two points
 [[nodiscard]] RunUp run_up(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const std::vector<OrderLoading>& order_loadings, const modal::Modes& modes,
                            const modal::Roots& roots, const RunUpOptions& options,
@@ -76,8 +76,8 @@ struct WaterfallLine {
   double amplitude = 0;
 };
 
-/// The line spectra of one curve at `spectra` speeds of the run-up, those nearest to an even spread; by speed, then
-/// order.
+/// Line spectra of one curve at up to `spectra` speeds of the run-up, those nearest to equal spacing; sorted by speed,
+/// then order.
 [[nodiscard]] std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int spectra);
 
 }  // namespace trivet::response

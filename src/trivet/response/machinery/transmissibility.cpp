@@ -22,7 +22,8 @@ using Amplitude = model::Action::Amplitude;
 
 using foundation::infinity;
 
-/// Components x … z or rx … rz of a unit length along the direction, in axes turned by `rotation` against the ground.
+/// Components x … z or rx … rz of a unit vector along the direction, in axes rotated by `rotation` relative to the
+/// ground.
 spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rotation) {
   const double length = direction.axis.norm();
   if (!(length > 0 && std::isfinite(length)))
@@ -36,13 +37,13 @@ Direction like(const Direction& applied, const std::optional<Direction>& wanted,
                const char* rotation) {
   if (wanted && wanted->rotation != applied.rotation)
     throw foundation::InvalidInput(
-        fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; compare like with like",
+        fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; use the same kind for both",
                     wanted->rotation ? rotation : translation, applied.rotation ? rotation : translation,
                     wanted->rotation == (std::string(translation) == "force") ? "m" : "1/m"));
   return wanted.value_or(applied);
 }
 
-/// Index 0 … 5 of the component at the end of a channel's name: "…x" or "…rz", "….force.x" or "….moment.z".
+/// Index 0 … 5 of the component at the end of a channel name: "…x" or "…rz", "….force.x" or "….moment.z".
 Eigen::Index component(const std::string& name, bool of_force) {
   const std::string last = name.substr(name.rfind('.') + 1);
   for (std::size_t j = 0; j < 6; ++j)
@@ -51,7 +52,7 @@ Eigen::Index component(const std::string& name, bool of_force) {
   return 0;
 }
 
-/// Σ weight · channel over the components of one word.
+/// Σ weight · channel over the components of one name.
 assembly::Channel combined(const std::vector<assembly::Channel>& parts, const spatial::Vector6& weights,
                            const std::string& name) {
   assembly::Channel sum{{Eigen::VectorXcd::Zero(parts.front().on_displacement.size()),
@@ -82,17 +83,17 @@ assembly::Channel combined(const std::vector<assembly::Channel>& parts, const sp
   return sum;
 }
 
-/// The body that a word BODY or BODY.POINT names.
+/// Body of a name BODY or BODY.POINT.
 const model::Body& body_of(const model::System& system, const std::string& word) {
   for (const model::Body& body : system.bodies()) {
     if (word == body.name) return body;
     for (const model::Point& point : body.points)
       if (word == body.name + "." + point.name) return body;
   }
-  throw foundation::InvalidInput("transmissibility: \"" + word + "\" names no body and no point of one");
+  throw foundation::InvalidInput("transmissibility: \"" + word + "\" is not a body or BODY.POINT of this model");
 }
 
-/// |T| this close to 1 counts as 1: at rest, and towards ω = ∞ where a relative motion ends.
+/// |T| this close to 1 counts as 1: at ω = 0, and for ω → ∞ where a relative motion tends to 1.
 constexpr double like_one = 1e-9;
 
 /// Root of |T| = 1 between `above` (|T| > 1) and `below` (|T| ≤ 1), where |T| is monotonic.
@@ -115,7 +116,7 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
       std::find_if(all.begin(), all.end(), [&](const model::Excitation& e) { return e.name == excitation; });
   if (found == all.end() || !std::holds_alternative<model::Harmonic>(found->course))
     throw foundation::InvalidInput("transmissibility: \"" + excitation +
-                                   "\" names no harmonic excitation of this model");
+                                   "\" is not a harmonic excitation of this model");
   const model::Action& action = found->action;
   if (!action.body)
     throw foundation::InvalidInput("transmissibility: \"" + excitation +
@@ -124,7 +125,7 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
   if (force.isZero(0) == moment.isZero(0))
     throw foundation::InvalidInput("transmissibility: \"" + excitation + "\" has " +
                                    (force.isZero(0) ? "neither force nor moment" : "a force and a moment") +
-                                   "; it needs one of them, to compare like with like");
+                                   "; it needs exactly one of them");
   const bool rotation = force.isZero(0);
   const Eigen::Vector3cd vector = rotation ? moment : force;
   Eigen::Index largest = 0;
@@ -133,7 +134,7 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
   constexpr double round_off = 1e-12;
   if (in_phase.imag().norm() > round_off * vector.norm())
     throw foundation::InvalidInput("transmissibility: the components of \"" + excitation +
-                                   "\" differ in phase, so that it has no one direction; give it one phase");
+                                   "\" differ in phase, so its direction is not constant; give them the same phase");
   return {*action.body, action.at, {system.bodies()[*action.body].pose.rotation * in_phase.real(), rotation}};
 }
 
@@ -141,7 +142,7 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
                                 const AppliedForce& applied, const std::optional<Direction>& transmitted) {
   const Direction out = like(applied.direction, transmitted, "force", "moment");
   if (applied.body >= system.bodies().size())
-    throw foundation::InvalidInput("transmissibility: the force acts on no body of this model");
+    throw foundation::InvalidInput("transmissibility: the force does not act on a body of this model");
   model::Action action;
   action.body = applied.body;
   action.at = applied.at;
@@ -174,7 +175,7 @@ Transmission displacement_transmission(const model::System& system, const assemb
 std::vector<Crossover> crossovers(const assembly::Assembled& assembled, const Transmission& transmission,
                                   const Peaks& peaks) {
   constexpr double far_above =
-      1e6;  // beyond the last extremum a curve is monotonic: there it shows whether it grows past 1
+      1e6;  // beyond the last extremum a curve is monotonic: this factor above it shows whether it exceeds 1
   std::vector<Crossover> result;
   for (std::size_t c = 0; c < transmission.channels.size(); ++c) {
     const auto size = [&](double omega) {

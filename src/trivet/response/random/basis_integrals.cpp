@@ -113,7 +113,7 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   for (Eigen::Index b = 0; b < count; ++b)
     for (Eigen::Index a = 0; a < count; ++a) {
       const Complex sum = poles_(a) + std::conj(poles_(b));
-      // The sum over two fractions is taken only where it does not cancel.
+      // The sum of two fractions is used only if it does not cancel.
       if (epsilon * (std::abs(j(a, 0)) + std::abs(j(b, 1))) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;
         continue;

@@ -10,7 +10,7 @@
 
 namespace trivet::response {
 
-/// Share of √(I_jj I_kk) to which every integral of a product is held.
+/// Accuracy of every integral of a product, relative to √(I_jj I_kk).
 inline constexpr double fraction_accuracy = 1e-14;
 
 /// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients
@@ -37,7 +37,7 @@ class BasisIntegrals {
   [[nodiscard]] Eigen::MatrixXcd products(const Eigen::VectorXcd& weight) const;
 
   Eigen::VectorXcd poles_;
-  std::vector<int> powers_;  ///< that any part has
+  std::vector<int> powers_;  ///< powers that occur in any part
   std::vector<Function> basis_;
   IntegrationNodes nodes_;
   Eigen::MatrixXd real_, imag_;  ///< nodes × plain functions: the poles, then the powers

@@ -14,13 +14,13 @@
 namespace trivet::response {
 namespace {
 
-/// ρ + 1/ρ for ρ = 2.8: the sum of the distances of a pole from both ends, over the half width.
+/// ρ + 1/ρ for ρ = 2.8: sum of the distances of a pole from both ends, divided by the half width.
 constexpr double ellipse = 2.8 + 1 / 2.8;
-/// Of e^{−iωτ} on a panel: half width times delay.
+/// Largest half width times delay of e^{−iωτ} on a panel.
 constexpr double most_turn = 6;
-/// A lightly damped pole takes some 20 panels per decade of its damping ratio, a delay 500,000 at its most turns.
+/// A lightly damped pole needs about 20 panels per decade of its damping ratio, the longest allowed delay 500,000.
 constexpr std::size_t most_panels = 1'000'000;
-/// Of a delay between inputs over the whole band.
+/// Most turns of phase by a delay between inputs over the whole band.
 constexpr double most_turns_in_all = 1e6;
 
 double sum_of_distances(const Eigen::VectorXcd& poles, double from, double to) {
@@ -55,7 +55,7 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
   if (const double turns = (to - from) * longest_delay / (2 * std::numbers::pi); turns > most_turns_in_all)
     throw foundation::NotComputable(
         fmt::format("random response: a delay of {:.4g} s between inputs turns their phase {:.3g} times over the band; "
-                    "at most {:.0f} turns are integrated",
+                    "the integration allows at most {:.0f} turns",
                     longest_delay, turns, most_turns_in_all));
   const double most = longest_delay > 0 ? most_turn / longest_delay : std::numeric_limits<double>::infinity();
   std::vector<double> ends = {from};
@@ -66,9 +66,9 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
     if (!(at + 2 * h > at) || ends.size() > most_panels)
       throw foundation::NotComputable(
           fmt::format("random response: the band from {:.4g} to {:.4g} rad/s cannot be integrated in {} panels: the "
-                      "roots of the system lie too far apart, or one at {:.4g} rad/s",
+                      "roots of the system lie too far apart, or one is too near {:.4g} rad/s",
                       from, to, most_panels, at));
-    // No sliver at the end: what is left is taken whole or in halves.
+    // No narrow last panel: the remainder becomes one panel or two halves.
     ends.push_back(at + 2 * h >= to ? to : at + 4 * h >= to ? 0.5 * (at + to) : at + 2 * h);
   }
   return ends;

@@ -11,16 +11,17 @@ struct IntegrationNodes {
   Eigen::VectorXd omega, weight;
 };
 
-/// Ends of panels from one frequency to another, ascending. Every panel of half width h keeps all poles outside the
-/// ellipse about its ends on which a Gauss rule of n points converges like 2.8⁻²ⁿ (Bernstein ellipse), and h ·
-/// `longest_delay` below 6. Poles on the axis inside the band must not be among them.
+/// Boundaries of panels between two frequencies, ascending. All poles are outside the Bernstein ellipse of each panel
+/// (foci at its ends) for which a Gauss rule of n points converges like 2.8⁻²ⁿ, and half width · `longest_delay` is
+/// below 6. Poles on the axis inside the band are not allowed.
 [[nodiscard]] std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, double to,
                                                 double longest_delay);
 
-/// Gauss–Legendre rule with 16 points on every panel between neighbouring ends: 3e-15 for one pole on its ellipse.
+/// Gauss–Legendre rule with 16 points on every panel between neighbouring ends: error 3e-15 for one pole on its
+/// ellipse.
 [[nodiscard]] IntegrationNodes gauss_nodes(const std::vector<double>& ends);
 
-/// 15 nodes of Gauss and Kronrod on [−1, 1], ascending, with the weights of both rules; the Gauss rule has 7 points.
+/// 15 Gauss–Kronrod nodes on [−1, 1], ascending, with the weights of both rules; the Gauss rule uses 7 of them.
 /// [QUADPACK, 1983]
 struct KronrodRule {
   Eigen::Array<double, 15, 1> node, kronrod, gauss;

@@ -18,14 +18,14 @@ constexpr std::size_t powers = highest_power - lowest_power + 1;
 
 std::size_t index_of(int power) { return static_cast<std::size_t>(power - lowest_power); }
 
-/// A Laurent polynomial in s and, beside it, its magnitude if all terms worked together.
+/// A Laurent polynomial in s, and the sums of the magnitudes of its terms.
 struct Laurent {
   std::array<Complex, powers> value{};
   std::array<double, powers> possible{};
   void add(int power, Complex term, double size) { value[index_of(power)] += term, possible[index_of(power)] += size; }
 };
 
-/// λ^m for the powers that are kept.
+/// λ^m for m = lowest_power … highest_power.
 std::array<Complex, powers> powers_of(Complex lambda) {
   std::array<Complex, powers> result;
   result[index_of(0)] = 1;
@@ -62,22 +62,22 @@ void add_powers(const Laurent& p, int shift, Eigen::Index c, PoleExpansion& to) 
   }
 }
 
-/// A right side by columns of one matrix that all loads share.
+/// One column of the matrix of right sides of all loads.
 struct LoadColumn {
   std::size_t load;
-  std::size_t group;  ///< of channels that are answered in the same coordinates
+  std::size_t group;  ///< of channels that use the same coordinates
   int power;
   double delay;
 };
 
-/// A load for the channels of one group of it, see assembly::by_coordinates.
+/// A load for one group of channels, see assembly::by_coordinates.
 struct GroupedLoad {
   std::size_t load;
   std::size_t group;
   assembly::Loading loading;
 };
 
-/// What the terms of a channel make of each column of a matrix of coordinates, for s⁰, s¹, s² apart.
+/// Value of a channel for each column of a matrix of coordinates, separately for s⁰, s¹, s².
 struct Projection {
   std::array<Eigen::RowVectorXcd, 3> value;
   std::array<Eigen::RowVectorXd, 3> possible;
@@ -98,7 +98,8 @@ Projection projected(const std::vector<ChannelTerm>& terms, const Eigen::MatrixX
   return result;
 }
 
-/// All terms of one channel in one pole, or in free motion: projection × s^(derivative + power of the load + 0, 1, 2).
+/// All terms of one channel for one pole or a rigid-body motion: projection × s^(derivative + power of the load + 0, 1,
+/// 2).
 Laurent laurent(const Projection& projection, Eigen::Index column, int power, Complex factor) {
   Laurent p;
   for (int t = 0; t < 3; ++t) {
@@ -119,7 +120,8 @@ PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double 
   return parts.back();
 }
 
-/// Poles at rest (drift against a damper, which stands anywhere) within round-off of the fastest are exactly 0.
+/// Sets poles that are 0 within round-off of the fastest (drift against a damper, without a restoring spring) to
+/// exactly 0.
 void settle_poles_at_rest(Eigen::VectorXcd& poles) {
   if (poles.size() == 0) return;
   const double round_off = 64 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs().maxCoeff();
@@ -195,7 +197,7 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
 }
 
 PoleExpansion differentiated(const PoleExpansion& part, const Eigen::VectorXcd& poles) {
-  // What a sum of residues leaves that must vanish, as a displacement under a force starts like 1/s².
+  // Round-off of a sum of residues that must vanish: a displacement under a force starts like 1/s².
   constexpr double cancelled = 1e-12;
   PoleExpansion result = part;
   result.residue = part.residue * poles.asDiagonal();

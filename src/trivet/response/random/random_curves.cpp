@@ -13,7 +13,8 @@
 namespace trivet::response {
 namespace {
 
-/// Evenly and by decades over the band, close around every pole, and on both sides of every breakpoint.
+/// Grid with linear and logarithmic spacing over the band, dense around every pole, with points on both sides of every
+/// breakpoint.
 std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoading& loading) {
   constexpr double beside = 1e-9;
   std::vector<double> points;
@@ -28,7 +29,7 @@ std::vector<double> dense_grid(const Eigen::VectorXcd& poles, const RandomLoadin
   for (const double w : logarithmic_grid({from > 0 ? from : 1e-4 * to, to}, 301)) points.push_back(w);
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
     const double centre = poles(k).imag(), width = std::max(std::abs(poles(k).real()), 1e-6 * centre);
-    // Equal steps of phase: a resonance ω = centre + width tan φ has cos² φ as its square.
+    // Equal steps of phase φ: at ω = centre + width tan φ a resonance has the square cos² φ.
     for (int degrees = -88; degrees <= 88 && centre > 0; degrees += 4)
       points.push_back(centre + width * std::tan(degrees * std::numbers::pi / 180));
   }

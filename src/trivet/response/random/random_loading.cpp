@@ -13,7 +13,7 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
     if (std::none_of(excitations.begin(), excitations.end(), [&](const model::Excitation& excitation) {
           return excitation.name == name && std::holds_alternative<model::Random>(excitation.course);
         }))
-      throw foundation::InvalidInput("\"" + name + "\" names no random excitation of this model");
+      throw foundation::InvalidInput("\"" + name + "\" is not a random excitation of this model");
   RandomLoading result;
   std::vector<const model::Random*> courses;
   for (const model::Excitation& excitation : excitations) {

@@ -13,17 +13,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A coefficient below this share of its terms stands for a zero: at an undamped pole, or at rest for a spectrum that
-/// begins there.
+/// A coefficient below this share of its terms counts as 0: at an undamped pole, or at ω = 0 if a spectrum begins
+/// there.
 constexpr double negligible_share = 1e-9;
-/// Frequencies at which the form is held to direct solutions: about as many poles, and points between.
+/// Number of frequencies at which the form is checked against direct solutions: about half at poles, half between.
 constexpr int checked_frequencies = 16;
-/// Numbers that the basis may hold at a time.
+/// Largest number of values in the basis at a time.
 constexpr Eigen::Index most_numbers = 6'000'000;
 
 bool significant(const Complex& value, double possible) { return std::abs(value) > negligible_share * possible; }
 
-/// Marks what is infinite, and takes it and its round-off out of the expansions.
+/// Marks infinite moments and removes their terms, and round-off in place of such terms, from the expansions.
 void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMoment>& moments,
                        PoleExpansions& expansions, RandomVariances& result) {
   const std::vector<Eigen::Index> undamped = undamped_poles_in_band(expansions.poles, loading);
@@ -34,7 +34,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
       for (const Eigen::Index k : undamped) {
         if (significant(part.residue(c, k), part.possible_residue(c, k)))
           for (std::string& r : reason)
-            r = "an undamped natural frequency lies in the band of \"" + loading.inputs[part.load].name + "\"";
+            r = "an undamped natural frequency is in the band of \"" + loading.inputs[part.load].name + "\"";
         part.residue(c, k) = 0;
       }
       for (int m = lowest_power; m < 0 && of_spectrum; ++m) {
@@ -44,11 +44,11 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
         for (std::size_t i = 0; i < moments.size() && matters; ++i)
           if (2 * m + *of_spectrum + order_at_rest(moments[i]) <= -1 && reason[i].empty())
             reason[i] = "the spectrum of \"" + loading.inputs[part.load].name +
-                "\" begins at 0 Hz, toward which the answer grows without bound";
+                "\" begins at 0 Hz, where the answer is unbounded";
       }
     }
   }
-  // Undamped poles take no part any more, nor do their conjugates, which must stay pairs.
+  // Undamped poles are removed with their conjugates, so that the others stay pairs.
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < expansions.poles.size(); ++k) {
     const bool out = std::any_of(undamped.begin(), undamped.end(), [&](Eigen::Index u) {
@@ -64,8 +64,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
   }
 }
 
-/// Frequencies at which a pole shows, ascending by how near, relative, its nearest neighbour stands: near-defective
-/// ones first.
+/// Frequencies of the poles, ascending by relative distance to the nearest other pole: near-defective ones first.
 std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
   std::vector<std::pair<double, double>> by_distance;
   for (Eigen::Index k = 0; k < poles.size(); ++k) {
@@ -81,8 +80,7 @@ std::vector<double> frequencies_of_poles(const Eigen::VectorXcd& poles) {
   return frequencies;
 }
 
-/// Nodes at which to compare: at the poles nearest to each other, at some spread over all poles, and spread over all
-/// nodes.
+/// Nodes for the comparison: at the poles nearest to each other, at some of all poles, and spread over all nodes.
 IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorXd& omega) {
   std::vector<double> in_band = frequencies_of_poles(poles);
   std::erase_if(in_band, [&](double w) { return !(w >= omega(0) && w <= omega(omega.size() - 1)); });
@@ -108,14 +106,14 @@ Eigen::VectorXd nodes_within(const excitation::Spectrum& spectrum, const Eigen::
   return Eigen::Map<const Eigen::VectorXd>(within.data(), static_cast<Eigen::Index>(within.size()));
 }
 
-/// Relative error that round-off of the matrices means near a lightly damped pole, for any way of solving.
+/// Relative error near a lightly damped pole that round-off of the matrices causes, whatever the solver.
 double conditioning(const Eigen::VectorXcd& poles, double omega) {
   if (poles.size() == 0) return 0;
   const double distance = (poles.array() - Complex(0, omega)).abs().minCoeff();
   return 16 * std::numeric_limits<double>::epsilon() * poles.cwiseAbs2().maxCoeff() / (omega * distance);
 }
 
-/// The form against direct solutions of each input within its spectrum, weighed by the root of the density: sets
+/// Compares the form with direct solutions of each input within its spectrum, weighted by the root of the density; sets
 /// `error`, `misfit`, `vanishes`.
 void compare_with_solutions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                             const RandomLoading& loading, const PoleExpansions& expansions,
@@ -158,7 +156,7 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
 /// Parts of the answers and of their derivatives: [derivative][part].
 using Parts = std::vector<std::vector<PoleExpansion>>;
 
-/// What one pair of parts adds to a moment, and to what its terms could make of it.
+/// Adds one pair of parts to a moment, and the magnitudes of its terms to `possible`.
 void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansion& of_a, const PoleExpansion& of_b,
               bool same, const BasisIntegrals& basis, const Eigen::MatrixXd& products, RandomVariances& result,
               Eigen::MatrixXd& possible) {
@@ -178,12 +176,12 @@ void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansi
   }
 }
 
-/// ∫ Σ H_j* S_jk H_k over some of the nodes, for every moment.
+/// Adds ∫ Σ H_j* S_jk H_k over some of the nodes to every moment.
 void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMoment>& moments, const Parts& parts,
                       const BasisIntegrals& basis, RandomVariances& result, Eigen::MatrixXd& possible) {
   for (std::size_t a = 0; a < parts[0].size(); ++a)
     for (std::size_t b = 0; b <= a; ++b) {
-      // Σ H_j* S_jk H_k: the answer of part a stands with the density from b to a.
+      // Σ H_j* S_jk H_k with j = b and k = a: the density is S_ba.
       Eigen::VectorXcd density = cross_density(loading, parts[0][b].load, parts[0][a].load, basis.omega());
       if (density.size() == 0) continue;
       const double later = parts[0][a].delay - parts[0][b].delay;
@@ -239,7 +237,7 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
     const BasisIntegrals basis(expansions, {nodes.omega.segment(first, count), nodes.weight.segment(first, count)});
     add_mean_squares(loading, moments, parts, basis, result, possible);
   }
-  // Where large terms cancel, their sum holds no more than this.
+  // If large terms cancel, their sum is no more accurate than this.
   for (Eigen::Index c = 0; c < possible.rows(); ++c)
     for (std::size_t i = 0; i < moments.size() && !result.vanishes[static_cast<std::size_t>(c)]; ++i) {
       const auto column = static_cast<Eigen::Index>(i);

@@ -6,10 +6,10 @@
 
 namespace trivet::response {
 
-/// Mean squares from the pole–residue form: S enters through J_k = ∫ S e^{−iωτ}/(iω − λ_k) dω alone, on Gauss panels
-/// graded toward the poles, and ∫ S e^{−iωτ}/((iω − λ_j)(−iω − λ̄_k)) dω = −(J_j(τ) + conj J_k(−τ))/(λ_j + λ̄_k); where
-/// that sum would lose digits, and for powers of s, the integral itself is taken on the same nodes. `error` is twice
-/// the largest miss against direct solutions, relative. For constant matrices.
+/// Mean squares from the pole–residue form, for constant matrices. S enters only through J_k = ∫ S e^{−iωτ}/(iω − λ_k)
+/// dω, on Gauss panels graded toward the poles: ∫ S e^{−iωτ}/((iω − λ_j)(−iω − λ̄_k)) dω = −(J_j(τ) + conj J_k(−τ))/(λ_j
+/// + λ̄_k). If that sum would lose digits, and for powers of s, the integral itself is computed on the same nodes.
+/// `error` is twice the largest relative difference from direct solutions.
 [[nodiscard]] RandomVariances variances_by_poles(const assembly::Assembled& assembled,
                                                  const std::vector<assembly::Channel>& channels,
                                                  const RandomLoading& loading, const std::vector<RandomMoment>& moments,

@@ -16,21 +16,22 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Distance, relative, at which panels stop before an undamped pole.
+/// Relative distance at which panels end before an undamped pole.
 constexpr double gap = 1e-8;
-/// Of poles that are only near the true ones: how close, relative, the first panels follow them.
+/// Relative distance to which the first panels are graded toward approximate poles.
 constexpr double near_pole = 1e-2;
-/// Toward rest answers are judged here, as a share of the slowest pole: far enough for direct solutions to keep digits.
+/// Frequency, as a share of the slowest pole, at which growth toward ω = 0 is tested: high enough for direct solutions
+/// to keep digits.
 constexpr double near_rest = 1e-3;
 
 struct Panel {
   double from = 0, to = 0;
   Eigen::MatrixXd mean_square;  ///< channels × moments
-  Eigen::MatrixXd difference;   ///< of the two rules
+  Eigen::MatrixXd difference;   ///< difference of the two rules
   Eigen::MatrixXd share;        ///< channels × inputs
 };
 
-/// Solves the panels of one round together and keeps what the answers could be.
+/// Integrates panels; counts solutions and sums the possible mean squares.
 class Solver {
  public:
   Solver(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
@@ -42,7 +43,7 @@ class Solver {
         possible_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()))) {}
 
   [[nodiscard]] int solutions() const { return solutions_; }
-  /// Mean square that the answers could have if all terms worked together.
+  /// Bound of the mean squares: all terms of an answer added by magnitude.
   [[nodiscard]] const Eigen::VectorXd& possible() const { return possible_; }
 
   void integrate(Panel& panel) {
@@ -92,8 +93,8 @@ class Solver {
   int solutions_ = 0;
 };
 
-/// |H| at two frequencies of each channel, and a reason for all moments where `infinite` says so of the pair and the
-/// moment.
+/// Computes |H| of each channel at two frequencies and sets `reason` for all moments that are `infinite` by these
+/// values.
 template <typename Infinite>
 void mark_growth(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                  const RandomInput& input, double nearer, double farther, const std::string& reason,
@@ -115,7 +116,7 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
     for (const RandomInput& input : loading.inputs)
       mark_growth(
           assembled, channels, input, poles(k).imag() * (1 + gap), poles(k).imag() * (1 + 1e3 * gap),
-          "an undamped natural frequency lies in the band of \"" + input.name + "\"",
+          "an undamped natural frequency is in the band of \"" + input.name + "\"",
           [](double nearer, double farther, std::size_t) { return nearer > 100 * farther; }, result);
   double slowest = std::numeric_limits<double>::infinity();
   for (const Complex& pole : poles)
@@ -126,7 +127,7 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
     const double at = near_rest * std::min(slowest, input.spectrum.to());
     mark_growth(
         assembled, channels, input, at, 2 * at,
-        "the spectrum of \"" + input.name + "\" begins at 0 Hz, toward which the answer grows without bound",
+        "the spectrum of \"" + input.name + "\" begins at 0 Hz, where the answer is unbounded",
         [&](double nearer, double farther, std::size_t m) {
           return nearer > 0 &&
               2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;
@@ -135,8 +136,8 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
   }
 }
 
-/// First panels: graded toward the damped poles, with every knot of a table, and a gap about every undamped pole of
-/// constant matrices.
+/// First panels: graded toward the damped poles, with a boundary at every knot of a table, and a gap around every
+/// undamped pole of constant matrices.
 std::vector<Panel> first_panels(const assembly::Assembled& assembled, const RandomLoading& loading,
                                 const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles) {
   const bool exact = !assembled.frequency_dependent();
@@ -149,7 +150,7 @@ std::vector<Panel> first_panels(const assembly::Assembled& assembled, const Rand
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
   for (Complex& pole : graded)
     if (std::abs(pole) <= 1e-9 * fastest)
-      pole = fastest > 0 ? -near_rest * fastest : -1;  // at rest: judged by `mark_infinite`
+      pole = fastest > 0 ? -near_rest * fastest : -1;  // at ω = 0: tested by `mark_infinite`
   std::vector<double> ends = panel_ends(graded, loading, moments);
   const auto inside = [&](double omega) { return !ends.empty() && omega > ends.front() && omega < ends.back(); };
   std::vector<double> more;
@@ -190,9 +191,8 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
   const double needed = 15.0 * static_cast<double>(open.size() * loading.inputs.size());
   if (needed > options.most_solutions)
     throw foundation::NotComputable(
-        fmt::format("random response: {:.0f} solutions are needed for its panels alone, {} are allowed; delays of "
-                    "{:.3g} s turn too often "
-                    "within the band",
+        fmt::format("random response: the first panels alone need {:.0f} solutions, {} are allowed; delays of {:.3g} s "
+                    "turn the phase too often within the band",
                     needed, options.most_solutions, longest_delay(loading)));
   Eigen::MatrixXd difference = result.mean_square;
   while (!open.empty()) {

@@ -5,9 +5,9 @@
 
 namespace trivet::response {
 
-/// Mean squares from direct solutions on panels graded toward the poles, each panel by 15 nodes of Gauss and Kronrod
-/// and halved until the difference of the two rules is within `options.accuracy`. For every system, also with
-/// frequency-dependent elements, whose poles are only near those given.
+/// Mean squares from direct solutions on panels graded toward the poles. Each panel has 15 Gauss–Kronrod nodes and is
+/// halved until the two rules agree within `options.accuracy`. For every system, also with frequency-dependent
+/// elements, for which `poles` are only approximate.
 [[nodiscard]] RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
                                                       const std::vector<assembly::Channel>& channels,
                                                       const RandomLoading& loading,

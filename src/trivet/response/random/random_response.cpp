@@ -16,7 +16,7 @@
 namespace trivet::response {
 namespace {
 
-/// Above this estimated error of the quadrature a number is not given.
+/// Largest estimated error at which a number is reported.
 constexpr double hopeless = 1e-2;
 
 void refuse_errors(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
@@ -33,14 +33,15 @@ void refuse_errors(const assembly::Assembled& assembled, const std::vector<assem
           fmt::format("weighted channel {}: there are {} channels", weighted.channel, channels.size()));
     const std::string& unit = channels[weighted.channel].unit;
     if (!unit.starts_with("m") && !unit.starts_with("rad"))
-      throw foundation::InvalidInput(
-          fmt::format("\"{}\" [{}]: only motions are weighted for people", channels[weighted.channel].name, unit));
+      throw foundation::InvalidInput(fmt::format("\"{}\" [{}]: human-vibration weighting applies to motions only",
+                                                 channels[weighted.channel].name, unit));
   }
   if (!(options.accuracy >= 1e-13 && options.accuracy <= 1e-2))
     throw foundation::InvalidInput(fmt::format("accuracy {}: it must be within 1e-13 … 1e-2", options.accuracy));
 }
 
-/// A free motion that grows has no stationary vibration. With loss factors only the half plane of ω > 0 has a meaning.
+/// True if a free motion grows: then no stationary vibration exists. With loss factors only poles with ω > 0 have a
+/// meaning.
 bool grows(const assembly::Assembled& assembled, const Eigen::VectorXcd& poles) {
   const double fastest = poles.size() ? poles.cwiseAbs().maxCoeff() : 0;
   return std::any_of(poles.begin(), poles.end(), [&](const std::complex<double>& pole) {
@@ -56,11 +57,11 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   result.estimated_error = found.error(c);
   result.vanishes = found.vanishes[static_cast<std::size_t>(c)];
   const std::vector<std::string>& reason = found.reason[static_cast<std::size_t>(c)];
-  // Of its moments, the first that is missing says why.
+  // The first missing moment gives the reason.
   for (const std::string& r : reason)
     if (result.reason.empty()) result.reason = r;
   if (!(result.estimated_error <= hopeless)) {
-    result.reason = fmt::format("the integral did not settle: its error is estimated as {:.2g} of its value",
+    result.reason = fmt::format("the integral did not converge: its estimated error is {:.2g} of its value",
                                 result.estimated_error);
     return result;
   }
@@ -70,7 +71,7 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   };
   result.rms = root(0);
   result.rms_of_derivative = root(1);
-  result.infinite_rms = !result.rms;  // a moment that has a reason has no bound
+  result.infinite_rms = !result.rms;  // a moment with a reason is unbounded
   result.infinite_rms_of_derivative = !result.rms_of_derivative;
   for (std::size_t m = 2; m < moments.size(); ++m)
     if (moments[m].channels.front() == c) {
@@ -100,14 +101,14 @@ const char* name(RandomMethod method) { return method == RandomMethod::poles ? "
 foundation::Problems check(const RandomLoading& loading, const std::string& subject) {
   foundation::Problems problems;
   if (loading.inputs.empty())
-    problems.error(subject, "no random excitation", "something must drive the system",
+    problems.error(subject, "no random excitation", "the system needs an excitation",
                    "add an excitation of type \"random\"");
   excitation::RandomInputs inputs{{}, loading.pairs};
   for (const RandomInput& input : loading.inputs) {
     inputs.spectra.push_back(input.spectrum);
     const std::string of_input = subject + "." + input.name;
     if (input.loading.vanishes())
-      problems.error(of_input, "acts on no free coordinate", "an excitation moves something",
+      problems.error(of_input, "acts on no free coordinate", "an excitation must act on a free coordinate",
                      "give it a direction that is free");
     if (input.spectrum.pieces.empty())
       problems.error(of_input, "no spectrum", "a random excitation has a power spectral density", "add psd");
@@ -150,17 +151,18 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
   }
   RandomVariances found;
   if (assembled.frequency_dependent()) {
-    result.remark = "elements depend on frequency in their own way";
+    result.remark = "elements are frequency-dependent";
   } else {
     found = variances_by_poles(assembled, channels, loading, moments, expansions, progress);
     result.solutions = found.solutions;
     const double misfit = 0.5 * found.misfit.maxCoeff();
     if (!poles_hold(found, options.accuracy))
-      result.remark = std::isfinite(misfit) ? fmt::format(
-                                                  "two poles stand together with one shape between them, as at "
-                                                  "critical damping: their fractions miss the response by {:.1g} of it",
-                                                  misfit)
-                                            : "the poles lie too far apart for partial fractions";
+      result.remark = std::isfinite(misfit)
+          ? fmt::format(
+                "two poles nearly coincide and share one shape, as at critical damping: "
+                "their partial fractions miss the response by {:.1g} of it",
+                misfit)
+          : "the poles lie too far apart for partial fractions";
   }
   if (!result.remark.empty()) {
     result.method = RandomMethod::quadrature;

@@ -22,7 +22,7 @@ const excitation::InputPair* pair_of(const RandomLoading& loading, std::size_t j
   return nullptr;
 }
 
-/// Every end of a piece of any spectrum.
+/// Ends of all pieces of all spectra.
 std::set<double> all_breakpoints(const RandomLoading& loading) {
   std::set<double> points;
   for (const RandomInput& input : loading.inputs)
@@ -30,9 +30,9 @@ std::set<double> all_breakpoints(const RandomLoading& loading) {
   return points;
 }
 
-/// A root of a density that falls to zero along a line has a branch point there; panels are graded toward it.
+/// The root of a density has a branch point where the density falls to 0 along a line; panels are graded toward it.
 std::vector<double> zeros_of_density(const RandomLoading& loading) {
-  constexpr double beside = 1e-7;  // of the piece: what is left there is 1e-7^1.5 of its integral
+  constexpr double beside = 1e-7;  // of the piece: the rest is 1e-7^1.5 of its integral
   std::vector<double> zeros;
   for (const RandomInput& input : loading.inputs)
     for (const excitation::SpectrumPiece& p : input.spectrum.pieces) {

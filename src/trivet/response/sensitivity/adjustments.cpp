@@ -73,7 +73,7 @@ void move_center_of_mass(Description& description, std::size_t body, const Eigen
 
 void change_inertia(Description& description, std::size_t body, int i, int j, double share) {
   Eigen::Matrix3d& tensor = description.bodies[body].mass.inertia_about_centre;
-  // Jxy = ∫xy dm stands with a minus sign in the tensor.
+  // Jxy = ∫xy dm has a minus sign in the tensor.
   const double unit = i == j ? tensor(i, i) : -std::sqrt(std::abs(tensor(i, i) * tensor(j, j)));
   tensor(i, j) += share * unit;
   if (i != j) tensor(j, i) += share * unit;

@@ -18,7 +18,7 @@ using spatial::Matrix6;
 
 constexpr double one_percent = 0.01, one_millimetre = 1e-3;
 constexpr double relative_step =
-    1e-3;  // fourth-order differences leave 1e-12 of what is not polynomial, and 1e-13 of round-off
+    1e-3;  // error of fourth-order differences: 1e-12 of what is not polynomial, and 1e-13 of round-off
 
 class List {
  public:
@@ -36,7 +36,7 @@ class List {
     return list_.emplace_back(Parameter{std::move(name), "+1 %", one_percent, relative_step, std::move(apply), {}});
   }
 
-  /// `length` [m]: over which the model changes.
+  /// `length` [m]: scale over which the model changes.
   void place(std::string name, double length, std::function<void(Description&, double)> apply) {
     list_.push_back({std::move(name), "+1 mm", one_millimetre, relative_step * length, std::move(apply), {}});
   }
@@ -126,14 +126,14 @@ std::vector<Parameter> model_parameters(const model::System& system) { return Li
 model::System changed(const model::System& system, const Parameter& parameter, double amount) {
   Description description = system.description();
   parameter.apply(description, amount);
-  // A slim body's inertia may leave the bounds of real bodies by a step; what is asked for is only the slope there.
+  // A step may move the inertia of a slim body out of the physical range; only the slope is needed there.
   for (model::Body& body : description.bodies) body.allow_unphysical = true;
   auto result = model::System::checked(std::move(description));
   if (result) return std::move(*result);
   for (const foundation::Problem& problem : result.error().list())
     if (problem.severity == foundation::Severity::error)
       throw foundation::NotComputable(parameter.name + ": " + foundation::message(problem));
-  throw foundation::NotComputable(parameter.name + ": the changed model is refused");
+  throw foundation::NotComputable(parameter.name + ": the changed model is rejected");
 }
 
 }  // namespace trivet::response

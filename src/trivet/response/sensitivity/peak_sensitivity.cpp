@@ -17,7 +17,7 @@ using Eigen::VectorXcd;
 
 Complex with(const VectorXcd& row, const VectorXcd& column) { return row.cwiseProduct(column).sum(); }
 
-/// A model with its answers, ready to be looked at at any ω.
+/// A model with its channels and load, for evaluation at any ω.
 struct Asked {
   const model::System& system;
   assembly::Assembled assembled;
@@ -36,7 +36,7 @@ struct Asked {
   }
 };
 
-/// Everything of a peak that does not change with the parameter.
+/// Data of a peak that do not depend on the parameter.
 class PeakOfModel {
  public:
   PeakOfModel(const Asked& asked, const PeakPlace& place, const modal::Modes& modes, std::vector<std::string>& notes)
@@ -51,7 +51,7 @@ class PeakOfModel {
   [[nodiscard]] const ElementJets& jets() const { return jets_; }
   [[nodiscard]] const Dynamics& dynamics() const { return dynamics_; }
 
-  /// `change` is the derivative of the dynamics by the parameter.
+  /// `change` is the derivative of the dynamics with respect to the parameter.
   [[nodiscard]] Sensitivity sensitivity(const Dynamics& change) const {
     return place_.unbounded_mode ? of_mode(change) : of_maximum(change);
   }
@@ -59,12 +59,12 @@ class PeakOfModel {
  private:
   void take_mode(const Asked& asked, const modal::Modes& modes, std::vector<std::string>& notes) {
     notes.emplace_back(
-        "the amplitude is infinite without damping: it has no height to be sensitive; its frequency is that of the "
+        "the amplitude is infinite without damping: no height sensitivity exists; the frequency is that of the "
         "undamped mode");
     const modal::Mode& mode = modes.list.at(static_cast<std::size_t>(*place_.unbounded_mode - 1));
     if (mode.repeated) {
       notes.emplace_back(
-          "its mode is one of a repeated root, which a change may split: no derivative of the frequency");
+          "its mode belongs to a repeated root, which a change may split: the frequency has no derivative");
       return;
     }
     VectorXcd shape(asked.assembled.layout.of_bodies());
@@ -77,7 +77,7 @@ class PeakOfModel {
   }
 
   void take_maximum(std::vector<std::string>& notes) {
-    constexpr double stationary = 1e-3;  // of its own width: the next Newton step of a maximum that was found
+    constexpr double stationary = 1e-3;  // of its width: limit for the next Newton step at a maximum
     motion_ = motion(dynamics_);
     adjoint_ = adjoint(dynamics_);
     const auto& y = motion_.value;
@@ -87,7 +87,7 @@ class PeakOfModel {
     is_maximum_ = curvature_ < 0 && std::abs(slope / curvature_) < stationary * width;
     if (!is_maximum_)
       notes.emplace_back(
-          "this is no maximum of the curve: heights are those at this fixed frequency, and no frequency moves");
+          "this is not a maximum of the curve: heights are those at this fixed frequency, without frequency shifts");
   }
 
   Sensitivity of_mode(const Dynamics& change) const {
@@ -123,7 +123,7 @@ class PeakOfModel {
   bool is_maximum_ = false;
 };
 
-/// The same with the law of the parameter's element asked again.
+/// The element jets, evaluated again for the parameter's element.
 ElementJets changed_jets(const Asked& asked, const PeakOfModel& peak, const Parameter& parameter) {
   ElementJets jets = peak.jets();
   if (parameter.law && jets[*parameter.law])
@@ -131,7 +131,8 @@ ElementJets changed_jets(const Asked& asked, const PeakOfModel& peak, const Para
   return jets;
 }
 
-/// (8(f(h) − f(−h)) − (f(2h) − f(−2h)))/12h of every peak's dynamics: exact for polynomials up to the fourth degree.
+/// Derivative (8(f(h) − f(−h)) − (f(2h) − f(−2h)))/12h of every peak's dynamics: exact for polynomials up to the fourth
+/// degree.
 std::vector<Dynamics> derivatives(const model::System& system, const Question& question,
                                   const std::vector<PeakOfModel>& peaks, const Parameter& parameter) {
   constexpr std::array<std::pair<double, double>, 4> nodes = {
@@ -157,7 +158,7 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
                                     const foundation::Progress& progress) {
   for (const PeakPlace& place : places)
     if (!(place.angular_frequency > 0) || !std::isfinite(place.angular_frequency))
-      throw foundation::InvalidInput("peak_sensitivities: a peak stands at a finite frequency above 0");
+      throw foundation::InvalidInput("peak_sensitivities: the frequency of a peak must be finite and > 0");
   SensitivityTable table;
   table.parameters = model_parameters(system);
   table.peaks.resize(places.size());

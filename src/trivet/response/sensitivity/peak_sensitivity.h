@@ -14,10 +14,10 @@
 
 namespace trivet::response {
 
-/// The load of a model; asked again for a changed model.
+/// Returns the load of a model; called again for a changed model.
 using LoadOf = std::function<assembly::Loading(const model::System&, const assembly::Assembled&)>;
 
-/// Which answers under which load are looked at.
+/// The answers and the load to examine.
 struct Question {
   std::vector<std::string> channels;  ///< full channel names
   assembly::Quantity quantity = assembly::Quantity::displacement;
@@ -26,21 +26,21 @@ struct Question {
 
 /// A maximum of |y(ω)|.
 struct PeakPlace {
-  std::size_t channel = 0;            ///< of the question
+  std::size_t channel = 0;            ///< index in Question::channels
   double angular_frequency = 0;       ///< [rad/s], > 0
-  std::optional<int> unbounded_mode;  ///< the undamped mode that stands there without damping: |y| is infinite
+  std::optional<int> unbounded_mode;  ///< the undamped mode at this frequency, if |y| is infinite there
 };
 
-/// What one parameter does to one peak, to first order, exact derivatives: per unit of the parameter's amount.
+/// First-order effect of one parameter on one peak: exact derivatives per unit of the parameter's amount.
 struct Sensitivity {
-  std::size_t parameter = 0;        ///< of the list
-  std::optional<double> height;     ///< d ln|y| at the peak; none where |y| is infinite
-  std::optional<double> frequency;  ///< d ln ω of the peak; none where ω is no smooth maximum, or a repeated root
+  std::size_t parameter = 0;        ///< index in the list of parameters
+  std::optional<double> height;     ///< d ln|y| at the peak; empty if |y| is infinite
+  std::optional<double> frequency;  ///< d ln ω of the peak; empty if ω is not a smooth maximum, or is a repeated root
 };
 
 struct PeakSensitivities {
-  std::vector<Sensitivity> list;   ///< as the parameters
-  std::vector<std::string> notes;  ///< why something is missing
+  std::vector<Sensitivity> list;   ///< in the order of the parameters
+  std::vector<std::string> notes;  ///< why a value is missing
 };
 
 struct SensitivityTable {
@@ -48,12 +48,12 @@ struct SensitivityTable {
   std::vector<PeakSensitivities> peaks;
 };
 
-/// Sensitivities of every peak to every parameter. At a maximum the height changes as |y| at fixed ω (the shift of the
-/// maximum is of second order); y = cᵀq, Zq = h gives dy = λᵀ(dh − dZ q) + dcᵀq with Zᵀλ = c. The frequency moves by
-/// −F_ωp/F_ωω of F = |y|². An unbounded peak moves with its mode: dω = −φᵀ dZ φ / φᵀ Z_ω φ. dZ, dc, dh are fourth-order
-/// differences of the assembled model, to which all parameters but system damping and the mass of elements contribute
-/// as polynomials: there they are exact to round-off. Only the first derivative of the model is taken numerically,
-/// never that of the resonance, so light damping costs nothing.
+/// Sensitivities of every peak to every parameter. At a maximum the height changes like |y| at fixed ω (the shift of
+/// the maximum is of second order); y = cᵀq, Zq = h gives dy = λᵀ(dh − dZ q) + dcᵀq with Zᵀλ = c. The frequency moves
+/// by −F_ωp/F_ωω with F = |y|². An unbounded peak moves with its mode: dω = −φᵀ dZ φ / φᵀ Z_ω φ. dZ, dc, dh are
+/// fourth-order differences of the assembled model. They are exact to round-off, because the model is polynomial in all
+/// parameters except system damping and the mass of elements. Only the first derivative of the model is numerical,
+/// never that of the resonance, so light damping costs no accuracy.
 [[nodiscard]] SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
                                                   const Question& question, const std::vector<PeakPlace>& peaks,
                                                   const foundation::Progress& progress = {});

@@ -20,7 +20,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Vector12c = Eigen::Matrix<Complex, 12, 1>;
 
-/// Undamped modes in all coordinates, numbered as modal::modes does.
+/// Undamped modes in all coordinates, numbered as in modal::modes.
 struct AllModes {
   std::vector<Eigen::Index> massive;
   numerics::GeneralizedModes raw;
@@ -36,7 +36,7 @@ AllModes all_modes(const assembly::Assembled& assembled) {
   return result;
 }
 
-/// Inner coordinates of frequency-dependent elements follow as in their nearest linear system.
+/// Adds the inner coordinates of frequency-dependent elements, from their nearest linear system.
 VectorXcd with_inner(const assembly::Assembled& assembled, const VectorXcd& known, double omega) {
   const Eigen::Index n = known.size(), rest = assembled.matrices.size() - n;
   VectorXcd all(n + rest);
@@ -78,7 +78,7 @@ struct ElementEnergy {
   spatial::Vector6 by_direction = spatial::Vector6::Zero();
 };
 
-/// `ground`: motion of the ground, no rows if it rests.
+/// `ground`: motion of the ground, empty if it is at rest.
 ElementEnergy energy(const model::System& system, std::size_t e, const assembly::ElementMap& map,
                      const std::optional<Jet<elements::Matrix12c>>& jet, const VectorXcd& q, const VectorXcd& ground,
                      double omega) {
@@ -92,7 +92,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
     const elements::Matrix12c& d = (*jet)[0];
     result.stored = 0.25 * form(ends, d.real());
     result.dissipated = 0.5 * omega * ends.dot(d * ends).imag();
-    // Its stiffness in vibration, seen at the same centre.
+    // Its dynamic stiffness at the same centre.
     const Eigen::Matrix<double, 6, 6> from_centre =
         numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
     directions.stiffness = from_centre.transpose() * d.bottomRightCorner<6, 6>().real() * from_centre;
@@ -122,8 +122,8 @@ std::array<double, 2> foundation_energy(const model::System& system, const assem
   return sum;
 }
 
-/// Power of Rayleigh or modal damping, ½ω² vᴴBv of the motion v = q + x beyond that with which the system follows the
-/// ground, B x = B_g g.
+/// Power of Rayleigh or modal damping, ½ω² vᴴBv with v = q + x, the motion relative to the one that the ground
+/// prescribes, B x = B_g g.
 double system_damping_power(const model::System& system, const assembly::Assembled& assembled, const VectorXcd& q,
                             const VectorXcd& ground, double omega) {
   if (std::holds_alternative<std::monostate>(system.description().damping)) return 0;
@@ -140,7 +140,7 @@ double system_damping_power(const model::System& system, const assembly::Assembl
   return 0.5 * omega * omega * form(beyond, own);
 }
 
-/// q in all rows that `dynamics` has, and y; the mode, and 0, where y is unbounded.
+/// q in all rows of `dynamics`, and y; if y is unbounded, the mode and 0.
 struct Answer {
   VectorXcd coordinates;
   Complex value;

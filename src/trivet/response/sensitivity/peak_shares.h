@@ -9,44 +9,44 @@
 
 namespace trivet::response {
 
-/// What one undamped mode contributes to an answer: q = Σ φ_k a_k, y_k = cᵀφ_k a_k.
+/// Contribution of one undamped mode to an answer: q = Σ φ_k a_k, y_k = cᵀφ_k a_k.
 struct ModeShare {
   int mode = 0;               ///< number, from 1
   std::complex<double> part;  ///< y_k, in the unit of the channel
-  double share = 0;           ///< Re(y_k ȳ)/|y|²: along y, negative where it works against it
+  double share = 0;           ///< Re(y_k ȳ)/|y|²: along y, negative if it opposes y
 };
 
-/// What one element holds and takes, in the local directions of its deformation where its stiffness at rest says it
+/// Stored energy and dissipation of one element, and its energy in the local directions of its deformation
 /// (element_directions).
 struct ElementShare {
-  double stored = 0;  ///< of the system's strain energy; with the others, `geometric` and `in_foundations` it sums to 1
-  spatial::Vector6 by_direction = spatial::Vector6::Zero();  ///< of the system's strain energy: d_j(K d)_j; what they
-                                                             ///< leave of `stored` is preload, relaxation, or inside
-  double dissipated = 0;  ///< of the system's dissipated power
+  double stored = 0;  ///< of the system's strain energy; the sum with the others, `geometric` and `in_foundations` is 1
+  spatial::Vector6 by_direction = spatial::Vector6::Zero();  ///< of the system's strain energy: d_j(K d)_j; the rest of
+                                                             ///< `stored` is preload, relaxation, or internal
+  double dissipated = 0;                                     ///< of the system's dissipated power
 };
 
-/// Where a steady vibration comes from, and where its energy is.
+/// Modal contributions to a steady vibration, and the distribution of its energy.
 struct PeakShares {
-  std::complex<double> value;    ///< y; 0 where it is unbounded
-  std::vector<ModeShare> modes;  ///< in their order; empty where y is unbounded or 0
+  std::complex<double> value;    ///< y; 0 if it is unbounded
+  std::vector<ModeShare> modes;  ///< in their order; empty if y is unbounded or 0
   double beyond_modes = 0;       ///< rest of y: coordinates without mass, missing modes, frequency dependence, a moving
-                                 ///< ground; with the modes it sums to 1
-  double strain_energy = 0;      ///< mean over a period [J]; where y is unbounded that of the mode with φᵀAφ = 1
-  std::vector<ElementShare> elements;  ///< as the system's; shares are 0 where there is nothing to share
-  double geometric = 0;                ///< share of the strain energy of preload and weight where bodies turn
-  double in_foundations = 0;           ///< share of the strain energy of foundations that give
+                                 ///< ground; its sum with the modes is 1
+  double strain_energy = 0;      ///< mean over a period [J]; if y is unbounded, that of the mode with φᵀAφ = 1
+  std::vector<ElementShare> elements;  ///< in the order of the system; shares are 0 if the total is 0
+  double geometric = 0;                ///< share of the strain energy: preload and weight with rotating bodies
+  double in_foundations = 0;           ///< share of the strain energy: flexible foundations
   double dissipated_power = 0;         ///< mean over a period [W]
-  double system_damping = 0;           ///< share of it that Rayleigh or modal damping takes
-  double by_foundations = 0;           ///< share of it that foundations take
+  double system_damping = 0;           ///< share of it: Rayleigh or modal damping
+  double by_foundations = 0;           ///< share of it: foundations
 };
 
-/// At any ω > 0; an unbounded peak is looked at through its mode.
-/// @throws NotComputable on an undamped resonance that the place does not call unbounded
+/// Shares at any ω > 0; for an unbounded peak, those of its mode.
+/// @throws NotComputable on an undamped resonance that `place` does not mark as unbounded
 [[nodiscard]] PeakShares peak_shares(const model::System& system, const assembly::Assembled& assembled,
                                      const Question& question, const PeakPlace& place);
 
-/// |y| over the most that a motion of this size could give this channel, both measured with the masses of the
-/// coordinates: 0 … 1. Far below 1e-9 a symmetry keeps the answer still, and what is computed is round-off.
+/// |y| divided by the largest |y| that a motion of this size can cause in this channel, both weighted with the masses
+/// of the coordinates: 0 … 1. Far below 1e-9, symmetry prevents the answer, and the computed value is round-off.
 [[nodiscard]] double alignment(const model::System& system, const assembly::Assembled& assembled,
                                const Question& question, const PeakPlace& place);
 

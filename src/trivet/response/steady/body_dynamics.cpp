@@ -16,7 +16,7 @@ using Eigen::MatrixXcd;
 using Eigen::VectorXcd;
 using Factors = numerics::PivotedLu<Complex>;
 
-/// X of Z_ii X = −Z_ib with derivatives: how inner coordinates follow, Z_i· R = 0 for R = [I; X].
+/// R = [I; X] with derivatives: inner coordinates follow by Z_ii X = −Z_ib, so that Z_i· R = 0.
 Jet<MatrixXcd> follow(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
   const Factors lu(z[0].bottomRightCorner(inner, inner));
@@ -47,7 +47,7 @@ Jet<VectorXcd> solution(const Factors& lu, const Jet<MatrixXcd>& z, const Jet<Ve
   return numerics::solution_jet<double>(solve, z, b);
 }
 
-/// D with D Z D of comparable entries: metres and radians.
+/// Diagonal D that makes the entries of D Z D comparable: metres and radians.
 Eigen::VectorXd scale(const MatrixXcd& z) {
   Eigen::VectorXd d(z.rows());
   for (Eigen::Index i = 0; i < z.rows(); ++i) {
@@ -68,7 +68,8 @@ Dynamics scaled(const Dynamics& given, const Eigen::VectorXd& d) {
 Factors factors(const MatrixXcd& z) {
   const Factors lu(z);
   if (!(lu.reciprocal_condition() > 4 * std::numeric_limits<double>::epsilon()))
-    throw foundation::NotComputable("the dynamic stiffness is singular here: an undamped resonance or a free motion");
+    throw foundation::NotComputable(
+        "the dynamic stiffness is singular here: an undamped resonance or a rigid-body mode");
   return lu;
 }
 
@@ -169,7 +170,7 @@ Dynamics body_dynamics(const Dynamics& all, Eigen::Index kept) {
     row[k] = all.channel[k].transpose();
     inner_channel[k] = all.channel[k].tail(inner);
   }
-  // Inner coordinates that a load moves by themselves while the bodies stand.
+  // Inner coordinates that a load moves while the bodies are at rest.
   const Jet<Complex> direct =
       numerics::dot<double>(inner_channel, solution(Factors(inner_stiffness[0]), inner_stiffness, inner_load));
   const auto channel = product(row, right);

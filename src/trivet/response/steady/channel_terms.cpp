@@ -12,8 +12,8 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
-/// Callers take an answer below 1e-12 of `possible` for 0. Of the largest coordinate 1e-14 is the round-off of a
-/// solution.
+/// Callers treat an answer below 1e-12 of `possible` as 0. The round-off of a solution is 1e-14 of its largest
+/// coordinate.
 constexpr double round_off_share = 1e-2;
 
 std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, const Eigen::VectorXd& on_velocity,
@@ -25,8 +25,8 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
   return terms;
 }
 
-/// What an answer would be if all coordinates moved as much as the largest, as a share that is round-off of every
-/// solution: an answer that vanishes by symmetry is as small as its own terms.
+/// Round-off of each answer: this share of its value if all coordinates moved as much as the largest. Needed because an
+/// answer that vanishes by symmetry is as small as its own terms.
 Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                           const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
   const Eigen::VectorXd unit =
@@ -54,7 +54,7 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
   return result;
 }
 
-/// All channels in the coordinates of the loading.
+/// Samples of all channels in the coordinates of the loading.
 AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                          const assembly::Loading& loading, const std::vector<double>& omega) {
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);

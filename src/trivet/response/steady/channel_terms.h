@@ -11,13 +11,13 @@
 
 namespace trivet::response {
 
-/// What one coordinate adds to an answer: (displacement + s velocity + s² acceleration) · coordinate.
+/// Contribution of one coordinate to an answer: (displacement + s velocity + s² acceleration) · coordinate.
 struct ChannelTerm {
   Eigen::Index row = 0;
   std::array<std::complex<double>, 3> by_power;  ///< of s⁰, s¹, s²
 };
 
-/// A channel by its nonzero terms only.
+/// The nonzero terms of a channel.
 struct ChannelTerms {
   int derivative = 0;
   std::vector<ChannelTerm> free, ground;
@@ -27,11 +27,11 @@ struct ChannelTerms {
 
 /// All answers at some frequencies, from direct solutions.
 struct AnswerSamples {
-  Eigen::MatrixXcd value;    ///< channels × frequencies; NaN where Z is singular
-  Eigen::MatrixXd possible;  ///< the same if all terms worked together: what is far below is round-off
+  Eigen::MatrixXcd value;    ///< channels × frequencies; NaN if Z is singular
+  Eigen::MatrixXd possible;  ///< sums of the magnitudes of the terms: a value far below is round-off
 };
 
-/// At ω > 0 [rad/s], also with frequency-dependent elements.
+/// Samples at ω > 0 [rad/s], also with frequency-dependent elements.
 [[nodiscard]] AnswerSamples answer_samples(const assembly::Assembled& assembled,
                                            const std::vector<assembly::Channel>& channels,
                                            const assembly::Loading& loading,

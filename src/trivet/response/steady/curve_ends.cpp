@@ -10,10 +10,10 @@
 namespace trivet::response {
 namespace {
 
-constexpr double near = 1e3, far = 1e5;  // times the outermost root: the powers of ω there are pure, and their smallest
-                                         // share, 1e-10, is still far above round-off
-constexpr double falls = 0.1;   // from near to far; the slowest power that vanishes, the first, falls to 0.01
-constexpr double aside = 1.13;  // of the middle between the roots, where a single undamped root would stand
+constexpr double near = 1e3, far = 1e5;  // times the outermost root: there the powers of ω are pure, and their smallest
+                                         // share, 1e-10, is far above round-off
+constexpr double falls = 0.1;   // ratio from near to far; the slowest vanishing power, the first, falls to 0.01
+constexpr double aside = 1.13;  // times the middle between the roots, which may be a single undamped root
 
 struct RootRange {
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;

@@ -16,14 +16,14 @@ namespace {
 constexpr double fit_tolerance =
     1e-6;  // above the round-off of a solve at a resonance with damping ratios down to 1e-9
 constexpr double floor_share =
-    1e-10;  // of a curve's largest value, or of the largest of its unit at the same ω: below, errors are absolute
-constexpr double near_zero_share = 1e-3;  // of the neighbours of a zero, beside which a curve's own value is no scale
+    1e-10;  // of a curve's largest value, or of the largest of its unit at the same ω: below it errors are absolute
+constexpr double near_zero_share = 1e-3;  // of the neighbours of a zero, where a curve's own value is not a scale
 constexpr std::size_t solves_per_round = 8;
 constexpr std::size_t most_corners = 42;
 constexpr std::size_t most_samples = 100;  // of one piece: with those of its tests, 120 solves
-constexpr double apart = 1e-10;            // of ω: nearer frequencies are one
+constexpr double apart = 1e-10;            // of ω: closer frequencies are equal
 
-/// A fit with a pole at the very frequency gives no number: nothing could be worse.
+/// The difference; infinite for NaN, which a pole of the fit at the frequency gives.
 double as_error(double difference) {
   return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
@@ -101,7 +101,7 @@ class Modelling {
     }
   }
 
-  /// Pieces from corner to corner of the tables, if they are few.
+  /// Adds the pieces between the corners of the tables, if they are few.
   void add_pieces_between_corners(const Band& band, const Eigen::VectorXcd& poles) {
     std::vector<double> corners = {band.from};
     for (const double knot : knots_)
@@ -165,7 +165,7 @@ class Modelling {
                     [&](double u) { return std::abs(u - w) <= apart * w; });
   }
 
-  /// Where a piece is cut: at the corner of a table nearest to the middle of its samples, or there.
+  /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
   double cut(const Band& band) {
     std::vector<double> inside;
     for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s)
@@ -194,7 +194,7 @@ class Modelling {
     return numerics::rational_fit(x, values, scales, fit_tolerance);
   }
 
-  /// What round-off leaves of each curve, or of each part by a delay.
+  /// Round-off of each curve, or of each part of one delay.
   [[nodiscard]] Eigen::VectorXd floors(const Eigen::VectorXcd& values) const {
     const Eigen::Index curves = idle_.size();
     Eigen::VectorXd of_unit = Eigen::VectorXd::Zero(curves);
@@ -212,12 +212,11 @@ class Modelling {
     Eigen::VectorXd scale = values.cwiseAbs().cwiseMax(floors(values));
     for (Eigen::Index i = 0; i < scale.size(); ++i)
       if (idle_(i % idle_.size()) || !(scale(i) > 0))
-        scale(i) = std::numeric_limits<double>::max() / 4;  // zero but for round-off
+        scale(i) = std::numeric_limits<double>::max() / 4;  // only round-off
     return scale;
   }
 
-  /// Middles of the gaps between samples and real poles of the fit, where it changes most when its last node is left
-  /// out.
+  /// Real poles of the fit, and points in the gaps between samples where the fit changes most without its last node.
   [[nodiscard]] std::vector<double> doubtful(const Band& band, const numerics::RationalFit& fit,
                                              std::size_t known) const {
     std::vector<double> places, gaps;
@@ -248,7 +247,7 @@ class Modelling {
     return chosen;
   }
 
-  /// The least different model with one node less: its weights follow by moving each node's share along.
+  /// The fit without its last node: each weight is multiplied by the distance of its node from that node.
   [[nodiscard]] static numerics::RationalFit fewer_nodes(const numerics::RationalFit& fit) {
     const Eigen::Index n = fit.nodes.size() - 1;
     if (n < 1) return fit;
@@ -257,7 +256,7 @@ class Modelling {
     return fewer;
   }
 
-  /// Poles so near the axis that no sample saw them: they need not be real.
+  /// Poles so near the axis that they lie between samples: they may not be real.
   [[nodiscard]] std::vector<double> false_poles(const Band& band, const numerics::RationalFit& fit) const {
     std::vector<double> places;
     if (fit.nodes.size() < 2) return places;
@@ -274,7 +273,7 @@ class Modelling {
     return places;
   }
 
-  /// The lesser amplitude of each curve at the samples on either side.
+  /// Smaller amplitude of each curve at the two neighbouring samples.
   [[nodiscard]] Eigen::VectorXd beside(double w) const {
     const auto amplitudes = [&](Samples::const_iterator s) {
       return Eigen::VectorXd(summed(s->second, model_.delays, s->first).cwiseAbs());
@@ -284,7 +283,7 @@ class Modelling {
     return amplitudes(above).cwiseMin(amplitudes(std::prev(at)));
   }
 
-  /// Of the curves, relative to their values or, near a zero, to their neighbours.
+  /// Largest error of the curves, relative to their values or, near a zero, to their neighbours.
   [[nodiscard]] double error_of(const numerics::RationalFit& fit, double w, const Eigen::VectorXcd& truth) const {
     const Eigen::VectorXcd y = summed(truth, model_.delays, w),
                            model = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
@@ -298,7 +297,7 @@ class Modelling {
     return worst;
   }
 
-  /// The extrema were found in another way: comparing with them costs no solve.
+  /// Largest error at the extrema. They come from another method, so the comparison needs no solve.
   double error_at_extrema(const Band& band, const numerics::RationalFit& fit) {
     double worst = 0;
     tests_ = 0;
@@ -321,7 +320,7 @@ class Modelling {
   const CurveModelOptions& options_;
   const foundation::Progress& progress_;
   CurveModel& model_;
-  std::vector<assembly::Loading> loadings_;  // one for each delay, taken out of it
+  std::vector<assembly::Loading> loadings_;  // one per delay, with the delay removed
   std::vector<std::vector<Extremum>> extrema_;
   std::vector<double> knots_;
   std::vector<std::ptrdiff_t> same_unit_;  // of each curve: the first of its unit

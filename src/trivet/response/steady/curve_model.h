@@ -9,45 +9,46 @@
 
 namespace trivet::response {
 
-/// From, to [rad/s].
+/// Frequency band [rad/s].
 struct Band {
   double from = 0;
   double to = 0;
   bool operator==(const Band&) const = default;
 };
 
-/// Rational functions that follow all curves over a part of the band, one row of values per delay and curve.
+/// Rational functions for all curves over a part of the band, one row of values per delay and curve.
 struct ModelPiece {
   Band band;
   numerics::RationalFit fit;
 };
 
-/// All curves of a loading over a band, to be evaluated anywhere in it, from few solves. What a delayed load does is
-/// kept apart: y_c(ω) = Σ_d e^{−iωd} r_{d,c}(ω).
+/// All curves of a loading over a band, evaluated anywhere in it from few solves. Parts of different delay are
+/// separate: y_c(ω) = Σ_d e^{−iωd} r_{d,c}(ω).
 struct CurveModel {
   Band band;
   Eigen::Index curves = 0;
   std::vector<double> delays;      ///< [s], at least one
-  std::vector<ModelPiece> pieces;  ///< ascending, end to end; none where nothing could be solved
-  SolutionCheck check;             ///< of the solves; `undefined_at`: where they found no answer
+  std::vector<ModelPiece> pieces;  ///< ascending, adjacent; missing where no solve succeeded
+  SolutionCheck check;             ///< of the solves; `undefined_at`: frequencies without a solution
   int solves = 0;                  ///< frequencies at which the dynamic stiffness was solved
-  int tests = 0;                   ///< solves and extrema that the fits did not know when they were compared with them
+  int tests = 0;                   ///< solves and extrema that were compared with the fits and not used in them
   double worst_error =
-      0;  ///< there: |model − truth| over |truth|, or near a zero of the curve over a thousandth of its neighbours
+      0;  ///< in these tests: |model − truth| / |truth|, or near a zero of the curve / a thousandth of its neighbours
   double worst_error_at = 0;  ///< [rad/s]
 
-  /// Curves × points. NaN outside the band and where undefined.
+  /// Values, curves × points; NaN outside the band and where undefined.
   [[nodiscard]] Eigen::MatrixXcd at(const std::vector<double>& angular_frequency) const;
 };
 
 struct CurveModelOptions {
-  double tolerance = 1e-4;  ///< of `worst_error`: a tenth of what a picture may be off
-  int most_solves = 3000;   ///< then the worst error says how far the model is good
+  double tolerance = 1e-4;  ///< of `worst_error`: a tenth of the allowed error of a plot
+  int most_solves = 3000;   ///< limit; `worst_error` then states the accuracy of the model
 };
 
-/// Solves around the poles and over the band, fits, compares the fit with new solves where it is least sure of itself
-/// and with the extrema of `peaks`, and goes on with what disagrees. A band whose curves no rational function of few
-/// poles follows (corners of tables, very many resonances) is cut in two, and each half modelled by itself.
+/// Model of all curves over a band. Solves around the poles and over the band, fits, compares the fit with new solves
+/// where it is least certain and with the extrema of `peaks`, and repeats where they disagree. A band of curves that no
+/// rational function of few poles fits (corners of tables, very many resonances) is halved, and each half has its own
+/// model.
 /// @param poles  of the response at iω = λ, as far as they are known: they only guide the first solves
 /// @param peaks  of the same curves; may be empty
 [[nodiscard]] CurveModel curve_model(const assembly::Assembled& assembled,
@@ -55,7 +56,7 @@ struct CurveModelOptions {
                                      const Eigen::VectorXcd& poles, const Peaks& peaks, const Band& band,
                                      const CurveModelOptions& options = {}, const foundation::Progress& progress = {});
 
-/// Per curve, ascending: all finite extrema inside a band, with the refined frequencies and heights of the peaks.
+/// All finite extrema of each curve inside a band, ascending, with the refined frequencies and heights of the peaks.
 [[nodiscard]] std::vector<std::vector<Extremum>> extrema(const Peaks& peaks, const Band& band);
 
 /// The curves of a model on a grid, with the exact amplitudes at the maxima.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is read out of a model.
+// Evaluation of a curve model.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -21,8 +21,7 @@ using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
 using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What the damping of the system as a whole brings into the free rows where the ground moves; it has no second
-/// derivation here.
+/// System damping in the free rows from the motion of the ground; it has no second derivation here.
 Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, Eigen::Index n) {
   Eigen::MatrixXd rest = assembled.ground.B.topRows(n);
   for (const assembly::ElementMap& map : assembled.elements) {
@@ -32,8 +31,8 @@ Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, E
   return rest;
 }
 
-/// T (n × (12 + internal)) of one element, straight from the convention: columns are what a unit force on an end or an
-/// internal coordinate does to the coordinates of the system.
+/// T (n × (12 + internal)) of one element, directly from the convention: each column is the generalised force of a unit
+/// force on an end or an internal coordinate.
 Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal,
                 Eigen::Index n) {
   Carrier t = Carrier::Zero(n, 12 + internal);
@@ -59,10 +58,10 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
 /// Largest column sum of the magnitudes of entries.
 Extended one_norm(const ExtendedMatrix& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); }
 
-/// Relative difference that round-off explains: that of the terms of Z, and of the load per motion that they stand
-/// against, times the size of Z⁻¹. An entry of Z sums the 12×12 of elements, so that at least twelve terms take part in
-/// it however few coordinates are free. K, iωB and −ω²A may cancel: their digits are lost before any solver begins,
-/// which the condition of Z does not show (that of a single coordinate is always 1).
+/// Relative difference that round-off explains: that of the terms of Z and of the load per unit motion, times the size
+/// of Z⁻¹. An entry of Z sums the 12×12 of elements, so at least twelve terms contribute to it however few coordinates
+/// are free. K, iωB and −ω²A may cancel: the condition of Z does not show these lost digits (that of a single
+/// coordinate is always 1).
 double allowed_difference(Eigen::Index n, double condition, Extended terms, Extended load, Extended sum) {
   constexpr Eigen::Index least_terms = 12;
   constexpr double per_term = 16;
@@ -119,7 +118,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     mass.block(row, row, size, size) += foundation.mass.cast<ExtendedComplex>();
     element_damping.block(row, row, size, size) += foundation.damping;
   }
-  // What the system as a whole adds to the damping (Rayleigh, modal ratios) has no second derivation here.
+  // System damping (Rayleigh, modal ratios) has no second derivation here.
   ExtendedMatrix driven_damping;
   if (!std::holds_alternative<std::monostate>(system.description().damping)) {
     damping += (constant.B - element_damping).cast<ExtendedComplex>();
@@ -196,7 +195,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
 
 std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
   constexpr double oscillating =
-      1e-9;  // of |λ|: complex solvers leave an imaginary part of round-off, 1e-150 even, to what only creeps
+      1e-9;  // of |λ|: complex solvers give an overdamped root an imaginary part of round-off, even 1e-150
   std::vector<double> result;
   for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
     if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k)))

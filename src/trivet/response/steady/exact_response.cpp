@@ -12,11 +12,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, no rows if it rests.
+/// Value of a channel, and the sum of the magnitudes of its terms. `g`: motion of the ground, empty if it is at rest.
 std::pair<Complex, double> value(const assembly::Assembled& assembled, const assembly::Channel& channel,
                                  const Eigen::VectorXcd& q, const Eigen::VectorXcd& g, Complex omega, double near) {
   numerics::ObservedCurve curve = channel.curve();
-  curve.derivative = 0;  // comes last, on the dynamic forces too
+  curve.derivative = 0;  // applied last, also to the dynamic forces
   const Eigen::RowVectorXcd at = Eigen::RowVectorXcd::Constant(1, omega);
   Complex y = numerics::curve_values(curve, q, g, at).value();
   double possible = numerics::possible_amplitudes(curve, q.cwiseAbs(), g.cwiseAbs(), at.cwiseAbs()).value();

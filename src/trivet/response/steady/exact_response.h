@@ -10,10 +10,10 @@
 
 namespace trivet::response {
 
-/// What channels tell of coordinates at one ω, elements by their exact laws.
+/// Values of channels for given coordinates at one ω, with the exact laws of elements.
 struct ExactValues {
   Eigen::VectorXcd values;   ///< one per channel
-  Eigen::VectorXd possible;  ///< the same if all terms worked together: what is far below is round-off
+  Eigen::VectorXd possible;  ///< sums of the magnitudes of the terms: a value far below is round-off
 };
 
 /// @param coordinates  first rows of the layout
@@ -32,11 +32,11 @@ struct ExactSample : ExactValues {
   Eigen::VectorXcd coordinates;  ///< first rows of the layout
   double condition = 0;          ///< of the scaled Z, estimated
   double backward_error =
-      0;  ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN where Z is singular
+      0;  ///< ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in coordinates of unit mass diagonal; NaN if Z is singular
 };
 
-/// q(ω) = Z(ω)⁻¹ h(ω) where elements depend on ω in their own way; one pivoted factorisation a frequency. ω may be
-/// complex (Re ω ≥ 0).
+/// q(ω) = Z(ω)⁻¹ h(ω) for frequency-dependent elements; one pivoted factorisation per frequency. ω may be complex (Re ω
+/// ≥ 0).
 class ExactResponse {
  public:
   ExactResponse(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,

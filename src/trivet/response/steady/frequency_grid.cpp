@@ -13,11 +13,10 @@ namespace {
 constexpr std::size_t most_points = 20000;
 constexpr int most_rounds = 40;
 constexpr double amplitude_tolerance = 7e-4;
-constexpr std::array parts = {0.25, 0.5, 0.75};  // of an interval: where a curve with a turn in it leaves its line
+constexpr std::array parts = {0.25, 0.5, 0.75};  // of an interval: where a curve is compared with its straight line
 constexpr double phase_step = std::numbers::pi / 9;
-constexpr double invisible = 1e-6;  // of a curve's largest amplitude: its shape there shows in no picture
-constexpr double model_round_off =
-    1e-10;  // of the largest curve of its unit: there a model follows no curve, only round-off
+constexpr double invisible = 1e-6;         // of a curve's largest amplitude: not visible in a plot
+constexpr double model_round_off = 1e-10;  // of the largest curve of its unit: below it a model contains only round-off
 constexpr double least_step = 1e-9;
 
 void keep_inside(std::vector<double>& grid, const Band& band) {
@@ -43,8 +42,8 @@ std::vector<double> first_guess(const CurveModel& model, const Peaks& peaks) {
   return grid;
 }
 
-/// Largest finite amplitude of each curve; infinite for one that is zero but for round-off, whose shape nobody wants to
-/// see, and 0 for one that rises to infinity, of which a picture shows what it likes.
+/// Largest finite amplitude of each curve; infinite for one that is only round-off (all of it is ignored), and 0 for
+/// one that rises to infinity (none of it is ignored).
 Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
   Eigen::VectorXd top =
       values.cwiseAbs().unaryExpr([](double a) { return std::isfinite(a) ? a : 0.0; }).rowwise().maxCoeff();
@@ -63,7 +62,8 @@ Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
 
 using Column = Eigen::Ref<const Eigen::VectorXcd>;
 
-/// Does any curve leave the straight line from a to b at the share `part` of its length, or turn its phase too fast?
+/// True if any curve deviates from the straight line from a to b at the share `part` of its length, or changes its
+/// phase too fast.
 bool bends(const Column& from, const Column& between, const Column& to, double part, const Eigen::VectorXd& top) {
   for (Eigen::Index c = 0; c < top.size(); ++c) {
     const std::complex<double> a = from(c), m = between(c), b = to(c);
@@ -78,7 +78,7 @@ bool bends(const Column& from, const Column& between, const Column& to, double p
   return false;
 }
 
-/// An interval of the grid that no line may follow yet.
+/// An interval of the grid that may need another point.
 struct Interval {
   double from = 0, to = 0;
   Eigen::VectorXcd at_from, at_to;

@@ -10,16 +10,16 @@ namespace trivet::response {
 enum class Spacing { automatic, linear, logarithmic };
 
 [[nodiscard]] std::vector<double> linear_grid(const Band& band, int points);
-/// band.from > 0.
+/// Requires band.from > 0.
 [[nodiscard]] std::vector<double> logarithmic_grid(const Band& band, int points);
 
-/// A grid on which straight lines between the points follow every curve of a model: with every extremum on it, and
-/// halved until amplitudes between points are right to 0.07 % and phases turn by less than 20° per step. Least steps
-/// are 1e-9 of ω; at most 20,000 points beside those of the extrema. What lies below a millionth of a curve's largest
-/// amplitude does not ask for points.
+/// A grid on which straight lines between the points follow every curve of a model. It includes every extremum and is
+/// halved until amplitudes between points are right to 0.07 % and phases change by less than 20° per step. Steps are at
+/// least 1e-9 of ω; at most 20,000 points in addition to the extrema. Values below a millionth of a curve's largest
+/// amplitude are ignored.
 [[nodiscard]] std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks);
 
-/// The same, with the model made on the way.
+/// The same, from a model that it builds.
 [[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled,
                                                  const std::vector<assembly::Channel>& channels,
                                                  const assembly::Loading& loading, const Eigen::VectorXcd& poles,

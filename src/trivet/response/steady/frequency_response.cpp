@@ -22,7 +22,7 @@ void note_error(double error, double omega, SolutionCheck& check) {
   }
 }
 
-/// Of elements that depend on frequency in their own way, one column of values per ω.
+/// Values with frequency-dependent elements, one column per ω.
 Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                               const assembly::Loading& loading, const Eigen::MatrixXcd& q,
                               const std::vector<double>& omega) {
@@ -32,7 +32,7 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
   return values;
 }
 
-/// All channels in the coordinates of the loading.
+/// Response of all channels in the coordinates of the loading.
 FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);

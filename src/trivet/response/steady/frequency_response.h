@@ -16,13 +16,13 @@ struct Curve {
   Eigen::VectorXcd value;
 };
 
-/// How far the solutions behind the curves may be trusted.
+/// Accuracy of the solutions behind the curves.
 struct SolutionCheck {
   double worst_backward_error = 0;   ///< over all frequencies, in coordinates of unit mass diagonal
   double at_angular_frequency = 0;   ///< where it is worst [rad/s]
   int fallbacks = 0;                 ///< frequencies that needed the pivoted solver
   std::vector<double> undefined_at;  ///< [rad/s] where the dynamic stiffness is singular or a motion of the ground
-                                     ///< unbounded; curves that feel it are NaN
+                                     ///< unbounded; affected curves are NaN
 };
 
 struct FrequencyResponse {
@@ -30,11 +30,11 @@ struct FrequencyResponse {
   std::vector<Curve> curves;
   SolutionCheck check;
   int solves = 0;                  ///< frequencies at which the dynamic stiffness was solved
-  double interpolation_error = 0;  ///< largest found, relative, of values between those; 0: every value is solved
+  double interpolation_error = 0;  ///< largest relative error found between those; 0: every value is solved
 };
 
-/// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined where a motion in space is given by its
-/// velocity or acceleration. Answers against a ground that is given so are computed in coordinates that follow it
+/// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined if an absolute motion is given by its
+/// velocity or acceleration. Answers relative to such a ground are computed in coordinates that move with it
 /// (assembly::by_coordinates).
 [[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled,
                                                    const std::vector<assembly::Channel>& channels,
@@ -44,7 +44,7 @@ struct FrequencyResponse {
 /// Phase [rad] in (−π, π]; a negative real value is +π whatever the sign of its zero imaginary part, and 0 has phase 0.
 [[nodiscard]] double phase(const std::complex<double>& value);
 
-/// Phase [rad] made continuous along the points by whole turns.
+/// Phase [rad], made continuous along the points by multiples of 2π.
 [[nodiscard]] Eigen::VectorXd continuous_phase(const Eigen::VectorXcd& values);
 
 }  // namespace trivet::response

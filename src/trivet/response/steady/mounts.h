@@ -7,8 +7,7 @@
 
 namespace trivet::response {
 
-/// Elements whose end N stands on the ground or on a foundation that gives; the impedance of a ground point is none
-/// itself.
+/// Elements with end N on the ground or on a flexible foundation; the impedance of a ground point is not a mount.
 [[nodiscard]] std::vector<std::size_t> mounts(const model::System& system);
 
 }  // namespace trivet::response

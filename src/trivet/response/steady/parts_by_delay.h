@@ -8,13 +8,13 @@
 
 namespace trivet::response {
 
-/// Every delay that occurs in a loading [s], ascending; 0 alone where nothing acts.
+/// All delays in a loading [s], ascending; only 0 without a load.
 [[nodiscard]] std::vector<double> delays_of(const assembly::Loading& loading);
 
-/// The terms of one delay, without it.
+/// The terms of one delay, with the delay removed.
 [[nodiscard]] assembly::Loading undelayed(const assembly::Loading& loading, double delay);
 
-/// Curves out of what each delayed part of the load does, one part after another: Σ_d e^{−iωd} parts_d.
+/// Curves from the responses to each delayed part of the load, stacked in `parts`: Σ_d e^{−iωd} parts_d.
 [[nodiscard]] Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>& delays,
                                       double angular_frequency);
 

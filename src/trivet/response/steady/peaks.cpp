@@ -24,8 +24,9 @@ bool defined_at_rest(const assembly::Assembled& assembled) {
                      [](const assembly::ElementMap& map) { return map.defined_from == 0; });
 }
 
-/// Frequency-dependent elements have no last pole: the search ends where the caller says, but well above the natural
-/// frequencies. Tables (a mobility with resonances of its own) are searched to their end, unless that is far above.
+/// End of the search. Frequency-dependent elements have no last pole: it is where the caller asks, but well above the
+/// natural frequencies. Tables (a mobility with its own resonances) are searched to their end, unless that is far
+/// above.
 double search_end(const assembly::Assembled& assembled, const modal::Modes& modes, const modal::Roots& roots,
                   const PeakOptions& options) {
   constexpr double well_above = 2, far_above = 30;
@@ -39,12 +40,12 @@ double search_end(const assembly::Assembled& assembled, const modal::Modes& mode
   return std::min(table_end, std::max(options.search_to, above * highest));
 }
 
-/// Samples on circles, as far as every element is defined.
+/// Searches with samples on circles, in the range where every element is defined.
 numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                   const assembly::Loading& loading, const Eigen::VectorXcd& near_poles, double end,
                                   const foundation::Progress& progress) {
   constexpr double start_share = 1e-3,
-                   oscillating = 1e-9;  // the latter of |λ|: less is round-off of a root that only creeps
+                   oscillating = 1e-9;  // the latter of |λ|: less is round-off of an overdamped root
   double from = 0, smallest = end;
   std::vector<double> seams;
   for (const Complex& pole : near_poles)
@@ -78,7 +79,7 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
                }});
 }
 
-/// Of channels that are answered in the coordinates of the loading.
+/// Peaks of channels in the coordinates of the loading.
 Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                const assembly::Loading& loading, const modal::Modes& modes, const modal::Roots& roots,
                const PeakOptions& options, const foundation::Progress& progress) {

@@ -14,7 +14,7 @@ using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
 using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What the coordinates of a foundation cannot move: I − S (SᵀS)⁻¹ Sᵀ.
+/// Projection on the motions that the coordinates of a foundation cannot make: I − S (SᵀS)⁻¹ Sᵀ.
 Matrix beyond(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
   const Matrix s = shape.cast<Extended>();
   const Matrix gram = s.transpose() * s;
@@ -39,7 +39,7 @@ PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<st
   }
 }
 
-/// Six components in ground axes; `element`: whose ground end is at this place.
+/// Motion of the ground, six components in ground axes; `element`: the one with its ground end at this place.
 PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, std::size_t element,
                                                  Extended omega) const {
   Motion sum = Motion::Zero();
@@ -56,7 +56,7 @@ PrescribedEnds::Motion PrescribedEnds::ground_at(const Eigen::Vector3d& place, s
       using Vector3 = Eigen::Matrix<Extended, 3, 1>;
       const Vector3 arm = (place - action.at).cast<Extended>(), real = motion.tail<3>().real(),
                     imaginary = motion.tail<3>().imag();
-      // Part by part: Eigen's product of complex vectors is the conjugate one.
+      // Real and imaginary part separately: Eigen's product of complex vectors is the conjugate one.
       motion.head<3>() += real.cross(arm).cast<ExtendedComplex>() +
           ExtendedComplex(0, 1) * imaginary.cross(arm).cast<ExtendedComplex>();
     } else if (action.wave) {

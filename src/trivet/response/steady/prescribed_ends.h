@@ -10,9 +10,9 @@
 
 namespace trivet::response {
 
-/// Motion of both ends of each element that the harmonic excitations prescribe at ω through the ground, with all free
-/// coordinates at rest: 12 per element (end N, end K), in the element's local axes. Taken from the description alone,
-/// without `assembly::Ground`: the second solver's own way.
+/// Motion of both ends of each element that harmonic motion of the ground prescribes at ω, with all free coordinates at
+/// rest: 12 per element (end N, end K), in the element's local axes. Taken from the description alone, without
+/// `assembly::Ground`: an independent derivation for the second solver.
 class PrescribedEnds {
  public:
   using Vector = Eigen::Matrix<std::complex<long double>, Eigen::Dynamic, 1>;
@@ -20,7 +20,7 @@ class PrescribedEnds {
   /// @param excitations  names of the harmonic ones that act; empty: all
   PrescribedEnds(const model::System& system, const std::vector<std::string>& excitations);
 
-  /// Whether an excitation moves the ground and an end of this element is on it, directly or through a foundation.
+  /// True if an excitation moves the ground and an end of this element is on it, directly or through a foundation.
   [[nodiscard]] bool can_move(std::size_t element) const;
   [[nodiscard]] Vector at(std::size_t element, double angular_frequency) const;
 
@@ -31,7 +31,7 @@ class PrescribedEnds {
 
   const model::Description& description_;
   std::vector<const model::Excitation*> moving_;
-  std::vector<int> impedance_of_;  ///< element that joins each foundation to the rigid ground; −1 for modes
+  std::vector<int> impedance_of_;  ///< element between each foundation and the rigid ground; −1 for modes
 };
 
 }  // namespace trivet::response

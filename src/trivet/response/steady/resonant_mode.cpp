@@ -9,7 +9,7 @@
 namespace trivet::response {
 namespace {
 
-/// @throws NotComputable on a resonance that is undamped but for round-off
+/// @throws NotComputable at a resonance that is undamped except for round-off
 std::optional<int> most_bent(const assembly::Assembled& assembled, const modal::Modes& modes,
                              const Dynamics& dynamics) {
   constexpr double enough = 0.5;
@@ -41,7 +41,7 @@ void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<a
     try {
       peak.nearest_mode = most_bent(
           assembled, modes, dynamics(assembled, channels[peak.curve], loading, omega, element_jets(assembled, omega)));
-    } catch (const foundation::NotComputable&) {  // so narrow that the nearest frequency is beyond doubt
+    } catch (const foundation::NotComputable&) {  // so narrow that the nearest frequency is certain
     }
   }
 }

@@ -12,26 +12,26 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
                                const std::vector<assembly::Channel>& channels) {
   if (!system.description().gravity && system.description().constant_forces.empty())
     throw foundation::NotComputable(
-        "static: nothing loads the model; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
+        "static: the model has no static load; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
   for (std::size_t e = 0; e < assembled.elements.size(); ++e)
     if (assembled.elements[e].defined_from > 0 && system.elements()[e].is_foundation)
-      throw foundation::NotComputable("static: a mobility tells no static stiffness; \"" + system.elements()[e].name +
-                                      "\" is one");
+      throw foundation::NotComputable("static: \"" + system.elements()[e].name +
+                                      "\" is a mobility, which gives no static stiffness");
     else if (assembled.elements[e].defined_from > 0)
       throw foundation::NotComputable("static: the table of \"" + system.elements()[e].name +
-                                      "\" starts above 0 Hz and tells no static stiffness; give it a row at 0 Hz");
+                                      "\" starts above 0 Hz and gives no static stiffness; add a row at 0 Hz");
   const modal::Modes modes = modal::modes(system, assembled);
   if (modal::has_rigid_motion(modes)) {
     std::string words;
     for (const std::string& motion : modal::free_motions(system, assembled, modes))
       words += (words.empty() ? "" : "; ") + motion;
-    throw foundation::NotComputable("static: there is no unique position of rest: " + words);
+    throw foundation::NotComputable("static: the position of rest is not unique: " + words);
   }
   numerics::DynamicMatrices stiffness_only = assembled.matrices;
   stiffness_only.K_loss.resize(0, 0);
   const Eigen::VectorXcd load = assembly::static_load(system, assembled).cast<std::complex<double>>();
-  // At rest a coordinate without mass moves like any other; a frequency-dependent element acts with D(0), which its
-  // matrices hold.
+  // In a static problem a coordinate without mass is like any other; a frequency-dependent element acts with D(0),
+  // which its matrices contain.
   const numerics::SweepResult solved = numerics::sweep(stiffness_only, load, {0.0});
   if (solved.singular > 0) throw foundation::NotComputable("static: the stiffness matrix is singular");
   const Eigen::VectorXd q = solved.response.col(0).real();

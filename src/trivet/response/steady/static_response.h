@@ -20,8 +20,8 @@ struct StaticResponse {
   double backward_error = 0;
 };
 
-/// Displacements, point motions and forces under gravity and the constant forces: K q = Q (real part of K).
-/// @throws foundation::NotComputable if the system can move freely (the message says how) or nothing loads it
+/// Static displacements, point motions and forces under gravity and the constant forces: K q = Q (real part of K).
+/// @throws foundation::NotComputable if the system has rigid-body modes (the message names them) or no static load
 [[nodiscard]] StaticResponse static_response(const model::System& system, const assembly::Assembled& assembled,
                                              const std::vector<assembly::Channel>& channels);
 

@@ -20,7 +20,7 @@ std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, c
                         Eigen::VectorXcd::Zero(assembled.ground.size())};
     if (!motion.free.allFinite())
       throw foundation::NotComputable(
-          fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion has no bound",
+          fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion is unbounded",
                       motion.angular_frequency));
     if (!loading.motion.vanishes()) motion.ground = loading.motion.at(motion.angular_frequency);
     result.push_back(std::move(motion));

@@ -8,24 +8,24 @@
 
 namespace trivet::response {
 
-/// Steady motion of everything at one ω, zero-to-peak amplitudes.
+/// Steady motion of all coordinates at one ω, zero-to-peak amplitudes.
 struct SteadyMotion {
   double angular_frequency = 0;  ///< [rad/s]
-  Eigen::VectorXcd free;         ///< free coordinates; of frequency-dependent elements without their internal ones
-  Eigen::VectorXcd ground;       ///< ground coordinates, zero if the ground rests
+  Eigen::VectorXcd free;         ///< free coordinates, without the internal ones of frequency-dependent elements
+  Eigen::VectorXcd ground;       ///< ground coordinates, zero if the ground is at rest
 };
 
-/// At the given ω > 0 [rad/s], frequency-dependent elements by their exact laws.
-/// @throws foundation::NotComputable where Z(ω) is singular: an undamped resonance
+/// Motions at the given ω > 0 [rad/s], with the exact laws of frequency-dependent elements.
+/// @throws foundation::NotComputable if Z(ω) is singular: an undamped resonance
 [[nodiscard]] std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled,
                                                        const assembly::Loading& loading,
                                                        const std::vector<double>& angular_frequency);
 
-/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; of a
+/// End displacements (12, local frame) and internal coordinates of an element in a steady motion; for a
 /// frequency-dependent one the 12 alone.
 [[nodiscard]] Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMotion& motion);
 
-/// What moves the ends so: wrenches on the element at N and K (first 12), local frame; behind them forces on internal
+/// Wrenches on the element at N and K (first 12), local frame, that cause this motion; then forces on internal
 /// coordinates, zero in a free steady motion.
 [[nodiscard]] Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::VectorXcd& element_motion,
                                                 double angular_frequency);

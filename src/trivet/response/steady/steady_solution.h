@@ -6,8 +6,8 @@
 
 namespace trivet::response {
 
-/// Coordinates at the given real ω ≥ 0 [rad/s], one column each, frequency-dependent elements by their exact laws (then
-/// the first rows of the layout alone); NaN where Z(ω) is singular.
+/// Coordinates at the given real ω ≥ 0 [rad/s], one column each, with the exact laws of frequency-dependent elements
+/// (then only the first rows of the layout); NaN if Z(ω) is singular.
 [[nodiscard]] numerics::SweepResult steady_solution(const assembly::Assembled& assembled,
                                                     const assembly::Loading& loading,
                                                     const std::vector<double>& angular_frequency,

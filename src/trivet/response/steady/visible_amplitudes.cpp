@@ -12,7 +12,7 @@
 namespace trivet::response {
 namespace {
 
-/// Of channels that are answered in the coordinates of the loading.
+/// Amplitudes of channels in the coordinates of the loading.
 Eigen::VectorXd visible_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const assembly::Loading& loading, double omega) {
   const Eigen::MatrixXcd stiffness = assembled.dynamic_stiffness(omega, omega);

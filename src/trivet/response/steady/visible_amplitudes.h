@@ -9,8 +9,8 @@
 
 namespace trivet::response {
 
-/// |y| of each channel at one ω [rad/s], from the exact Z(ω). What stays below 1e-12 of what all coordinates together
-/// could make of it is round-off, and 0.
+/// |y| of each channel at one ω [rad/s], from the exact Z(ω). A value below 1e-12 of what all coordinates together
+/// could cause is round-off, and set to 0.
 [[nodiscard]] Eigen::VectorXd visible_amplitudes(const assembly::Assembled& assembled,
                                                  const std::vector<assembly::Channel>& channels,
                                                  const assembly::Loading& loading, double angular_frequency);

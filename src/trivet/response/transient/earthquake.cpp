@@ -31,7 +31,7 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
   const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, m.symmetric);
   if (!m.symmetric || modes.route != numerics::ModeRoute::definite_mass)
     throw foundation::NotComputable(
-        "earthquake: modal maxima need symmetric matrices and a positive definite mass; take a time history instead");
+        "earthquake: modal maxima need symmetric matrices and a positive definite mass; use a time history instead");
   Eigen::VectorXd g = Eigen::VectorXd::Zero(assembled.ground.size());
   g.head<6>() = direction;
   const Eigen::VectorXd stiffness_load = assembled.ground.K * g, mass_load = assembled.ground.A * g;
@@ -44,7 +44,7 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
     const double omega = std::sqrt(modes.lambda(i));
     double lost = shape.dot(m.B * shape) / omega;
     if (m.lossy()) lost += shape.dot(m.K_loss * shape) / modes.lambda(i);
-    // φᵀA r = φᵀK r/ω² and K r = −K_fg e: the motion r need not be known.
+    // φᵀA r = φᵀK r/ω² and K r = −K_fg e: the motion r is not needed.
     const double participation = shape.dot(mass_load) - shape.dot(stiffness_load) / modes.lambda(i);
     result.shares.push_back(
         {omega, lost / 2, participation, participation * participation, std::numeric_limits<double>::quiet_NaN()});
@@ -54,11 +54,11 @@ ShakenModes shaken_modes(const assembly::Assembled& assembled, const spatial::Ve
   return result;
 }
 
-/// Gives each mode its S_a and returns those that have one.
+/// Sets S_a of each mode and returns the indices of the modes that have one.
 std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spectrum, EarthquakeResponse& result) {
   std::vector<Eigen::Index> reached;
   constexpr double negligible =
-      1e-3;  // of the moving mass: a mode that does not oscillate and has less is left out like one beyond the spectrum
+      1e-3;  // of the moving mass: an overdamped mode with less is excluded like one outside the spectrum
   double all = 0, told = 0;
   for (const ModalShare& mode : result.modes) all += mode.effective_mass;
   for (std::size_t i = 0; i < result.modes.size(); ++i) {
@@ -70,7 +70,7 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
     if (!(mode.damping_ratio < 1))
       throw foundation::NotComputable(
           fmt::format("earthquake: the mode at {:.4g} Hz does not oscillate (damping ratio {:.3g}), so a response "
-                      "spectrum says nothing of it",
+                      "spectrum does not apply to it",
                       mode.angular_frequency / two_pi, mode.damping_ratio));
     mode.spectral_acceleration = excitation::spectral_acceleration(spectrum, mode.angular_frequency);
     told += mode.effective_mass;
@@ -83,13 +83,13 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
 void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vector<Eigen::Index>& reached,
                   EarthquakeResponse& result) {
   constexpr double enough_mass = 0.9;        // the usual requirement of building codes
-  constexpr double damping_tolerance = 0.2;  // S_a goes about with the square root of the damping ratio or less
+  constexpr double damping_tolerance = 0.2;  // S_a varies about with the square root of the damping ratio, or less
   if (result.effective_mass_share < enough_mass)
-    result.warnings.warning("earthquake",
-                            fmt::format("the spectrum reaches modes with {:.0f} % of the mass that is shaken",
-                                        100 * result.effective_mass_share),
-                            "modes outside its table are left out; 90 % are usually asked for",
-                            "extend the table, to short periods above all");
+    result.warnings.warning(
+        "earthquake",
+        fmt::format("the spectrum covers modes with {:.0f} % of the effective mass", 100 * result.effective_mass_share),
+        "modes outside its table are excluded; codes usually require 90 %",
+        "extend the table, especially to short periods");
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Eigen::Index i : reached) {
     const ModalShare& mode = result.modes[static_cast<std::size_t>(i)];
@@ -104,8 +104,7 @@ void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vecto
   result.warnings.warning(
       "earthquake",
       fmt::format("modal damping ratios {:.3g} … {:.3g}, spectrum for {:.3g}", lowest, highest, spectrum.damping_ratio),
-      "the spectrum is taken as it stands, not converted to other damping",
-      "give a spectrum for the damping of the model");
+      "the spectrum is used as given, not converted to other damping", "give a spectrum for the damping of the model");
 }
 
 }  // namespace
@@ -123,8 +122,7 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   const std::vector<Eigen::Index> reached = read_spectrum(spectrum, result);
   add_warnings(spectrum, reached, result);
   if (given.frequency_dependent())
-    result.warnings.warning("earthquake",
-                            "elements whose stiffness depends on frequency are taken by their nearest linear system",
+    result.warnings.warning("earthquake", "frequency-dependent elements are replaced by their nearest linear system",
                             "modes need constant matrices", "compare with a time history");
   const auto count = static_cast<Eigen::Index>(reached.size());
   Eigen::VectorXd omega(count), zeta(count);
@@ -136,9 +134,8 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   for (const assembly::Channel& each : channels) {
     const assembly::Channel channel = nearest_linear(given, each);
     if (channel.on_displacement.isZero(0) && !channel.ground.empty())
-      throw foundation::NotComputable(
-          fmt::format("earthquake: \"{}\" is a motion of the ground alone, of which a response spectrum knows nothing",
-                      channel.name));
+      throw foundation::NotComputable(fmt::format(
+          "earthquake: \"{}\" is a motion of the ground alone, which a response spectrum does not give", channel.name));
     CombinedAnswer answer{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
     for (Eigen::Index k = 0; k < count; ++k) {
       const ModalShare& mode = result.modes[static_cast<std::size_t>(reached[static_cast<std::size_t>(k)])];

@@ -12,38 +12,39 @@
 
 namespace trivet::response {
 
-/// One mode under an acceleration of the whole foundation.
+/// One mode under an acceleration of the whole ground.
 struct ModalShare {
   double angular_frequency = 0;  ///< [rad/s] > 0
-  double damping_ratio = 0;  ///< φᵀBφ/(2ω) (of a loss factor φᵀK_lossφ/(2ω²)); couplings of modes by damping left out
-  double participation =
-      0;  ///< Γ = φᵀ(A r + A_fg e), φᵀAφ = 1, where r follows the unit motion e of the ground [√kg for a translation]
+  double damping_ratio =
+      0;  ///< φᵀBφ/(2ω) (for a loss factor φᵀK_lossφ/(2ω²)); coupling of modes by damping is neglected
+  double participation = 0;  ///< Γ = φᵀ(A r + A_fg e), φᵀAφ = 1, with r the static response to the unit ground motion e
+                             ///< [√kg for a translation]
   double effective_mass = 0;         ///< Γ² [kg]
-  double spectral_acceleration = 0;  ///< S_a(ω) [m/s²]; NaN where the spectrum does not reach: the mode is left out
+  double spectral_acceleration = 0;  ///< S_a(ω) [m/s²]; NaN outside the spectrum: the mode is excluded
 };
 
-/// Largest value of one answer over time, estimated from those of its modes.
+/// Largest value of one answer over time, estimated from its modal maxima.
 struct CombinedAnswer {
   std::string name;
   std::string unit;
-  Eigen::VectorXd modal_maxima;              ///< per mode that the spectrum reaches, with the sign that belongs to +S_a
+  Eigen::VectorXd modal_maxima;              ///< per mode within the spectrum, with the sign for +S_a
   double square_root_of_sum_of_squares = 0;  ///< SRSS: for well separated natural frequencies
   double complete_quadratic = 0;             ///< CQC: also for close ones
 };
 
 struct EarthquakeResponse {
   std::vector<ModalShare> modes;    ///< all with ω > 0, ascending
-  double effective_mass_share = 0;  ///< of the modes that the spectrum reaches, over all modes with ω > 0
+  double effective_mass_share = 0;  ///< of the modes within the spectrum, over all modes with ω > 0
   std::vector<CombinedAnswer> answers;
   foundation::Problems warnings;
 };
 
-/// Largest answers where the whole foundation is accelerated along `direction` (translation and rotation about the
-/// ground origin, ground axes, of length 1 where the spectrum is that of this motion). The motion against the ground is
-/// Γ S_a/ω² φ in each mode: displacements are those against the ground, velocities ω times them, accelerations ω² times
-/// them and so the absolute ones; forces are those of stiffness and mass.
+/// Largest answers to an acceleration of the whole ground along `direction` (translation and rotation about the ground
+/// origin, ground axes, of length 1 if the spectrum is that of this motion). The motion relative to the ground is Γ
+/// S_a/ω² φ in each mode: displacements are relative to the ground, velocities are ω times them, accelerations ω² times
+/// them and so absolute; forces are those of stiffness and mass.
 /// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and
-/// answers about the ground alone
+/// answers that are motions of the ground alone
 [[nodiscard]] EarthquakeResponse earthquake_response(const assembly::Assembled& assembled,
                                                      const std::vector<assembly::Channel>& channels,
                                                      const excitation::ResponseSpectrum& spectrum,

@@ -35,11 +35,11 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
   const double norm = F.size() > 0 ? F.cwiseAbs().colwise().sum().maxCoeff() : 0;
   const double turn = std::max(norm, largest_kappa) * step;
   if (!std::isfinite(turn))
-    throw foundation::NotComputable("the matrices of the motion hold numbers beyond the range of computation");
+    throw foundation::NotComputable("the matrices of the motion contain numbers beyond the range of computation");
   int finest = 0;
   while (std::ldexp(turn, -finest) > 0.5) ++finest;
   if (finest > most_levels)
-    throw foundation::NotComputable("the fastest mode turns more than 2^60 times within one step");
+    throw foundation::NotComputable("the fastest mode oscillates more than 2^60 times within one step");
   const ExtendedMatrix scaled = F_ * std::ldexp(static_cast<long double>(step), -finest);
   const ExtendedMatrix one = ExtendedMatrix::Identity(F.rows(), F.cols());
   ExtendedMatrix phi = one;
@@ -54,8 +54,7 @@ std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kap
   const std::size_t finest = levels() - 1;
   const long double h = std::ldexp(static_cast<long double>(step_), -static_cast<int>(finest));
   const ExtendedRates S = rates(kappa), one = ExtendedRates::Identity();
-  // The columns of the Taylor series of the whole matrix that belong to the inputs: R_k = (F R_{k−1} + G S^{k−1}
-  // h^{k-1}/(k−1)!) h/k.
+  // Input columns of the Taylor series of the whole matrix: R_k = (F R_{k−1} + G S^{k−1} h^{k-1}/(k−1)!) h/k.
   ExtendedInput term = ExtendedInput::Zero(G.rows(), 5), gamma = term;
   const ExtendedInput drive = G.cast<long double>();
   ExtendedRates own = one, e = one;

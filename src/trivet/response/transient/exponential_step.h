@@ -8,11 +8,11 @@ namespace trivet::response {
 
 /// ∬u, ∫u, u, u̇, ü of an input at one time.
 using InputVector = Eigen::Matrix<double, 5, 1>;
-inline constexpr Eigen::Index of_value = 2;  ///< where u stands in it
-/// What multiplies them in ẋ = F x + Σ G w: states × 5.
+inline constexpr Eigen::Index of_value = 2;  ///< index of u in it
+/// G in ẋ = F x + Σ G w: states × 5.
 using InputMatrix = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 
-/// d w/dt of an input whose u‴ = −κ²u′.
+/// dw/dt of an input with u‴ = −κ²u′.
 [[nodiscard]] InputVector rate(const InputVector& w, double kappa);
 
 /// Exact steps of ẋ = F x + Σ G w while every input obeys u‴ = −κ²u′: x(t + h) = Φ(h) x(t) + Σ Γ(κ, h) w(t) for h =
@@ -21,7 +21,7 @@ using InputMatrix = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 /// that of a double. Scaling and squaring: [Moler, Van Loan, SIAM Review 45 (2003) 3–49, method 3]
 class ExponentialStep {
  public:
-  /// @param largest_kappa  no input turns faster [rad/s]
+  /// @param largest_kappa  largest κ of all inputs [rad/s]
   ExponentialStep(const Eigen::MatrixXd& F, double step, double largest_kappa);
 
   [[nodiscard]] double step() const { return step_; }
@@ -36,10 +36,10 @@ class ExponentialStep {
   Extended F_;
   double step_;
   std::vector<Extended> exact_;         ///< Φ per level
-  std::vector<Eigen::MatrixXd> state_;  ///< the same, rounded
+  std::vector<Eigen::MatrixXd> state_;  ///< Φ per level, rounded to double
 };
 
-/// Terms of a Taylor series that leave less than 1e-21 where the norm is at most 1/2.
+/// Number of terms of a Taylor series: the rest is below 1e-21 if the norm is at most 1/2.
 inline constexpr int series_terms = 19;
 
 }  // namespace trivet::response

@@ -7,9 +7,9 @@
 namespace trivet::response {
 namespace {
 
-/// A polygon of fewer lines is a designed pulse, not a measurement.
+/// A polygon of fewer lines counts as a designed pulse, not as a measurement.
 constexpr std::size_t fewest_samples = 4;
-/// Jumps below this share of the largest value are round-off of joints.
+/// Jumps below this share of the largest value are round-off between pieces.
 constexpr double jump_round_off = 1e-9;
 
 double usual_step(const std::vector<excitation::Piece>& pieces) {

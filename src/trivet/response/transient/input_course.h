@@ -10,30 +10,30 @@
 
 namespace trivet::response {
 
-/// One signal with one delay, with its integrals, read forward in time piece by piece. Before its first piece all is
-/// zero.
+/// One signal with one delay, with its integrals, evaluated forward in time piece by piece. Zero before its first
+/// piece.
 class InputCourse {
  public:
   InputCourse(const excitation::Signal& signal, double delay);
 
-  /// Index of a piece, −1 before the first: where in the signal a walk stands.
+  /// Index of a piece, −1 before the first.
   using Place = std::ptrdiff_t;
 
-  /// ∬u … ü at time t as the piece at `place` continues it.
+  /// ∬u … ü at time t by the formula of the piece at `place`.
   [[nodiscard]] InputVector at(Place place, double t) const;
   [[nodiscard]] double kappa(Place place) const { return place < 0 ? 0 : piece(place).kappa; }
-  /// Which of the distinct κ the piece has.
+  /// Index of the κ of the piece in `kappas`.
   [[nodiscard]] std::size_t kappa_index(Place place) const {
     return place < 0 ? 0 : kappa_index_[static_cast<std::size_t>(place)];
   }
   [[nodiscard]] const std::vector<double>& kappas() const { return kappas_; }
-  /// When the next piece begins; infinite after the last.
+  /// Start of the next piece [s]; infinite after the last.
   [[nodiscard]] double next_corner(Place place) const {
     return place + 1 < count() ? starts_[static_cast<std::size_t>(place + 1)] : std::numeric_limits<double>::infinity();
   }
-  /// Where the signal stands at t, pieces that begin at t or within `resolution` of it included.
+  /// Index of the piece at t; a piece that begins within `resolution` after t has begun.
   [[nodiscard]] Place place_at(double t, double resolution) const;
-  /// What u, u̇, ü jump by where the piece at `place` begins; the integrals do not jump.
+  /// Jumps of u, u̇, ü at the start of the piece at `place`; the integrals do not jump.
   [[nodiscard]] InputVector jump_into(Place place) const;
 
   [[nodiscard]] Place count() const { return static_cast<Place>(starts_.size()); }
@@ -43,11 +43,11 @@ class InputCourse {
   [[nodiscard]] double last_corner() const {
     return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back();
   }
-  /// Does the mth derivative of u, m = 0, 1, 2, jump (beyond round-off) where the piece at `place` begins?
+  /// True if the mth derivative of u, m = 0, 1, 2, jumps (beyond round-off) at the start of the piece at `place`.
   [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[static_cast<std::size_t>(place)] >> m & 1) != 0; }
   /// Lowest derivative of u that jumps anywhere: 0 a step, 1 a corner, 2 a change of curvature.
   [[nodiscard]] int smoothness() const { return smoothness_; }
-  /// Usual time between samples where the signal is a polygon of many straight lines; 0 for other signals [s].
+  /// Median time between samples of a polygon of many straight lines; 0 for other signals [s].
   [[nodiscard]] double sampling_step() const { return sampling_step_; }
 
  private:
@@ -63,7 +63,7 @@ class InputCourse {
   double sampling_step_ = 0;
 };
 
-/// The largest rate at which any of these decays, 1/s; 0 without one.
+/// Largest κ of these courses [rad/s]; 0 without any.
 [[nodiscard]] double largest_kappa(const std::vector<InputCourse>& courses);
 
 }  // namespace trivet::response

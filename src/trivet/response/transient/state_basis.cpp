@@ -25,7 +25,7 @@ std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, cons
   return rows;
 }
 
-/// Turns the massless coordinates so that dashpots hold the first of them and none holds the others.
+/// Transforms the massless coordinates so that dashpots act on the first of them only.
 void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& rows, Eigen::MatrixXd& R,
                    StateBasis& basis) {
   const Eigen::MatrixXd held = R.transpose() * m.B * R;
@@ -43,7 +43,7 @@ void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::
   R = (R * eigen.vectors(Eigen::all, lagging)).eval();
 }
 
-/// Modes of the massive coordinates, if there are as many real ones as coordinates.
+/// Uses the modes of the massive coordinates, if there are as many real ones as coordinates.
 bool take_modes(const numerics::DynamicMatrices& m, Eigen::MatrixXd& P, StateBasis& basis) {
   if (!m.symmetric) return false;
   const numerics::MassiveSystem massive = numerics::massive_system(m);

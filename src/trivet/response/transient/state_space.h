@@ -10,17 +10,17 @@
 
 namespace trivet::response {
 
-/// What one course of an input drives: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m);
-/// columns as in InputVector.
+/// Loads of one course of an input: h = Σ force(:, m) u^(m) on the free coordinates, g = Σ ground(:, m) u^(m); columns
+/// as in InputVector.
 struct Drive {
   InputMatrix force;
   InputMatrix ground;
 };
 
-/// Derivatives of u that an answer may hold: from the −2nd on.
+/// Number of derivatives of u that an answer may contain, from the −2nd on.
 inline constexpr Eigen::Index input_derivatives = 10;
 using InputDerivatives = Eigen::Matrix<double, input_derivatives, 1>;
-/// ∬u … u^(7), the higher ones by u‴ = −κ²u′.
+/// ∬u … u^(7), the higher ones from u‴ = −κ²u′.
 [[nodiscard]] InputDerivatives all_derivatives(const InputVector& w, double kappa);
 
 /// Answers as linear functions of the state and of the inputs' derivatives (input_derivatives columns per course).
@@ -29,17 +29,17 @@ struct LinearRows {
   Eigen::MatrixXd on_input;
 };
 
-/// One undamped mode with ω > 0, as far as a transient asks.
+/// One undamped mode with ω > 0, as needed for a transient.
 struct StateMode {
   double angular_frequency = 0;     ///< [rad/s]
-  Eigen::Index place = 0;           ///< its displacement in the state; its velocity stands at place + massive
+  Eigen::Index place = 0;           ///< index of its displacement in the state; its velocity is at place + massive
   std::vector<InputVector> forces;  ///< modal force per course
 };
 
-/// ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their modes, where the
-/// matrices are symmetric), their velocities, and the massless coordinates that a dashpot holds; massless ones without
-/// dashpot follow statically. All are scaled so that their squares are energies, and a rigid motion is free of
-/// stiffness exactly.
+/// State equation ẋ = F x + Σ G w of A q̈ + B q̇ + K q = h. States: displacements of the massive coordinates (of their
+/// modes, if the matrices are symmetric), their velocities, and the massless coordinates with dashpots; massless ones
+/// without dashpot follow statically. States are scaled so that their squares are energies, and the stiffness of a
+/// rigid-body mode is exactly 0.
 class StateSpace {
  public:
   /// @throws foundation::NotComputable if a coordinate has neither mass, nor damping, nor stiffness of its own
@@ -51,13 +51,13 @@ class StateSpace {
   [[nodiscard]] Eigen::Index massive() const { return massive_; }
   [[nodiscard]] const std::vector<StateMode>& modes() const { return modes_; }
 
-  /// Rows of all free coordinates.
+  /// Displacements of all free coordinates.
   [[nodiscard]] const LinearRows& displacements() const { return displacements_; }
-  /// d/dt of rows, while no input has a corner.
+  /// Time derivative of rows, valid between the corners of the inputs.
   [[nodiscard]] LinearRows derivative(const LinearRows& rows) const;
-  /// State of given displacements and velocities of the free coordinates.
+  /// State for given displacements and velocities of the free coordinates.
   [[nodiscard]] Eigen::VectorXd state(const Eigen::VectorXd& displacement, const Eigen::VectorXd& velocity) const;
-  /// What the state jumps by where u and u̇ do: an impulse through dampers (and masses) on a moving ground.
+  /// Jump of the state at jumps of u and u̇: an impulse through dampers (and masses) on a moving ground.
   [[nodiscard]] Eigen::VectorXd jump(std::size_t course, const InputVector& jump) const;
 
  private:

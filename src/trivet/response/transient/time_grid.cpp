@@ -18,13 +18,13 @@ namespace trivet::response {
 namespace {
 
 using foundation::two_pi;
-constexpr double points_per_period = 20;  ///< by choice: a curve through them looks smooth
+constexpr double points_per_period = 20;  ///< by default: a curve through them looks smooth
 constexpr double fewest_points_per_period = 10;
-constexpr double fewest_samples_per_period = 10;  ///< straight lines between them still hold 97 % of the motion
+constexpr double fewest_samples_per_period = 10;  ///< straight lines between them still contain 97 % of the motion
 constexpr double periods_after = 10;
-constexpr double present = 1e-8;  ///< energy share below which a mode is not excited at all
+constexpr double present = 1e-8;  ///< energy share below which a mode counts as not excited
 
-/// What the end of a jump leaves ringing in a mode, squared: |h(iω)|/ω^{j+1} where the jth derivative of u jumps.
+/// Squared amplitude of the free vibration of a mode after a jump of the jth derivative of u: (|h(iω)|/ω^{j+1})².
 double ringing(const StateMode& mode, std::size_t course, int smoothness) {
   const std::complex<double> s(0, mode.angular_frequency);
   std::complex<double> force = 0, power = 1.0 / (s * s);
@@ -56,7 +56,7 @@ double chosen_end(double from, const std::vector<ExcitedMode>& modes, const std:
   if (kappa > 0) return last + periods_after * two_pi / kappa;
   if (last > first) return last + (last - first);
   throw foundation::InvalidInput(
-      "transient: no mode oscillates that could tell how long the motion lasts; give the end of the time");
+      "transient: no oscillating mode determines how long the motion lasts; give the end of the time");
 }
 
 void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& modes, bool limited,
@@ -66,16 +66,16 @@ void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& m
   warnings.warning("transient.step",
                    fmt::format("{:.4g} s, {:.3g} points in a period of the mode at {:.4g} Hz", grid.step,
                                two_pi / omega / grid.step, omega / two_pi),
-                   "the answers are exact at their times, but ten points in the period of the fastest mode that is "
-                   "excited show its motion",
+                   "the answers are exact at their times, but it takes ten points in the period of the fastest excited "
+                   "mode to show its motion",
                    fmt::format("a step of {:.3g} s shows it{}", two_pi / omega / points_per_period,
-                               limited ? "; allow more points, or a shorter time" : ""));
+                               limited ? "; allow more points, or take a shorter time" : ""));
 }
 
 void warn_of_coarse_samples(const InputCourse& course, const std::string& name, const std::vector<ExcitedMode>& modes,
                             foundation::Problems& warnings) {
   const double step = course.sampling_step();
-  // A coarse record may not even show that it excites the mode: then every mode counts.
+  // A coarse record may not show that it excites the mode, so every mode counts.
   const bool shows = fastest(modes, present) * step * fewest_samples_per_period > two_pi;
   const double omega = fastest(modes, shows ? present : -1), frequency = omega / two_pi;
   if (step == 0 || frequency * step * fewest_samples_per_period <= 1) return;
@@ -85,9 +85,10 @@ void warn_of_coarse_samples(const InputCourse& course, const std::string& name, 
       name,
       fmt::format("sampled every {:.4g} s (Nyquist frequency {:.4g} Hz), while {} at {:.4g} Hz", step, 0.5 / step,
                   shows ? "a mode is excited" : "the model has a mode", frequency),
-      beyond ? "samples say nothing of motions above their Nyquist frequency: what this mode does comes from the "
+      beyond ? "samples contain no motion above their Nyquist frequency: the response of this mode comes from the "
                "straight lines between them"
-             : fmt::format("straight lines between samples pass {:.0f} % of a motion at this frequency", 100 * passed),
+             : fmt::format("straight lines between samples reproduce {:.0f} % of a motion at this frequency",
+                           100 * passed),
       fmt::format("sample at least every {:.3g} s for this mode", 1 / (fewest_samples_per_period * frequency)));
 }
 
@@ -124,10 +125,10 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
   TimeGrid grid;
   grid.from = grid.start = options.from;
   if (!std::isfinite(options.from))
-    throw foundation::InvalidInput(fmt::format("transient: from {} s, must be finite", options.from));
+    throw foundation::InvalidInput(fmt::format("transient: from {} s; it must be finite", options.from));
   if (options.most_points < 2)
     throw foundation::InvalidInput(
-        fmt::format("transient: at most {} points, must be two or more", options.most_points));
+        fmt::format("transient: at most {} points; it must be two or more", options.most_points));
   const double to = options.to ? *options.to : chosen_end(options.from, modes, courses);
   if (!(to > options.from) || !std::isfinite(to))
     throw foundation::InvalidInput(
@@ -136,8 +137,8 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     for (const InputCourse& course : courses) grid.start = std::min(grid.start, course.start());
   if (options.step && *options.step > 0 && (options.from - grid.start) / *options.step > most_steps)
     throw foundation::NotComputable(
-        fmt::format("transient: an input begins {:.4g} s before the answers, as delays below zero do: more than {:.0e} "
-                    "steps lie between",
+        fmt::format("transient: an input begins {:.4g} s before the answers, as with delays below zero: more than "
+                    "{:.0e} steps in between",
                     options.from - grid.start, most_steps));
   grid.resolution = 4 * std::numeric_limits<double>::epsilon() *
       std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});
@@ -146,7 +147,7 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
   if (options.step) {
     if (!(*options.step > shortest_step * grid.resolution) || !std::isfinite(*options.step))
       throw foundation::InvalidInput(
-          fmt::format("transient: step {:.6g} s; it must be finite and above {:.3g} s, the resolution of such times",
+          fmt::format("transient: step {:.6g} s; it must be finite and above {:.3g} s, the resolution of these times",
                       *options.step, shortest_step * grid.resolution));
     grid.step = *options.step;
     const double steps = std::floor((to - options.from) / grid.step * (1 + 1e-12));
@@ -156,7 +157,7 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
                       options.from, to));
     if (steps > most_steps)
       throw foundation::InvalidInput(
-          fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are kept", steps, grid.step, most_steps));
+          fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are allowed", steps, grid.step, most_steps));
     grid.points = 1 + static_cast<Eigen::Index>(steps);
   } else {
     const double wanted =

@@ -21,15 +21,15 @@
 namespace trivet::response {
 namespace {
 
-/// All inputs by their courses: one per signal and delay.
+/// All inputs as courses, one per signal and delay.
 struct Inputs {
   std::vector<InputCourse> courses;
   std::vector<Drive> drives;
   std::vector<std::string> names;
 };
 
-/// A ground given by its velocity or acceleration may drift far away, while what stands on it hardly moves against it:
-/// such coordinates follow it.
+/// A ground motion given by velocity or acceleration may drift far, while the system hardly moves relative to it: then
+/// the coordinates move with the ground.
 assembly::Loading in_coordinates_of_time(const assembly::Ground& ground, const assembly::Loading& loading) {
   return !loading.motion.vanishes() && loading.motion.lowest_power() < 0 ? assembly::following(ground, loading)
                                                                          : loading;
@@ -44,8 +44,8 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
   const std::size_t first = all.courses.size();
   const auto add = [&](const numerics::LoadTerm& term, InputMatrix Drive::* part) {
     if (term.power < -2 || term.power > 2)
-      throw foundation::InvalidInput(fmt::format(
-          "input \"{}\": derivative {} of its signal; −2 … 2 have a motion in time", input.name, term.power));
+      throw foundation::InvalidInput(
+          fmt::format("input \"{}\": derivative {} of its signal; −2 … 2 are allowed in time", input.name, term.power));
     if (!term.value.imag().isZero(0))
       throw foundation::InvalidInput(
           fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
@@ -73,13 +73,13 @@ WalkState first_state(const StateSpace& space, const Inputs& inputs, const Trans
   for (const Eigen::VectorXd* each : {&options.initial->displacement, &options.initial->velocity})
     if (each->size() != n || !each->allFinite())
       throw foundation::InvalidInput(fmt::format(
-          "transient: an initial state of {} numbers; it needs {} finite ones, one for each free coordinate",
+          "transient: the initial state has {} numbers; it needs {} finite ones, one for each free coordinate",
           each->size(), n));
   state.x = space.state(options.initial->displacement, options.initial->velocity);
   return state;
 }
 
-/// Counts a state of given displacements and velocities in space from the motion R g that the coordinates follow.
+/// Subtracts the motion R g, with which the coordinates move, from a state of absolute displacements and velocities.
 void subtract_followed(const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, double time,
                        WalkState& state) {
   for (std::size_t c = 0; c < inputs.courses.size(); ++c) {
@@ -90,7 +90,7 @@ void subtract_followed(const StateSpace& space, const assembly::Ground& ground, 
   }
 }
 
-/// The state at the first point of the grid.
+/// Advances the state to the first point of the grid.
 void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assembly::Ground& ground,
                        const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
   state.time = grid.start;
@@ -109,10 +109,9 @@ void warn_of_growth(const StateSpace& space, double duration, foundation::Proble
   const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
   for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
   if (growth * duration <= visible) return;
-  warnings.warning("transient",
-                   fmt::format("a motion grows by itself and doubles every {:.4g} s", std::log(2.0) / growth),
+  warnings.warning("transient", fmt::format("a free motion grows and doubles every {:.4g} s", std::log(2.0) / growth),
                    "the system is unstable about its position of rest; the answers are those of the linear equations",
-                   "look for negative stiffness or damping among its roots");
+                   "look for negative stiffness or damping; see the roots");
 }
 
 double root_mean_square(const TimeCurve& curve) {
@@ -127,13 +126,13 @@ double root_mean_square(const TimeCurve& curve) {
   return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
 }
 
-/// What is kept grows with points × answers, and a file of it is three times as long again.
+/// The stored values grow with points × answers, and their file is about three times as large.
 void require_room(const TimeGrid& grid, std::size_t answers) {
   constexpr double most_bytes = 2e9;
   const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);
   if (bytes > most_bytes)
     throw foundation::NotComputable(
-        fmt::format("transient: {} points × {} answers and the time ask for {:.3g} GB; at most {:.3g} GB are kept: "
+        fmt::format("transient: {} points × {} answers and the time need {:.3g} GB; at most {:.3g} GB are allowed: "
                     "take a longer step, a shorter time or fewer answers",
                     grid.points, answers, bytes / 1e9, most_bytes / 1e9));
 }
@@ -169,7 +168,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
     curve.rms = root_mean_square(curve);
     if (!std::isfinite(curve.rms))
       throw foundation::NotComputable(
-          fmt::format("transient: \"{}\" outgrows all numbers before {:.4g} s", curve.name, end));
+          fmt::format("transient: \"{}\" exceeds the range of numbers before {:.4g} s", curve.name, end));
     const LinearRows here{rows.on_state.row(row),
                           rows.on_input.cols() > 0 ? Eigen::MatrixXd(rows.on_input.row(row)) : Eigen::MatrixXd(1, 0)};
     const foundation::Progress of_answer = [&](std::string_view task, double fraction) {
@@ -188,7 +187,7 @@ InitialState initial_state(const assembly::Assembled& assembled, const Eigen::Ve
   const Eigen::Index bodies = assembled.layout.of_bodies(), others = assembled.layout.size() - bodies;
   if (displacement.size() != bodies || velocity.size() != bodies)
     throw foundation::InvalidInput(
-        fmt::format("an initial state of {} displacements and {} velocities for {} free coordinates of bodies",
+        fmt::format("the initial state has {} displacements and {} velocities, but the bodies have {} free coordinates",
                     displacement.size(), velocity.size(), bodies));
   InitialState state{Eigen::VectorXd::Zero(bodies + others), Eigen::VectorXd::Zero(bodies + others)};
   state.displacement.head(bodies) = displacement;
@@ -213,16 +212,14 @@ TransientResponse transient_response(const model::System& system, const assembly
   const bool at_rest =
       std::all_of(inputs.begin(), inputs.end(), [](const TimeInput& input) { return input.loading.vanishes(); });
   if (at_rest && !options.initial && !options.to)
-    throw foundation::InvalidInput(
-        "transient: all components of its excitations are 0, nothing moves; give a direction");
+    throw foundation::InvalidInput("transient: all components of its excitations are 0; give a direction");
   require_constant_coefficients(system, assembled, inputs, options.nearest_linear_system);
   if (!assembled.frequency_dependent()) return response_of(assembled, channels, inputs, options, progress);
   std::vector<assembly::Channel> own;
   for (const assembly::Channel& channel : channels) own.push_back(nearest_linear(assembled, channel));
   TransientResponse result = response_of(nearest_linear(assembled), own, inputs, options, progress);
-  result.warnings.warning("transient",
-                          "elements whose stiffness depends on frequency are taken by their nearest linear system",
-                          "their exact law has no motion in time by constant matrices",
+  result.warnings.warning("transient", "frequency-dependent elements are replaced by their nearest linear system",
+                          "their exact law has no constant matrices, which a transient needs",
                           "compare its frequency response with the exact one");
   return result;
 }

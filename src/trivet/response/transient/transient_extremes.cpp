@@ -8,7 +8,7 @@
 namespace trivet::response {
 namespace {
 
-/// Walks taken again per extreme; what is left by then differs in the last digits only.
+/// Points searched per extreme; more would change the last digits only.
 constexpr std::size_t most_searches = 32;
 constexpr int most_halvings = 60;
 
@@ -18,7 +18,7 @@ class Search {
   Search(TransientWalk& walk, const StateSpace& space, const LinearRows& row, double sign)
       : walk_(walk), value_(row), rate_(space.derivative(row)), sign_(sign), inputs_(row.on_input.cols()) {}
 
-  /// Between `state` and `end`, corners taken on the way.
+  /// Searches between `state` and `end`, across corners.
   void over(WalkState state, double end, Extreme& best) {
     while (end - state.time > walk_.resolution()) {
       const double to = std::min(end, walk_.next_corner(state));
@@ -41,7 +41,7 @@ class Search {
     const double value = of(value_, at);
     if (value > sign_ * best.value) best = {sign_ * value, at.time};
   }
-  /// The derivative is positive at `state` and negative at `end`: regula falsi with the weights of Illinois.
+  /// The derivative is positive at `state` and negative at `end`: regula falsi, Illinois variant.
   void turn(const WalkState& state, double end, Extreme& best) {
     WalkState here = state;
     double low = state.time, high = end, at_low = of(rate_, state);
@@ -80,10 +80,10 @@ struct Candidate {
   Eigen::Index point = 0;
 };
 
-/// Points next to which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning
+/// Points near which the curve may exceed its extremes: by `margin` times the rise of the parabola through a turning
 /// point and its neighbours.
 struct Candidates {
-  std::vector<Candidate> largest, smallest;  ///< the farthest first; −value for the smallest
+  std::vector<Candidate> largest, smallest;  ///< largest reach first; −value for the smallest
 };
 
 Candidates candidates(const TimeCurve& curve, double margin) {
@@ -116,8 +116,8 @@ Candidates candidates(const TimeCurve& curve, double margin) {
 
 void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
                            const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
-  // Of a sine with the phase θ between points that parabola has (1 + cos θ)/2 of the rise; a quarter more for what is
-  // not one sine.
+  // For a sine with phase θ between points, the parabola has (1 + cos θ)/2 of the rise; a quarter more for other
+  // motions.
   const double phase = std::min(grid.fastest * grid.step, 2.5);
   const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
   std::size_t done = 0;

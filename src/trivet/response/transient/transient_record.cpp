@@ -13,7 +13,7 @@ namespace trivet::response {
 namespace {
 
 using foundation::infinity;
-/// Bit m where answers jump with the mth derivative of u (and with what follows from it where κ > 0).
+/// Bit m if answers jump with the mth derivative of u (or, with κ > 0, with derivatives that follow from it).
 int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
   int held = state_jumps ? 3 : 0;
   for (Eigen::Index m = 0; m < 3; ++m) {
@@ -61,8 +61,8 @@ void TransientRecord::run(WalkState state, const foundation::Progress& progress)
       if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
     }
     if (!X.leftCols(count).allFinite())
-      throw foundation::NotComputable(
-          fmt::format("transient: the motion outgrows all numbers before {:.4g} s", grid_.time(first + count - 1)));
+      throw foundation::NotComputable(fmt::format("transient: the motion exceeds the range of numbers before {:.4g} s",
+                                                  grid_.time(first + count - 1)));
     Y.noalias() = X.leftCols(count).transpose() * rows_.on_state.transpose();
     Y.noalias() += W.leftCols(count).transpose() * on_used.transpose();
     keep(Y, first);

@@ -13,13 +13,13 @@
 
 namespace trivet::response {
 
-/// Walks over the grid and keeps the answers: values at its points, extremes at the points and on both sides of every
+/// Steps over the grid and stores the answers: values at its points, extremes at the points and on both sides of every
 /// jump.
 class TransientRecord {
  public:
   TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
 
-  /// From the first point, where `state` stands, to the last.
+  /// Runs from the first point, the time of `state`, to the last.
   /// @throws foundation::NotComputable if the motion leaves the range of numbers
   void run(WalkState state, const foundation::Progress& progress);
 
@@ -37,7 +37,7 @@ class TransientRecord {
   const std::vector<InputCourse>& courses_;
   LinearRows rows_;
   const TimeGrid& grid_;
-  std::vector<int> held_;  ///< per course: bit m where answers jump with the mth derivative of its signal
+  std::vector<int> held_;  ///< per course: bit m if answers jump with the mth derivative of its signal
   std::vector<TimeCurve> curves_;
   Checkpoints checkpoints_;
   Eigen::VectorXd inputs_;

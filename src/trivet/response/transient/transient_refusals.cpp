@@ -17,8 +17,8 @@
 namespace trivet::response {
 namespace {
 
-/// Natural frequency of the mode with the largest static strain energy under the loads; the slowest that oscillates
-/// where no load tells; 0 if none.
+/// Natural frequency of the mode with the largest static strain energy under the loads; without loads, of the slowest
+/// that oscillates; 0 if none.
 double dominant_frequency(const assembly::Assembled& assembled, const std::vector<TimeInput>& inputs) {
   const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
   const numerics::GeneralizedModes modes =
@@ -39,7 +39,7 @@ double dominant_frequency(const assembly::Assembled& assembled, const std::vecto
   return omega;
 }
 
-/// What may be written in the project file instead of the law of an element.
+/// Text for the project file that replaces the law of an element by one with constant matrices.
 std::string constant_law(const model::Element& element) {
   const std::string path = "elements.\"" + element.name + "\"";
   if (element.type == "coil_spring") return path + ".level = \"with_mass\"";
@@ -49,7 +49,7 @@ std::string constant_law(const model::Element& element) {
   return "";
 }
 
-/// The Zener law with loss factor η at its maximum, at ω, and the stiffness of the element there.
+/// The Zener law with its largest loss factor η at ω, and the stiffness of the element there.
 std::string zener_offer(double eta, double omega) {
   const double ratio = 2 * eta * (eta + std::hypot(eta, 1.0));
   return fmt::format("damping = {{zener = {{ratio = {:.4g}, time = \"{:.4g} s\"}}}} with scale {:.4g}", ratio,
@@ -94,26 +94,20 @@ std::optional<foundation::Problem> without_motion_in_time(const model::System& s
     return foundation::Problem{
         .subject = "transient",
         .finding = factors,
-        .rule =
-            "a loss factor holds for steady harmonic motion only and has no motion in time (it would answer before its "
-            "cause)",
+        .rule = "a loss factor is defined for steady harmonic motion only; in time it would respond before its cause",
         .remedy = omega > 0
-            ? fmt::format("give their key damping an equivalent with the same stiffness and loss at one frequency, "
-                          "here that of the mode that the inputs drive "
-                          "most, {:.4g} Hz{}",
+            ? fmt::format("replace their key damping by an equivalent with the same stiffness and loss at one "
+                          "frequency, here that of the mode most excited by the inputs, {:.4g} Hz{}",
                           omega / (2 * std::numbers::pi), offers)
-            : "give their key damping an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
+            : "replace their key damping by an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
   }
   if (!dependent.empty() && !nearest_linear_system)
     return foundation::Problem{
         .subject = "transient",
         .finding = dependent,
         .rule =
-            "the stiffness depends on frequency in a way that no constant matrices can say, so there is no exact "
-            "motion in time",
-        .remedy =
-            "have it computed with the nearest linear system by nearest_linear_system = true in analyses.transient" +
-            laws};
+            "constant matrices cannot represent the frequency-dependent stiffness, so there is no exact motion in time",
+        .remedy = "use the nearest linear system by nearest_linear_system = true in analyses.transient" + laws};
   return std::nullopt;
 }
 

@@ -12,12 +12,12 @@
 
 namespace trivet::response {
 
-/// The time histories of these names (all, if none is named) and what they drive.
+/// Inputs from the time histories of these names (all, if none is named).
 [[nodiscard]] std::vector<TimeInput> time_inputs(const model::System& system, const assembly::Assembled& assembled,
                                                  const std::vector<std::string>& names);
 
-/// Why the motion in time is not that of a linear system with constant coefficients: the elements, the reason, and
-/// equivalents with their numbers. Nothing if it is.
+/// Why the model has no constant coefficients in time: the elements, the reason, and equivalents with their numbers.
+/// Empty if it has.
 [[nodiscard]] std::optional<foundation::Problem> without_motion_in_time(const model::System& system,
                                                                         const assembly::Assembled& assembled,
                                                                         const std::vector<TimeInput>& inputs,
@@ -27,7 +27,7 @@ namespace trivet::response {
 void require_constant_coefficients(const model::System& system, const assembly::Assembled& assembled,
                                    const std::vector<TimeInput>& inputs, bool nearest_linear_system);
 
-/// Frequency-dependent elements as their nearest linear system, also where they stand on the ground and in the answers.
+/// Replaces frequency-dependent elements by their nearest linear system, also in ground couplings and channels.
 [[nodiscard]] assembly::Assembled nearest_linear(const assembly::Assembled& assembled);
 [[nodiscard]] assembly::Channel nearest_linear(const assembly::Assembled& assembled, assembly::Channel channel);
 

@@ -8,7 +8,7 @@
 namespace trivet::response {
 namespace {
 
-/// Below this share of the largest coefficient of its kind a coefficient is what round-off left.
+/// A coefficient below this share of the largest of its kind is round-off.
 constexpr double sum_round_off = 1e-12;
 
 }  // namespace
@@ -68,7 +68,7 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
         names[c],
         fmt::format("{} of the given motion while {}{} depend on its {}", first == 1 ? "jumps" : "corners", list,
                     found > 3 ? fmt::format(" and {} more", found - 3) : "", first == 1 ? "velocity" : "acceleration"),
-        "at each of them these answers are infinite for no time; the impulse is in the motion afterwards, but no curve "
+        "each of them gives these answers an impulse of zero duration; the motion afterwards includes it, but no curve "
         "shows it",
         first == 1 ? "let the motion rise within a short time" : "give its acceleration, or a motion without corners");
   }

@@ -14,11 +14,11 @@ namespace trivet::response {
 [[nodiscard]] LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Channel>& channels,
                                      const std::vector<Drive>& courses);
 
-/// Columns of `on_input` that say anything.
+/// Columns of `on_input` that are not zero.
 [[nodiscard]] std::vector<Eigen::Index> used_inputs(const LinearRows& rows);
 
-/// Warns of answers that hold a derivative of an input beyond its jumps: there they are infinite for no time, which no
-/// curve shows.
+/// Warns of answers that contain the derivative of a jump of an input: an impulse of zero duration, which no curve
+/// shows.
 void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels,
                       const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
                       foundation::Problems& warnings);

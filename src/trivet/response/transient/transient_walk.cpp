@@ -56,7 +56,7 @@ void TransientWalk::take_series(WalkState& at, double duration) {
     const double by = duration / k;
     next_.noalias() = space_.F() * term_;
     for (std::size_t c = 0; c < courses_.size(); ++c) {
-      if (own_[c].isZero(0)) continue;  // of a polynomial after a few terms
+      if (own_[c].isZero(0)) continue;  // a polynomial ends after a few terms
       next_.noalias() += space_.G(c) * own_[c];
       own_[c] = rate(own_[c], courses_[c].kappa(at.places[c])) * by;
     }

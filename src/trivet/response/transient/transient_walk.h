@@ -10,30 +10,30 @@
 
 namespace trivet::response {
 
-/// Where a walk stands: the state just after all corners at `time`.
+/// State of the time stepping just after all corners at `time`.
 struct WalkState {
   double time = 0;
   Eigen::VectorXd x;
   std::vector<InputCourse::Place> places;  ///< per course
 };
 
-/// Walks a state forward in time without any error of truncation. Times closer than `resolution` are one. Neither
-/// copyable nor for two threads.
+/// Advances a state in time without truncation error. Times closer than `resolution` are equal. Not copyable, not
+/// thread-safe.
 class TransientWalk {
  public:
   TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution);
 
   [[nodiscard]] double resolution() const { return resolution_; }
   [[nodiscard]] double next_corner(const WalkState& at) const;
-  /// To a time at most one step later, before which no input has a corner (a corner at that time is not yet taken).
+  /// Advances to a time at most one step later with no corner before it; a corner at that time is not yet applied.
   void glide(WalkState& at, double to);
-  /// Takes the corners at this time; the state jumps where the ground does.
+  /// Applies the corners at this time; the state jumps if the ground does.
   void take_corners(WalkState& at) const;
-  /// Does the state jump where this input jumps or has a corner?
+  /// True if the state jumps at jumps or corners of this input.
   [[nodiscard]] bool state_jumps(std::size_t course) const { return !space_.G(course).rightCols<2>().isZero(0); }
-  /// To any later time, corners on the way and at its end taken.
+  /// Advances to any later time and applies the corners on the way and at its end.
   void advance(WalkState& at, double to);
-  /// w of every course, one below the other, and derivatives up to the seventh.
+  /// w of every course, stacked, with derivatives up to the seventh.
   void inputs(const WalkState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const;
 
  private:
