@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How accurate is every way on matrices on which solvers fail? Errors of ours and of all rivals, against quadruple
-// precision. Ends with status 1 if a backward error of ours misses its limit: then no time counts. Forward errors are
-// goals.
+// How accurate is each method on matrices on which solvers fail? Errors of Trivet and of all rivals, against quadruple
+// precision. Ends with status 1 if a backward error of Trivet exceeds its limit: then no time is valid. Forward errors
+// are goals.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -35,7 +35,7 @@ Errors errors(const HardCase& c, const Complex* answers) {
   return worst;
 }
 
-/// By poles and residues; false where these are not proven.
+/// Solves by poles and residues; false if these are not proven.
 bool by_poles(const numerics::DynamicMatrices& matrices, const HardCase& c, Eigen::MatrixXcd& q) {
   const auto poles = numerics::PoleSweep::of(matrices, c.system.load.cast<Complex>());
   if (!poles) return false;
@@ -89,11 +89,11 @@ int main() {
     const numerics::DynamicMatrices matrices{c.system.A, c.system.B, c.system.K, {}, true};
     numerics::SweepOptions options;
     const numerics::SweepResult told = numerics::sweep(matrices, c.system.load, c.omega, options);
-    compared("Trivet, direct, with backward errors told", errors(c, told.response.data()).backward, backward_limit);
+    compared("Trivet, direct, with backward errors reported", errors(c, told.response.data()).backward, backward_limit);
     options.every_backward_error = false;
     const numerics::SweepResult direct = numerics::sweep(matrices, c.system.load, c.omega, options);
     report.add(c, "Trivet, direct", direct.response.data(), direct_limit, backward_limit);
-    std::printf("    redone with pivoting: %d\n", direct.fallbacks);
+    std::printf("    recomputed with pivoting: %d\n", direct.fallbacks);
 
     Eigen::MatrixXcd q(6, static_cast<Eigen::Index>(c.omega.size()));
     if (by_poles(matrices, c, q)) report.add(c, "Trivet, poles", q.data(), pole_limit(c), backward_limit);
@@ -121,7 +121,7 @@ int main() {
     report.add(c, "NumPy poles", python->answers("modal").data());
     report.add(c, "SciPy solve", python->answers("scipy").data());
   }
-  std::puts(report.stable() ? "Every backward error of ours is within its limit."
-                            : "WRONG: a backward error of ours misses its limit; no time counts.");
+  std::puts(report.stable() ? "Every backward error of Trivet is within its limit."
+                            : "WRONG: a backward error of Trivet exceeds its limit; no time is valid.");
   return report.stable() ? 0 : 1;
 }

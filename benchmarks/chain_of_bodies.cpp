@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is one frequency of a chain of bodies, each coupled to the next and damped? Beside LAPACK's dense and banded
-// solvers and Eigen's sparse one with its pattern reused.
+// How long does one frequency of a chain of bodies take, each coupled to the next and damped? Compared with LAPACK's
+// dense and banded solvers and Eigen's sparse one with its pattern reused.
 #include <Eigen/LU>
 #include <Eigen/SparseLU>
 
@@ -111,12 +111,12 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
     mine.col(static_cast<Eigen::Index>(k)).real() = planes.re.row(chosen(k)).transpose();
     mine.col(static_cast<Eigen::Index>(k)).imag() = planes.im.row(chosen(k)).transpose();
   }
-  std::printf("  redone with pivoting: %d\n", planes.fallbacks);
+  std::printf("  recomputed with pivoting: %d\n", planes.fallbacks);
   const double error = check("Trivet", mine);
   by_dense(), check("zgesv", q);
   by_band(), check("zgbsv", q);
   by_sparse(), check("SparseLU", q);
-  if (bodies > 2) {  // quad at a few frequencies only; the rest beside the banded solver, also pivoted
+  if (bodies > 2) {  // quad at a few frequencies only; the rest against the banded solver, also pivoted
     by_band();
     double worst = 0;
     for (std::size_t k = 0; k < few; ++k) {
@@ -125,14 +125,14 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
           (mine.col(c) - q.col(c)).cwiseProduct(scale).norm() / q.col(c).cwiseProduct(scale).norm();
       worst = difference <= worst ? worst : difference;
     }
-    compared("Trivet beside zgbsv", worst, 1e-9);
+    compared("Trivet against zgbsv", worst, 1e-9);
   }
 
   const double flops = 8 * numerics::BlockSweep(m, load).multiply_adds();
   measure({"chain of bodies", std::to_string(bodies) + " bodies, all coordinates", "frequency", error},
           {here("Trivet, every solution checked", double(many), ours, flops),
            here(
-               "Trivet, with every backward error told", double(many),
+               "Trivet, with every backward error reported", double(many),
                [&] { numerics::sweep(m, load, omega, planes, with_errors); }, flops),
            here(
                "Trivet, complex columns in fresh memory", double(many),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What does an exact coil spring cost? The published spring of 7.6 turns: stiffness, dynamic stiffness, natural
-// frequencies, reduction; beside 608 straight beam elements, the usual way. Answers are compared before anything is
-// timed.
+// How much time does an exact coil spring cost? The published spring of 7.6 turns: stiffness, dynamic stiffness,
+// natural frequencies, reduction; compared with 608 straight beam elements, the usual method. Answers are compared
+// before the timing.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Cholesky>
@@ -67,7 +67,7 @@ std::vector<Piece> all_pieces(const CoilSpring& s) {
   return result;
 }
 
-/// Dynamic stiffness of the chain at the seats, node after node condensed.
+/// Dynamic stiffness of the chain at the seats, condensed node by node.
 Matrix12 chain(const CoilSpring& s, const std::vector<Piece>& beams, double omega) {
   Matrix12 sum = beams[0].stiffness - omega * omega * beams[0].mass;
   for (std::size_t i = 1; i < beams.size(); ++i) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do natural frequencies and mode shapes of many designs take? Beside Octave, SciPy, NumPy batched, Eigen's
-// fixed-size solver and LAPACK.
+// How long do natural frequencies and mode shapes of many designs take? Compared with Octave, SciPy, NumPy batched,
+// Eigen's fixed-size solver and LAPACK.
 #include "trivet/numerics/roots/design_modes.h"
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 using namespace trivet;
 using namespace trivet::benchmarks;
 
-/// Largest relative error of λ (6 per design) over the designs for which the truth is known.
+/// Largest relative error of λ (6 per design) over the designs with a known true solution.
 template <typename Lambda>
 double check(const char* way, const Lambda& lambda, const std::vector<std::array<Quad, 6>>& truth, double limit) {
   double worst = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes of all six coordinates of a design take, exactly? Beside loops over 10,000
-// frequencies, which miss them where damping is light.
+// How long do the exact highest amplitudes of all six coordinates of a design take? Compared with loops over 10,000
+// frequencies, which miss them if damping is light.
 #include "trivet/numerics/batch/design_peaks.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double amplitude(const PaperMachine& m, double omega, std::size_t coordinate) {
   return std::hypot(double(q.re), double(q.im));
 }
 
-/// Frequencies close together around each natural frequency, whatever its damping: ω(1 + 10^e), and from 0 on.
+/// Frequencies close together around each natural frequency, whatever its damping: ω(1 ± 10^e), and from 0 on.
 std::vector<double> searched_frequencies(const PaperMachine& m) {
   std::vector<double> omega = {0};
   for (const Quad lambda : quad_modes(m.K, m.A)) {
@@ -95,7 +95,7 @@ int main() {
     return double(std::count(found.status.begin(), found.status.end(), status)) / double(count);
   };
   std::printf(
-      "  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; redone %.2f %%, "
+      "  largest error in %zu designs: ours %.1e; 10,000 even frequencies miss up to %.0f %%; recomputed %.2f %%, "
       "undecided %.2f %%\n",
       compared_designs, error, 100 * grid_error, 100 * part(numerics::DesignStatus::redone),
       100 * part(numerics::DesignStatus::undecided));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long do the highest amplitudes of 10,000 designs on 500 frequencies each take, on one core and on two? Beside the
-// paper's loop and the best vectorised forms.
+// How long do the highest amplitudes of 10,000 designs on 500 frequencies each take, on one core and on two? Compared
+// with the paper's loop and the best vectorised forms.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -23,7 +23,7 @@ using namespace trivet::benchmarks;
 constexpr Eigen::Index count = 10000;
 constexpr std::size_t few = 20, some = 200, points = 500;
 
-/// By the wall clock, because two threads work.
+/// Method timed by the wall clock, because two threads work.
 Way by_the_clock(std::string name, const std::function<void()>& work) {
   return {std::move(name), [work] {
             const auto from = std::chrono::steady_clock::now();

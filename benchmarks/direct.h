@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every frequency solved and checked, whatever their number: `sweep` itself sums over poles where these are proven and
-// many frequencies are asked for, so that its time would say nothing of the solver.
+// Solves and checks every frequency, whatever their number. `sweep` itself sums over poles if these are proven and many
+// frequencies are requested, so its time would not measure the solver.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace trivet::benchmarks {
 
-/// Into `result`, on one thread; the plan is made anew each time.
+/// Writes to `result`, on one thread; the plan is made again each time.
 inline void solve_directly(const numerics::DynamicMatrices& matrices, const numerics::Load& load,
                            const std::vector<double>& omega, numerics::SweepPlanes& result) {
   const auto count = static_cast<long>(omega.size());

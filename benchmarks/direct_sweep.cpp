@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is a sweep of one six-coordinate machine with general damping, every frequency solved? Beside the paper's
-// loop and the best vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
+// How long does a sweep of one six-coordinate machine with general damping take, every frequency solved? Compared with
+// the paper's loop and the best vectorised form in Octave, NumPy, SciPy, Eigen's fixed-size LU and LAPACK.
 #include "direct.h"
 #include "rivals/fixed_lu.h"
 #include "rivals/lapack.h"
@@ -39,9 +39,9 @@ int main() {
     return problem.check(way, answers);
   };
   const double error = check("Trivet", planes);
-  check("Trivet, backward errors told", told);
-  check("Trivet, as it chooses", chosen);
-  std::printf("  redone with pivoting: %d\n", planes.fallbacks);
+  check("Trivet, backward errors reported", told);
+  check("Trivet, automatic choice", chosen);
+  std::printf("  recomputed with pivoting: %d\n", planes.fallbacks);
   for (const auto& [name, solver] :
        {std::pair{"Eigen", &eigen_fixed_lu}, std::pair{"zgesv", &lapack_zgesv}, std::pair{"zsysv", &lapack_zsysv}}) {
     by(solver)();
@@ -52,9 +52,9 @@ int main() {
 
   std::vector<Way> ways{
       here("Trivet, every solution checked", count, ours, solve_flops),
-      here("Trivet, with every backward error told", count,
+      here("Trivet, with every backward error reported", count,
            [&] { numerics::sweep(matrices, h, problem.omega, told, with_errors); }),
-      here("Trivet, `sweep` as it chooses: by poles", count,
+      here("Trivet, automatic choice of `sweep`: by poles", count,
            [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
       here(
           "Trivet, complex columns in fresh memory", count,

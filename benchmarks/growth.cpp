@@ -38,7 +38,7 @@ void slope(const std::string& what, const std::vector<std::pair<double, double>>
   record("growth", what + ", slope", found, "", "1 ± 0.05", std::abs(found - 1) <= 0.05);
 }
 
-/// All sizes take their turns, so that a loaded machine slows them alike.
+/// All sizes are timed in turns, so that a loaded machine slows them equally.
 void grows(const std::string& what, const std::vector<double>& sizes,
            const std::function<std::function<void()>(double)>& work) {
   std::vector<Way> ways;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sixteen kinds of matrices on which solvers fail, from hard_cases.txt, with the truth at frequencies around their
-// resonances.
+// Sixteen kinds of matrices on which solvers fail, from hard_cases.txt, with the true solution at frequencies around
+// their resonances.
 #pragma once
 
 #include <fstream>

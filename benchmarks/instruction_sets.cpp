@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What does each instruction set give? One binary, told to use one after the other; the answers are compared first.
+// How fast is each instruction set? One binary uses one after the other; the answers are compared first.
 #include "trivet/numerics/lanes/instruction_set.h"
 
 #include "chain.h"
@@ -14,7 +14,7 @@ namespace {
 using namespace trivet;
 using namespace trivet::benchmarks;
 
-/// `answers` under each instruction set, the best first; they may differ by `limit`.
+/// Times `answers` under each instruction set, the best first; they may differ by `limit`.
 template <typename Answers>
 void under_each(const Question& question, double items, double limit, double flops, const Answers& answers) {
   std::vector<Way> ways;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the machine can do at most, measured beside what is done.
+// Peak rates of the machine, measured in the same run as the benchmarks.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "machine_limits.cpp"
 #include <hwy/cache_control.h>
@@ -12,8 +12,8 @@ namespace trivet::benchmarks::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Lanes = hn::CappedTag<double, 8>;
 
-/// Twelve chains of multiply-adds that do not wait for each other; named one by one, so that none leaves its register,
-/// and all from other numbers, or the compiler would see that they are one.
+/// Twelve independent chains of multiply-adds. They are separate variables, so that each stays in a register, and have
+/// different start values, or the compiler would merge them.
 double multiply_adds(int rounds, double start) {
   const Lanes d;
   const auto a = hn::Set(d, 0.999), b = hn::Set(d, 1e-3);
@@ -64,7 +64,7 @@ double peak_flops() {
 
 double streaming_store_bandwidth() {
   constexpr size_t count = size_t{1} << 24;
-  static double* const buffer = [] {  // for as long as the process lives
+  static double* const buffer = [] {  // lives as long as the process
     auto* const warmed = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
     std::fill_n(warmed, count, 1.0);
     return warmed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The machine of the small questions: the paper's body with corrected inertia and its suspension
-// (examples/paper/corrected.toml), with three discrete dampers instead of B = δK, so that damping is general: no mode
-// stays by itself.
+// (examples/paper/corrected.toml), with three discrete dampers instead of B = δK, so that damping is general and
+// couples all modes.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +17,7 @@ struct PaperMachine {
   Vector6 load;
 };
 
-/// Of a damper c [N s/m] along `direction` at a point: c d dᵀ with d = (direction, point × direction).
+/// Matrix of a damper c [N s/m] along `direction` at a point: c d dᵀ with d = (direction, point × direction).
 inline Matrix6 damper(double c, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
   Vector6 d;
   d << direction, point[1] * direction[2] - point[2] * direction[1], point[2] * direction[0] - point[0] * direction[2],
@@ -43,7 +43,7 @@ inline PaperMachine paper_machine() {
   return m;
 }
 
-/// count frequencies evenly on (0, to] rad/s.
+/// `count` evenly spaced frequencies on (0, to] rad/s.
 inline std::vector<double> even_frequencies(std::size_t count, double to = 200) {
   std::vector<double> omega(count);
   for (std::size_t i = 0; i < count; ++i) omega[i] = to * static_cast<double>(i + 1) / static_cast<double>(count);

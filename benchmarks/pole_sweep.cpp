@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long is a sweep of one six-coordinate machine by poles and residues? With and without their set-up, 10,000 and
-// 1,000,000 frequencies, beside the best vectorised forms in Octave and NumPy and Eigen's fixed-size LU.
+// How long does a sweep of one six-coordinate machine by poles and residues take? With and without their set-up, 10,000
+// and 1,000,000 frequencies, compared with the best vectorised forms in Octave and NumPy and Eigen's fixed-size LU.
 #include <algorithm>
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The truth to which answers are held: Z(ω) q = h by pivoted elimination in quadruple precision (113 bits).
+// True solution for comparisons: Z(ω) q = h by pivoted elimination in quadruple precision (113 bits).
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +59,7 @@ std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const M
   return q;
 }
 
-/// max |x_i − q_i| s_i / max |q_i| s_i; s makes coordinates comparable.
+/// Forward error max |x_i − q_i| s_i / max |q_i| s_i; s makes coordinates comparable.
 template <typename Values, typename Scale>
 double forward_error(const Values& x, const std::vector<QuadComplex>& q, const Scale& s) {
   double difference = 0, largest = 0;
@@ -75,7 +75,8 @@ double forward_error(const Values& x, const std::vector<QuadComplex>& q, const S
   return difference / largest;
 }
 
-/// ‖Zx − h‖ / (‖Z‖ ‖x‖ + ‖h‖) in maximum norms, coordinates scaled to x_i s_i; |re| + |im| stands for the modulus.
+/// Backward error ‖Zx − h‖ / (‖Z‖ ‖x‖ + ‖h‖) in maximum norms, coordinates scaled to x_i s_i; |re| + |im| replaces the
+/// modulus.
 template <typename Matrix, typename Vector, typename Values, typename Scale>
 double backward_error(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h, double omega, const Values& x,
                       const Scale& s) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Truth for natural frequencies: K φ = λ A φ of six coordinates by Cholesky and cyclic Jacobi in quadruple precision.
+// True natural frequencies: K φ = λ A φ of six coordinates by Cholesky and cyclic Jacobi in quadruple precision.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Machines around the paper's, drawn from a fixed seed: mass, stiffness and damping each turned and scaled a little,
-// damping by a power of ten.
+// Machines near the paper's, drawn from a fixed seed: mass, stiffness and damping are each rotated and scaled a little,
+// damping also by a power of ten.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace trivet::benchmarks {
 
-/// The same numbers on every machine: xorshift64*, uniform on [−1, 1).
+/// Random numbers, the same on every machine: xorshift64*, uniform on [−1, 1).
 class Draws {
  public:
   explicit Draws(std::uint64_t seed) : state_(seed * 2685821657736338717ULL + 1) {}
@@ -24,13 +24,13 @@ class Draws {
   std::uint64_t state_;
 };
 
-/// Damping times 10^least … 10^most.
+/// Random designs with damping times 10^least … 10^most.
 inline numerics::Designs random_designs(Eigen::Index count, double least = -1.5, double most = 0.5) {
   const PaperMachine m = paper_machine();
   Draws draw(20);
   numerics::Designs designs{Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21), Eigen::ArrayXXd(count, 21),
                             m.load.transpose().array()};
-  const Vector6 unit = m.A.diagonal().cwiseSqrt();  // metres and radians are turned into each other as they weigh in A
+  const Vector6 unit = m.A.diagonal().cwiseSqrt();  // metres and radians are mixed as weighted in A
   const auto varied = [&](const Matrix6& x, double scale) -> Matrix6 {
     Matrix6 turn = Matrix6::Identity();
     for (int i = 0; i < 6; ++i)
@@ -51,7 +51,7 @@ inline PaperMachine machine_of(const numerics::Designs& designs, Eigen::Index d)
           designs.load.row(0).transpose().matrix()};
 }
 
-/// The first designs as full matrices one behind the other, for rivals.
+/// The first designs as consecutive full matrices, for rivals.
 inline std::vector<double> full_matrices(const Eigen::ArrayXXd& packed, Eigen::Index count) {
   std::vector<double> all;
   for (Eigen::Index d = 0; d < count; ++d) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long do the RMS values of a machine of ten bodies take? Sixty coordinates and all six components at twenty
-// mounts, from the matrices to the numbers, the eigenproblem included; beside the usual way, a sum of squares over a
-// grid of 20,000 frequencies, and, for white noise, the Lyapunov equation. Answers are compared before anything is
-// timed.
+// mounts, from the matrices to the numbers, including the eigenproblem. Compared with the usual method, a sum of
+// squares over a grid of 20,000 frequencies, and, for white noise, with the Lyapunov equation. Answers are compared
+// before the timing.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -24,7 +24,7 @@ constexpr std::size_t bodies = 10, mounts = 20;
 constexpr double grid_accuracy = 1e-3;
 constexpr double exact_accuracy = 1e-8;
 
-/// Ten boxes in a row, each on a mount from the ground and on one from the box before it; 4 … 12 % of critical damping.
+/// Ten boxes in a row, each on a mount from the ground and on one from the previous box; 4 … 12 % of critical damping.
 model::Description machine() {
   std::mt19937 generator(5);
   const auto number = [&](double low, double high) {

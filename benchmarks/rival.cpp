@@ -56,14 +56,14 @@ void Rival::read() {
 }
 
 Rival::~Rival() {
-  std::fclose(to_);  // the script ends with its input
+  std::fclose(to_);  // the script ends when its input does
   std::fclose(from_);
   int status = 0;
   waitpid(process_, &status, 0);
 }
 
 std::string Rival::ask(const std::string& request) {
-  std::fprintf(to_, "%s\n ", request.c_str());  // Octave looks at the sign after a line before it gives the line
+  std::fprintf(to_, "%s\n ", request.c_str());  // Octave reads the character after a line before it returns the line
   std::fflush(to_);
   std::string reply;
   for (int c; (c = std::fgetc(from_)) != '\n';) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program of another language that answers the same problem in its own process. It stays alive, so that it takes its
-// turns with the others, and tells its own CPU time.
+// A program in another language that solves the same problem in its own process. It stays alive to take turns with the
+// others, and reports its own CPU time.
 #pragma once
 
 #include <complex>
@@ -13,7 +13,7 @@
 
 namespace trivet::benchmarks {
 
-/// Numbers for rivals to read: raw doubles, matrices by columns.
+/// Writes numbers for rivals: raw doubles, matrices by columns.
 void write_numbers(const std::filesystem::path& file, const double* values, std::size_t count);
 
 class Rival {
@@ -24,13 +24,13 @@ class Rival {
   Rival(const Rival&) = delete;
   Rival& operator=(const Rival&) = delete;
 
-  /// Can it answer this way? (A library may be absent.)
+  /// True if the rival has this method. (A library may be absent.)
   [[nodiscard]] bool has(const std::string& name) const { return names_.contains(name); }
-  /// Reads the problem anew.
+  /// Reads the problem again.
   void read();
-  /// The answers, in the order in which the script has them in memory.
+  /// The answers, in the order in which the script stores them.
   [[nodiscard]] std::vector<std::complex<double>> answers(const std::string& name);
-  /// Timed per item; one turn is one call of the script's function, or more where that is short.
+  /// Method timed per item; one turn is one call of the script's function, or more if that is short.
   [[nodiscard]] Way way(const std::string& name, std::string label, double items, double goal = 0);
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long does a rubber mount take from its dimensions to its checked 12×12 with an error estimate? The bonded
 // cylinder of 50 mm × 25 mm, a thin disc, a sandwich, a block of 100,000 unknowns in tetrahedra, and a preload. Answers
-// are compared before anything is timed.
+// are compared before the timing.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One sweep of the paper's machine, given to all ways alike, with the truth at some hundred of its frequencies.
+// One sweep of the paper's machine, the same for all methods, with the true solution at some hundred of its
+// frequencies.
 #pragma once
 
 #include <Eigen/Eigenvalues>
@@ -32,8 +33,8 @@ class SweepProblem {
       truth_.push_back(quad_solution(machine.A, machine.B, machine.K, machine.load, omega[i]));
   }
 
-  /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program where it is above
-  /// the limit.
+  /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program if it exceeds the
+  /// limit.
   double check(const std::string& way, const std::complex<double>* answers) {
     double worst = 0;
     const Vector6 scale = machine.A.diagonal().cwiseSqrt();

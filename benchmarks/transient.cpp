@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long are 100,000 steps of a machine of six coordinates under a measured force? The paper's example, answers of
-// all coordinates, of the forces of every element and of the ground, with extremes; beside it Newmark's average
-// acceleration with Eigen's fixed-size matrices (coordinates only, its step the same and so not exact), and
-// scipy.signal.lsim where the system's Python has it. Answers are compared before anything is timed.
+// How long do 100,000 steps of a machine of six coordinates under a measured force take? The paper's example, answers
+// of all coordinates, of the forces of every element and of the ground, with extremes. Compared with Newmark's average
+// acceleration with Eigen's fixed-size matrices (coordinates only, with the same step and so not exact), and with
+// scipy.signal.lsim if the system's Python has it. Answers are compared before the timing.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>

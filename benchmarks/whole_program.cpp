@@ -26,7 +26,7 @@ struct Run {
   double memory = 0;  ///< [byte], largest resident
 };
 
-/// One run of the program with its output thrown away.
+/// One run of the program with its output discarded.
 Run run(const std::vector<std::string>& words) {
   std::vector<char*> arguments;
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -50,7 +50,7 @@ Run run(const std::vector<std::string>& words) {
           1024.0 * double(usage.ru_maxrss)};
 }
 
-/// The run of median wall time; one run only where that is longer than ten seconds.
+/// The run of median wall time; only one run if it takes longer than ten seconds.
 Run median(const std::vector<std::string>& words, int runs) {
   std::vector<Run> all = {run(words)};
   while (all[0].wall < 10 && static_cast<int>(all.size()) < runs) all.push_back(run(words));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What nearly every file reads, read once: only the standard library, Eigen's core and formatting. No file may rely on
-// it (tests/headers, tests/architecture); it is a matter of minutes alone.
+// The headers that nearly every file includes, compiled once: only the standard library, Eigen's core and formatting.
+// No file may rely on it (tests/headers, tests/architecture); it only saves minutes of build time.
 #pragma once
 
 #include <Eigen/Core>
