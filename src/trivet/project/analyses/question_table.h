@@ -10,9 +10,17 @@
 ///
 /// A name without one of these does not link. Questions about the same curves of harmonic response (response, peaks,
 /// limits, limit lines, map), and those that every model answers (modes, roots, static), are fields of `Analyses`.
-#define TRIVET_QUESTIONS(row)                                                                             \
-  row(random) row(transient) row(orders) row(transmissibility) row(power) row(shapes) row(shock_spectrum) \
-      row(earthquake)
+// clang-format off
+#define TRIVET_QUESTIONS(row) \
+  row(random) \
+  row(transient) \
+  row(orders) \
+  row(transmissibility) \
+  row(power) \
+  row(shapes) \
+  row(shock_spectrum) \
+  row(earthquake)
+// clang-format on
 
 namespace trivet::project {
 

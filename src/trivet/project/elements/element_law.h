@@ -33,10 +33,28 @@ struct ElementLaw {
 };
 
 /// All types of elements, in the order of lists in messages. A new one is a line here and its TYPE_law.
-#define TRIVET_ELEMENT_LAWS(row)                                                                                 \
-  row(matrix) row(bushing) row(three_springs) row(damper) row(imported) row(measured) row(table) row(air_spring) \
-      row(wire_rope) row(coil_spring) row(rubber_disc) row(rubber_block) row(rubber_bush) row(sandwich)          \
-          row(solid_mount) row(beam) row(link) row(stay) row(catalogue)
+// clang-format off
+#define TRIVET_ELEMENT_LAWS(row) \
+  row(matrix) \
+  row(bushing) \
+  row(three_springs) \
+  row(damper) \
+  row(imported) \
+  row(measured) \
+  row(table) \
+  row(air_spring) \
+  row(wire_rope) \
+  row(coil_spring) \
+  row(rubber_disc) \
+  row(rubber_block) \
+  row(rubber_bush) \
+  row(sandwich) \
+  row(solid_mount) \
+  row(beam) \
+  row(link) \
+  row(stay) \
+  row(catalogue)
+// clang-format on
 
 #define TRIVET_LAW(name) extern const ElementLaw name##_law;
 TRIVET_ELEMENT_LAWS(TRIVET_LAW)
