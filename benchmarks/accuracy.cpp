@@ -37,7 +37,7 @@ Errors errors(const HardCase& c, const Complex* answers) {
 
 /// Solves by poles and residues; false if these are not proven.
 bool by_poles(const numerics::DynamicMatrices& matrices, const HardCase& c, Eigen::MatrixXcd& q) {
-  const auto poles = numerics::PoleSweep::of(matrices, c.system.load.cast<Complex>());
+  const auto poles = numerics::PoleSweep::try_build(matrices, c.system.load.cast<Complex>());
   if (!poles) return false;
   const Eigen::Map<const Eigen::ArrayXd> omega(c.omega.data(), q.cols());
   Eigen::ArrayXXd re(q.cols(), 6), im(q.cols(), 6);
@@ -55,7 +55,7 @@ double pole_limit(const HardCase& c) {
 
 class Report {
  public:
-  void add(const HardCase& c, const std::string& way, const Complex* answers, double forward_limit = 0,
+  void add(const HardCase& c, const std::string& method, const Complex* answers, double forward_limit = 0,
            double backward_limit = 0) {
     const Errors e = errors(c, answers);
     const bool near = forward_limit == 0 || e.forward <= forward_limit,
@@ -64,9 +64,9 @@ class Report {
     char text[80];
     if (forward_limit > 0) std::snprintf(text, sizeof text, "forward ≤ %.1e ", forward_limit), goal += text;
     if (backward_limit > 0) std::snprintf(text, sizeof text, "backward ≤ %.0e", backward_limit), goal += text;
-    std::printf("  %-28s forward %.1e  backward %.1e  %s\n", way.c_str(), e.forward, e.backward,
+    std::printf("  %-28s forward %.1e  backward %.1e  %s\n", method.c_str(), e.forward, e.backward,
                 near && stable ? "" : ("NOT MET: " + goal).c_str());
-    record_errors(c.name, way, e.forward, e.backward, goal, near && stable);
+    record_errors(c.name, method, e.forward, e.backward, goal, near && stable);
     stable_ = stable_ && stable;
   }
   [[nodiscard]] bool stable() const { return stable_; }
@@ -88,8 +88,9 @@ int main() {
     const double direct_limit = c.lightly_damped ? 100 * epsilon / c.least_damping_ratio : 0;
     const numerics::DynamicMatrices matrices{c.system.A, c.system.B, c.system.K, {}, true};
     numerics::SweepOptions options;
-    const numerics::SweepResult told = numerics::sweep(matrices, c.system.load, c.omega, options);
-    compared("Trivet, direct, with backward errors reported", errors(c, told.response.data()).backward, backward_limit);
+    const numerics::SweepResult with_errors = numerics::sweep(matrices, c.system.load, c.omega, options);
+    compared("Trivet, direct, with backward errors reported", errors(c, with_errors.response.data()).backward,
+             backward_limit);
     options.every_backward_error = false;
     const numerics::SweepResult direct = numerics::sweep(matrices, c.system.load, c.omega, options);
     report.add(c, "Trivet, direct", direct.response.data(), direct_limit, backward_limit);

@@ -94,14 +94,14 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
   std::vector<std::vector<QuadComplex>> truth;
   const std::size_t checks = bodies > 10 ? 1 : std::min<std::size_t>(few, bodies > 2 ? 8 : 300);
   for (std::size_t k = 0; k < checks; ++k) truth.push_back(quad_solution(m.A, m.B, m.K, load, omega[k * stride]));
-  const auto check = [&](const char* way, const Eigen::MatrixXcd& x) {
+  const auto check = [&](const char* method, const Eigen::MatrixXcd& x) {
     double worst = 0;
     for (std::size_t k = 0; k < checks; ++k) {
       const double error = forward_error(x.data() + static_cast<Eigen::Index>(k) * n, truth[k], scale);
       worst = error <= worst ? worst : error;
     }
-    std::printf("  error of %-40s %.1e at %zu frequencies\n", way, worst, checks);
-    compared(way, worst, 1e-9);
+    std::printf("  error of %-40s %.1e at %zu frequencies\n", method, worst, checks);
+    compared(method, worst, 1e-9);
     return worst;
   };
   ours();
@@ -130,16 +130,16 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
 
   const double flops = 8 * numerics::BlockSweep(m, load).multiply_adds();
   measure({"chain of bodies", std::to_string(bodies) + " bodies, all coordinates", "frequency", error},
-          {here("Trivet, every solution checked", double(many), ours, flops),
-           here(
+          {in_process("Trivet, every solution checked", double(many), ours, flops),
+           in_process(
                "Trivet, with every backward error reported", double(many),
                [&] { numerics::sweep(m, load, omega, planes, with_errors); }, flops),
-           here(
+           in_process(
                "Trivet, complex columns in fresh memory", double(many),
                [&] { (void)numerics::sweep(m, load, omega, options); }, flops),
-           here("LAPACK zgesv", double(few), by_dense, 0, last ? 700 : 0),
-           here("LAPACK zgbsv", double(few), by_band, 0, last ? 35 : 0),
-           here("Eigen SparseLU, pattern reused", double(few), by_sparse)},
+           in_process("LAPACK zgesv", double(few), by_dense, 0, last ? 700 : 0),
+           in_process("LAPACK zgbsv", double(few), by_band, 0, last ? 35 : 0),
+           in_process("Eigen SparseLU, pattern reused", double(few), by_sparse)},
           9);
 }
 

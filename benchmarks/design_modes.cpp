@@ -19,15 +19,15 @@ using namespace trivet::benchmarks;
 
 /// Largest relative error of λ (6 per design) over the designs with a known true solution.
 template <typename Lambda>
-double check(const char* way, const Lambda& lambda, const std::vector<std::array<Quad, 6>>& truth, double limit) {
+double check(const char* method, const Lambda& lambda, const std::vector<std::array<Quad, 6>>& truth, double limit) {
   double worst = 0;
   for (std::size_t d = 0; d < truth.size(); ++d)
     for (std::size_t k = 0; k < 6; ++k) {
       const double error = std::abs(double((Quad(lambda(d, k)) - truth[d][k]) / truth[d][k]));
       worst = error <= worst ? worst : error;
     }
-  std::printf("  error of %-40s %.1e of λ in %zu designs\n", way, worst, truth.size());
-  compared(way, worst, limit);
+  std::printf("  error of %-40s %.1e of λ in %zu designs\n", method, worst, truth.size());
+  compared(method, worst, limit);
   return worst;
 }
 
@@ -77,10 +77,10 @@ int main() {
   check_rival(python, "batched");
 
   measure({"modes over designs", "1,000 designs", "design", error},
-          {here("Trivet", few, ours),
-           here("Trivet, 100,000 designs", many, [&] { numerics::design_modes(more, more_modes, options); }),
-           octave.way("loop", "Octave, loop of eig", few), python.way("loop", "SciPy, loop of eigh", few),
-           python.way("batched", "NumPy, batched Cholesky and eigh", few, 25),
-           here("Eigen, fixed GeneralizedSelfAdjointEigenSolver", few, by(&eigen_fixed_modes), 0, 10),
-           here("LAPACK dsygv", few, by(&lapack_dsygv))});
+          {in_process("Trivet", few, ours),
+           in_process("Trivet, 100,000 designs", many, [&] { numerics::design_modes(more, more_modes, options); }),
+           octave.method("loop", "Octave, loop of eig", few), python.method("loop", "SciPy, loop of eigh", few),
+           python.method("batched", "NumPy, batched Cholesky and eigh", few, 25),
+           in_process("Eigen, fixed GeneralizedSelfAdjointEigenSolver", few, by(&eigen_fixed_modes), 0, 10),
+           in_process("LAPACK dsygv", few, by(&lapack_dsygv))});
 }

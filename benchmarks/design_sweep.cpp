@@ -24,7 +24,7 @@ constexpr Eigen::Index count = 10000;
 constexpr std::size_t few = 20, some = 200, points = 500;
 
 /// Method timed by the wall clock, because two threads work.
-Way by_the_clock(std::string name, const std::function<void()>& work) {
+Method by_the_clock(std::string name, const std::function<void()>& work) {
   return {std::move(name), [work] {
             const auto from = std::chrono::steady_clock::now();
             work();
@@ -78,15 +78,15 @@ int main() {
   };
   std::vector<std::array<double, 6>> exact;
   for (std::size_t d = 0; d < few; ++d) exact.push_back(truth(d));
-  const auto check = [&](const char* way, const auto& value) {
+  const auto check = [&](const char* method, const auto& value) {
     double worst = 0;
     for (std::size_t d = 0; d < few; ++d)
       for (std::size_t j = 0; j < 6; ++j) {
         const double error = std::abs(value(d, j) / exact[d][j] - 1);
         worst = error <= worst ? worst : error;
       }
-    std::printf("  error of %-40s %.1e in %zu designs\n", way, worst, few);
-    compared(way, worst, 1e-9);
+    std::printf("  error of %-40s %.1e in %zu designs\n", method, worst, few);
+    compared(method, worst, 1e-9);
     return worst;
   };
   const auto maxima = numerics::sweep_maxima(designs, omega, one);
@@ -114,17 +114,18 @@ int main() {
     for (const char* name : {"batched", "modal"}) check_rival(*python, name);
     seconds = measure(
         {question, "10,000 designs × 500 frequencies, Octave 20 of them, others 200", "design", error},
-        {here("Trivet, one core", count, [&] { (void)numerics::sweep_maxima(designs, omega, one); }),
-         here("Trivet, directly, every backward error computed", count,
-              [&] { (void)numerics::sweep_maxima(designs, omega, directly); }),
-         octave->way("loop", "Octave, the paper's loop", few),
-         octave->way("ldlt", "Octave, LDLᵀ vectorised by hand", few),
-         octave->way("modal", "Octave, poles vectorised", few), python->way("batched", "NumPy, batched solve", some),
-         python->way("modal", "NumPy, batched poles", some), here("Eigen, fixed 6×6 pivoted LU", some, eigen)},
+        {in_process("Trivet, one core", count, [&] { (void)numerics::sweep_maxima(designs, omega, one); }),
+         in_process("Trivet, directly, every backward error computed", count,
+                    [&] { (void)numerics::sweep_maxima(designs, omega, directly); }),
+         octave->method("loop", "Octave, the paper's loop", few),
+         octave->method("ldlt", "Octave, LDLᵀ vectorised by hand", few),
+         octave->method("modal", "Octave, poles vectorised", few),
+         python->method("batched", "NumPy, batched solve", some), python->method("modal", "NumPy, batched poles", some),
+         in_process("Eigen, fixed 6×6 pivoted LU", some, eigen)},
         7);
   }
   const double before = idle_part();
-  const Way both = by_the_clock("two", [&] { (void)numerics::sweep_maxima(designs, omega, two); });
+  const Method both = by_the_clock("two", [&] { (void)numerics::sweep_maxima(designs, omega, two); });
   std::vector<double> wall;
   for (int i = 0; i < 9; ++i) wall.push_back(both.seconds());
   std::sort(wall.begin(), wall.end());

@@ -21,7 +21,7 @@ int main() {
   numerics::SweepOptions options, with_errors;
   options.threads = with_errors.threads = 1;
   options.every_backward_error = false;
-  numerics::SweepPlanes planes, told, chosen;
+  numerics::SweepPlanes planes, measured, chosen;
   const auto ours = [&] { solve_directly(matrices, h, problem.omega, planes); };
 
   Eigen::MatrixXcd q(6, count);
@@ -30,16 +30,16 @@ int main() {
   };
   Rival octave("sweep.m", problem.folder()), python("sweep.py", problem.folder());
   ours();
-  numerics::sweep(matrices, h, problem.omega, told, with_errors);
+  numerics::sweep(matrices, h, problem.omega, measured, with_errors);
   numerics::sweep(matrices, h, problem.omega, chosen, options);
-  const auto check = [&](const char* way, const numerics::SweepPlanes& q) {
+  const auto check = [&](const char* method, const numerics::SweepPlanes& q) {
     Eigen::MatrixXcd answers(6, count);
     answers.real() = q.re.transpose();
     answers.imag() = q.im.transpose();
-    return problem.check(way, answers);
+    return problem.check(method, answers);
   };
   const double error = check("Trivet", planes);
-  check("Trivet, backward errors reported", told);
+  check("Trivet, backward errors reported", measured);
   check("Trivet, automatic choice", chosen);
   std::printf("  recomputed with pivoting: %d\n", planes.fallbacks);
   for (const auto& [name, solver] :
@@ -50,30 +50,30 @@ int main() {
   for (const char* name : {"loop", "ldlt"}) problem.check(octave, name);
   for (const char* name : {"batched", "ldlt", "scipy", "scipy_zgesv"}) problem.check(python, name);
 
-  std::vector<Way> ways{
-      here("Trivet, every solution checked", count, ours, solve_flops),
-      here("Trivet, with every backward error reported", count,
-           [&] { numerics::sweep(matrices, h, problem.omega, told, with_errors); }),
-      here("Trivet, automatic choice of `sweep`: by poles", count,
-           [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
-      here(
+  std::vector<Method> methods{
+      in_process("Trivet, every solution checked", count, ours, solve_flops),
+      in_process("Trivet, with every backward error reported", count,
+                 [&] { numerics::sweep(matrices, h, problem.omega, measured, with_errors); }),
+      in_process("Trivet, automatic choice of `sweep`: by poles", count,
+                 [&] { numerics::sweep(matrices, h, problem.omega, chosen, options); }),
+      in_process(
           "Trivet, complex columns in fresh memory", count,
           [&] { (void)numerics::sweep(matrices, h, problem.omega, options); }, solve_flops),
-      octave.way("loop", "Octave, the paper's loop with `\\`", count, 800),
-      octave.way("ldlt", "Octave, LDLᵀ vectorised by hand", count),
-      python.way("batched", "NumPy, batched solve", count, 95),
-      python.way("ldlt", "NumPy, LDLᵀ vectorised by hand", count),
-      python.way("scipy", "SciPy, loop of linalg.solve", count),
-      python.way("scipy_zgesv", "SciPy, loop of zgesv", count),
-      here("Eigen, fixed 6×6 pivoted LU", count, by(&eigen_fixed_lu), 0, 42),
-      here("LAPACK zgesv", count, by(&lapack_zgesv)),
-      here("LAPACK zsysv", count, by(&lapack_zsysv)),
+      octave.method("loop", "Octave, the paper's loop with `\\`", count, 800),
+      octave.method("ldlt", "Octave, LDLᵀ vectorised by hand", count),
+      python.method("batched", "NumPy, batched solve", count, 95),
+      python.method("ldlt", "NumPy, LDLᵀ vectorised by hand", count),
+      python.method("scipy", "SciPy, loop of linalg.solve", count),
+      python.method("scipy_zgesv", "SciPy, loop of zgesv", count),
+      in_process("Eigen, fixed 6×6 pivoted LU", count, by(&eigen_fixed_lu), 0, 42),
+      in_process("LAPACK zgesv", count, by(&lapack_zgesv)),
+      in_process("LAPACK zsysv", count, by(&lapack_zsysv)),
   };
   if (python.has("pyyeti")) {
     problem.check(python, "pyyeti");
-    ways.push_back(python.way("pyyeti", "pyYeti, SolveUnc.fsolve", count));
+    methods.push_back(python.method("pyyeti", "pyYeti, SolveUnc.fsolve", count));
   } else {
     std::puts("pyYeti is absent");
   }
-  measure({"direct sweep of six coordinates", "10,000 frequencies", "frequency", error}, ways);
+  measure({"direct sweep of six coordinates", "10,000 frequencies", "frequency", error}, methods);
 }

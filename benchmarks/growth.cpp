@@ -17,9 +17,9 @@ namespace {
 using namespace trivet;
 using namespace trivet::benchmarks;
 
-double median_seconds(const Way& way, int turns) {
+double median_seconds(const Method& method, int turns) {
   std::vector<double> seconds;
-  for (int i = 0; i < turns; ++i) seconds.push_back(way.seconds());
+  for (int i = 0; i < turns; ++i) seconds.push_back(method.seconds());
   std::sort(seconds.begin(), seconds.end());
   return seconds[seconds.size() / 2];
 }
@@ -41,12 +41,12 @@ void slope(const std::string& what, const std::vector<std::pair<double, double>>
 /// All sizes are timed in turns, so that a loaded machine slows them equally.
 void grows(const std::string& what, const std::vector<double>& sizes,
            const std::function<std::function<void()>(double)>& work) {
-  std::vector<Way> ways;
-  for (const double size : sizes) ways.push_back(here(what, 1, work(size)));
+  std::vector<Method> methods;
+  for (const double size : sizes) methods.push_back(in_process(what, 1, work(size)));
   std::vector<std::vector<double>> seconds(sizes.size());
   for (int turn = 0; turn < 7; ++turn)
     for (std::size_t s = 0; s < sizes.size(); ++s)
-      seconds[s].push_back(median_seconds(ways[s], sizes[s] >= 1e6 ? 1 : 3));
+      seconds[s].push_back(median_seconds(methods[s], sizes[s] >= 1e6 ? 1 : 3));
   std::vector<std::pair<double, double>> points;
   for (std::size_t s = 0; s < sizes.size(); ++s) {
     std::sort(seconds[s].begin(), seconds[s].end());

@@ -17,7 +17,7 @@ using namespace trivet::benchmarks;
 /// Times `answers` under each instruction set, the best first; they may differ by `limit`.
 template <typename Answers>
 void under_each(const Question& question, double items, double limit, double flops, const Answers& answers) {
-  std::vector<Way> ways;
+  std::vector<Method> methods;
   const std::vector<std::string> sets = numerics::instruction_sets();
   const auto best = answers().eval();
   double worst = 0;
@@ -25,17 +25,17 @@ void under_each(const Question& question, double items, double limit, double flo
     numerics::use_instruction_set(set);
     const double difference = (answers() - best).abs().maxCoeff() / best.abs().maxCoeff();
     worst = difference <= worst ? worst : difference;
-    Way way = here(set, items, [&] { (void)answers(); });
-    way.seconds = [set, run = way.seconds] {
+    Method method = in_process(set, items, [&] { (void)answers(); });
+    method.seconds = [set, run = method.seconds] {
       numerics::use_instruction_set(set);
       return run();
     };
-    ways.push_back(way);
+    methods.push_back(method);
   }
   compared(question.name, worst, limit);
-  Question told = question;
-  told.largest_error = worst;
-  const std::vector<double> seconds = measure(told, ways, 11);
+  Question worst_case = question;
+  worst_case.largest_error = worst;
+  const std::vector<double> seconds = measure(worst_case, methods, 11);
   for (std::size_t s = 0; s < sets.size() && flops > 0; ++s) {
     numerics::use_instruction_set(sets[s]);
     double peak = 0;

@@ -55,7 +55,7 @@ double thread_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-Way here(std::string name, double items, std::function<void()> work, double flops, double goal) {
+Method in_process(std::string name, double items, std::function<void()> work, double flops, double goal) {
   constexpr double chunk = 200e-6, long_enough_to_be_warm = 20e-3;
   const auto run = [work = std::move(work)](int times) {
     const double from = thread_seconds();
@@ -72,38 +72,38 @@ Way here(std::string name, double items, std::function<void()> work, double flop
   return {std::move(name), seconds, flops, goal};
 }
 
-std::vector<double> measure(const Question& question, const std::vector<Way>& ways, int turns) {
-  std::vector<std::vector<double>> seconds(ways.size());
+std::vector<double> measure(const Question& question, const std::vector<Method>& methods, int turns) {
+  std::vector<std::vector<double>> seconds(methods.size());
   std::vector<double> peak;
   for (int turn = 0; turn < turns; ++turn) {
     peak.push_back(peak_flops());
-    for (std::size_t w = 0; w < ways.size(); ++w) seconds[w].push_back(ways[w].seconds());
+    for (std::size_t w = 0; w < methods.size(); ++w) seconds[w].push_back(methods[w].seconds());
   }
   std::printf("%s, %s: ns per %s (%d turns), largest error %.1e\n", question.name.c_str(), question.size.c_str(),
               question.item.c_str(), turns, question.largest_error);
   std::vector<double> medians;
-  for (std::size_t w = 0; w < ways.size(); ++w) {
+  for (std::size_t w = 0; w < methods.size(); ++w) {
     std::vector<double> ratios, parts;
     for (std::size_t t = 0; t < peak.size(); ++t) {
       ratios.push_back(seconds[w][t] / seconds[0][t]);
-      parts.push_back(ways[w].flops / seconds[w][t] / peak[t]);
+      parts.push_back(methods[w].flops / seconds[w][t] / peak[t]);
     }
     const Spread time = spread(seconds[w]), ratio = spread(ratios), part = spread(parts);
-    const double goal = ways[w].goal * (ways[w].goal > 1 ? goal_factor() : 1);
+    const double goal = methods[w].goal * (methods[w].goal > 1 ? goal_factor() : 1);
     medians.push_back(time.median);
-    std::printf("  %-44s %12.2f   x %-9.3g [%.3g … %.3g]", ways[w].name.c_str(), 1e9 * time.median, ratio.median,
+    std::printf("  %-44s %12.2f   x %-9.3g [%.3g … %.3g]", methods[w].name.c_str(), 1e9 * time.median, ratio.median,
                 ratio.lowest, ratio.highest);
-    if (ways[w].flops > 0)
-      std::printf("  %.1f GFLOP/s, %.0f %% of %.1f", 1e-9 * ways[w].flops / time.median, 100 * part.median,
+    if (methods[w].flops > 0)
+      std::printf("  %.1f GFLOP/s, %.0f %% of %.1f", 1e-9 * methods[w].flops / time.median, 100 * part.median,
                   1e-9 * spread(peak).median);
     if (goal > 0) std::printf("  goal %.3g: %s", goal, ratio.median >= goal ? "met" : "NOT MET");
-    std::printf("%s%s\n", ways[w].note.empty() ? "" : "  ", ways[w].note.c_str());
+    std::printf("%s%s\n", methods[w].note.empty() ? "" : "  ", methods[w].note.c_str());
     json line{{"kind", "time"},
               {"question", question.name},
               {"size", question.size},
               {"item", question.item},
               {"error", question.largest_error},
-              {"way", ways[w].name},
+              {"way", methods[w].name},
               {"ns", 1e9 * time.median},
               {"ns_lowest", 1e9 * time.lowest},
               {"ns_highest", 1e9 * time.highest},
@@ -113,8 +113,9 @@ std::vector<double> measure(const Question& question, const std::vector<Way>& wa
               {"turns", turns},
               {"peak_gflops", 1e-9 * spread(peak).median},
               {"ours", w == 0},
-              {"note", ways[w].note}};
-    if (ways[w].flops > 0) line["gflops"] = 1e-9 * ways[w].flops / time.median, line["part_of_peak"] = part.median;
+              {"note", methods[w].note}};
+    if (methods[w].flops > 0)
+      line["gflops"] = 1e-9 * methods[w].flops / time.median, line["part_of_peak"] = part.median;
     if (goal > 0) line["goal"] = goal, line["met"] = ratio.median >= goal;
     write(line);
   }
@@ -136,11 +137,11 @@ void record(const std::string& question, const std::string& name, double value, 
          {"met", met}});
 }
 
-void record_errors(const std::string& question, const std::string& way, double forward, double backward,
+void record_errors(const std::string& question, const std::string& method, double forward, double backward,
                    const std::string& goal, bool met) {
   write({{"kind", "errors"},
          {"question", question},
-         {"way", way},
+         {"way", method},
          {"forward", forward},
          {"backward", backward},
          {"goal", goal},

@@ -11,7 +11,7 @@
 namespace trivet::benchmarks {
 
 /// One method for the answers of a question.
-struct Way {
+struct Method {
   std::string name;
   std::function<double()> seconds;  ///< CPU time of one chunk, divided by its items
   double flops = 0;                 ///< additions and multiplications per item, counted; 0: unknown
@@ -21,7 +21,8 @@ struct Way {
 
 /// Method that does work for `items` frequencies or designs in this process, repeated to chunks of at least 200 µs;
 /// called once before each chunk, so that buffers are warm, unless one call takes 20 ms.
-[[nodiscard]] Way here(std::string name, double items, std::function<void()> work, double flops = 0, double goal = 0);
+[[nodiscard]] Method in_process(std::string name, double items, std::function<void()> work, double flops = 0,
+                                double goal = 0);
 
 /// Question, size and unit of a table; the first method is Trivet.
 struct Question {
@@ -33,14 +34,14 @@ struct Question {
 
 /// Times all methods in turns and writes one JSON line for each to $TRIVET_BENCHMARK_JSON (and a line of text to the
 /// standard output). Returns the median seconds per item of each method.
-std::vector<double> measure(const Question& question, const std::vector<Way>& ways, int turns = 21);
+std::vector<double> measure(const Question& question, const std::vector<Method>& methods, int turns = 21);
 
 /// Records a value that is not a time: an error, a slope, a bandwidth. `met` is recorded with it.
 void record(const std::string& question, const std::string& name, double value, const std::string& unit,
             const std::string& goal, bool met);
 
 /// Records the errors of one method on one case.
-void record_errors(const std::string& question, const std::string& way, double forward, double backward,
+void record_errors(const std::string& question, const std::string& method, double forward, double backward,
                    const std::string& goal, bool met);
 
 /// Ends the program with status 1 if an error exceeds its limit: wrong answers are not timed.

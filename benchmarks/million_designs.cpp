@@ -33,7 +33,7 @@ double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks&
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
     const numerics::DynamicMatrices m = numerics::matrices_of(designs, d);
     const Eigen::VectorXcd load = designs.load.row(d).matrix().transpose().cast<std::complex<double>>();
-    const auto see = [&](double omega) {
+    const auto update = [&](double omega) {
       const Eigen::VectorXcd q = m.at(omega).partialPivLu().solve(load);
       for (Eigen::Index j = 0; j < q.size(); ++j) {
         const double miss = std::abs(q(j)) / peaks.highest(d, j) - 1;
@@ -41,11 +41,11 @@ double worst_miss(const numerics::Designs& designs, const numerics::DesignPeaks&
         misses += miss > 1e-3 ? 1 : 0;
       }
     };
-    see(1e-3);
-    for (double omega = 0.3; omega < 600; omega *= 1.1) see(omega);
+    update(1e-3);
+    for (double omega = 0.3; omega < 600; omega *= 1.1) update(omega);
     for (Eigen::Index j = 0; j < designs.coordinates(); ++j)
       for (const double shift : {-1e-6, 1e-6})
-        see(std::isfinite(peaks.highest_at(d, j)) ? peaks.highest_at(d, j) * (1 + shift) : 1.0);
+        update(std::isfinite(peaks.highest_at(d, j)) ? peaks.highest_at(d, j) * (1 + shift) : 1.0);
   }
   return worst;
 }

@@ -21,11 +21,12 @@ void sweep(std::size_t count, const char* size, int turns) {
   const Eigen::Map<const Eigen::ArrayXd> omega(problem.omega.data(), static_cast<Eigen::Index>(count));
   Eigen::ArrayXXd re(count, 6), im(count, 6);
   Eigen::MatrixXcd q(6, count), other(6, count);
-  const auto ready = numerics::PoleSweep::of(matrices, h);
+  const auto ready = numerics::PoleSweep::try_build(matrices, h);
   compared("Trivet, poles proven", ready ? 0 : 1, 0);
   const auto known = [&] { compared("Trivet, sampled residuals", ready->response(omega, re, im) ? 0 : 1, 0); };
   const auto complete = [&] {
-    compared("Trivet, sampled residuals", numerics::PoleSweep::of(matrices, h)->response(omega, re, im) ? 0 : 1, 0);
+    compared("Trivet, sampled residuals", numerics::PoleSweep::try_build(matrices, h)->response(omega, re, im) ? 0 : 1,
+             0);
   };
   const auto eigen = [&] { eigen_fixed_lu(problem.system(), problem.omega.data(), count, other.data()); };
   complete();
@@ -40,15 +41,15 @@ void sweep(std::size_t count, const char* size, int turns) {
 
   constexpr double flops = 360;  // six pairs: 6 for the denominator, 6 for its inverse, 8 for each of six coordinates
   const std::string question = "sweep by poles of six coordinates";
-  const auto medians =
-      measure({question, size, "frequency", error},
-              {here("Trivet, with set-up", items, complete), here("Trivet, poles known", items, known, flops),
-               octave.way("modal", "Octave, poles vectorised", items),
-               octave.way("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
-               python.way("modal", "NumPy, poles vectorised", items, 25),
-               python.way("modal_pairs", "NumPy, pairs of poles, real arithmetic", items, 25),
-               here("Eigen, fixed 6×6 pivoted LU", items, eigen, 0, 100)},
-              turns);
+  const auto medians = measure(
+      {question, size, "frequency", error},
+      {in_process("Trivet, with set-up", items, complete), in_process("Trivet, poles known", items, known, flops),
+       octave.method("modal", "Octave, poles vectorised", items),
+       octave.method("modal_in_pieces", "Octave, poles vectorised, in pieces", items, 45),
+       python.method("modal", "NumPy, poles vectorised", items, 25),
+       python.method("modal_pairs", "NumPy, pairs of poles, real arithmetic", items, 25),
+       in_process("Eigen, fixed 6×6 pivoted LU", items, eigen, 0, 100)},
+      turns);
   if (count == 10000) {
     record(question, "10,000 frequencies with set-up / without", medians[0] / medians[1], "", "≤ 1.3",
            medians[0] <= 1.3 * medians[1]);

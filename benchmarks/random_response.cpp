@@ -68,13 +68,13 @@ model::Description machine() {
 struct Machine {
   model::System system = model::System::checked(machine()).value();
   assembly::Assembled assembled = assembly::assemble(system);
-  std::vector<assembly::Channel> channels = wanted();
+  std::vector<assembly::Channel> channels = answer_channels();
   excitation::Spectrum spectrum{{{6, 60, 0.4, 0.9, false}, {60, 2000, 0.9, 1e-3, false}}};
 
-  std::vector<assembly::Channel> wanted() const {
+  std::vector<assembly::Channel> answer_channels() const {
     std::vector<std::string> of = {"coordinates"};
     for (std::size_t e = 0; e < mounts; ++e) of.push_back("mount " + std::to_string(e));
-    return assembly::channels(system, assembled, of, assembly::Quantity::displacement);
+    return assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement);
   }
   assembly::Loading force() const {
     model::Action action;
@@ -148,7 +148,8 @@ void compare_answers() {
     std::printf("%zu answers by %s %s\n", random.answers.size(), name(random.method), random.remark.c_str());
     compare(what, rms_of(random), by_trapezoids(load, 20000), grid_accuracy);
   }
-  const auto coordinates = assembly::channels(m.system, m.assembled, {"coordinates"}, assembly::Quantity::displacement);
+  const auto coordinates =
+      assembly::channels(m.system, m.assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
   compare("white noise, against the Lyapunov equation",
           rms_of(response::random_response(m.assembled, coordinates,
                                            {{{"noise", m.force(), excitation::flat_spectrum(1, 0, 1e8)}}, {}})),

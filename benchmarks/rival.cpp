@@ -82,7 +82,7 @@ std::vector<std::complex<double>> Rival::answers(const std::string& name) {
   return values;
 }
 
-Way Rival::way(const std::string& name, std::string label, double items, double goal) {
+Method Rival::method(const std::string& name, std::string label, double items, double goal) {
   ask("time " + name);
   return {std::move(label), [this, name, items] { return std::stod(ask("time " + name)) / items; }, 0, goal};
 }

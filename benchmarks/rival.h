@@ -31,7 +31,7 @@ class Rival {
   /// The answers, in the order in which the script stores them.
   [[nodiscard]] std::vector<std::complex<double>> answers(const std::string& name);
   /// Method timed per item; one turn is one call of the script's function, or more if that is short.
-  [[nodiscard]] Way way(const std::string& name, std::string label, double items, double goal = 0);
+  [[nodiscard]] Method method(const std::string& name, std::string label, double items, double goal = 0);
 
  private:
   std::string ask(const std::string& request);

@@ -35,18 +35,18 @@ class SweepProblem {
 
   /// Largest forward error of answers (6 per frequency) at the checked frequencies; ends the program if it exceeds the
   /// limit.
-  double check(const std::string& way, const std::complex<double>* answers) {
+  double check(const std::string& method, const std::complex<double>* answers) {
     double worst = 0;
     const Vector6 scale = machine.A.diagonal().cwiseSqrt();
     for (std::size_t c = 0; c < checked_.size(); ++c) {
       const double error = forward_error(answers + 6 * checked_[c], truth_[c], scale);
       worst = error <= worst ? worst : error;
     }
-    std::printf("  error of %-40s %.1e at %zu frequencies\n", way.c_str(), worst, checked_.size());
-    compared(way, worst, 1e-9);
+    std::printf("  error of %-40s %.1e at %zu frequencies\n", method.c_str(), worst, checked_.size());
+    compared(method, worst, 1e-9);
     return worst;
   }
-  double check(const std::string& way, const Eigen::MatrixXcd& answers) { return check(way, answers.data()); }
+  double check(const std::string& method, const Eigen::MatrixXcd& answers) { return check(method, answers.data()); }
   double check(Rival& rival, const std::string& name) { return check(name, rival.answers(name).data()); }
 
   [[nodiscard]] SixCoordinates system() const {

@@ -68,8 +68,8 @@ def markdown(lines):
         parts.append(f"### {question[0].upper()}{question[1:]}")
         of = [line for line in timed if line["question"] == question]
         parts += [times([line for line in of if line["size"] == size]) for size in dict.fromkeys(line["size"] for line in of)]
-        told = [line for line in lines if line["kind"] == "figure" and line["question"] == question]
-        parts += [figures(told)] if told else []
+        reported = [line for line in lines if line["kind"] == "figure" and line["question"] == question]
+        parts += [figures(reported)] if reported else []
     wrong = [line for line in lines if line["kind"] == "errors"]
     parts += ["### Accuracy on sixteen hard cases", errors(wrong)] if wrong else []
     return "\n\n".join(parts)

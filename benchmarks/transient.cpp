@@ -32,7 +32,7 @@ struct Machine {
   const model::System& system = project.base().system;
   assembly::Assembled assembled = assembly::assemble(system);
   std::vector<assembly::Channel> coordinates =
-      assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
+      assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
   std::vector<assembly::Channel> everything = all_channels();
   Vector6 direction = {0.3, -0.7, 1, 0.1, 0.2, -0.05};
   std::vector<double> samples;
@@ -56,7 +56,7 @@ struct Machine {
   std::vector<assembly::Channel> all_channels() const {
     std::vector<std::string> words = {"coordinates", "ground"};
     for (const model::Element& element : system.elements()) words.push_back(element.name);
-    return assembly::channels(system, assembled, words, assembly::Quantity::displacement);
+    return assembly::channels(system, assembled, words, assembly::MotionQuantity::displacement);
   }
 };
 

@@ -79,7 +79,8 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
 namespace {
 
 /// The request of a command: the question, with the frequencies of the command line instead of those of the file.
-project::Analyses wanted(const study::AskedQuestion& question, const project::Case& variant, const Options& options) {
+project::Analyses analyses_for(const study::AskedQuestion& question, const project::Case& variant,
+                               const Options& options) {
   project::Analyses analyses;
   try {
     analyses = question.asked(variant);
@@ -170,8 +171,8 @@ std::unique_ptr<results::PictureFile> new_picture(const Options& options) {
   }
 }
 
-project::Questions questions_of(const Options& options, std::vector<std::string> wanted) {
-  return {std::move(wanted), options.case_name};
+project::Questions questions_of(const Options& options, std::vector<std::string> names) {
+  return {std::move(names), options.case_name};
 }
 
 std::optional<project::Project> read_or_complain(const Options& options, const project::Questions& questions) {
@@ -213,7 +214,7 @@ int answer_command(const std::string& which, const Options& options) {
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
-    const study::Answers answers = study::answers(variant, wanted(question, variant, options), progress());
+    const study::Answers answers = study::answers(variant, analyses_for(question, variant, options), progress());
     const bool only_beside = which == "response" && answers.response;  // then only a limit or a limit line failed
     if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);

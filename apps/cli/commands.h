@@ -60,12 +60,12 @@ struct BadArgument : std::runtime_error {
 /// there
 [[nodiscard]] std::unique_ptr<results::PictureFile> new_picture(const Options& options);
 
-/// The project; empty if it has errors, which are then printed. Errors in questions that are not wanted are ignored.
+/// The project; empty if it has errors, which are then printed. Errors in questions that are not requested are ignored.
 [[nodiscard]] std::optional<project::Project> read_or_complain(const Options& options,
                                                                const project::Questions& questions = {});
 
 /// The questions of a command on one case.
-[[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> wanted);
+[[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> names);
 
 /// Warnings and rigid-body modes, which are part of every answer.
 [[nodiscard]] std::string warnings_text(const study::Answers& answers);

@@ -16,15 +16,15 @@ namespace trivet::cli {
 namespace {
 
 using results::nothing;
+using results::number_text;
 using results::percent;
-using results::shown;
 using results::TextTable;
 
 using foundation::two_pi;
 constexpr std::array<const char*, 6> loads = {"F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"};
 
 std::string vector_words(const Eigen::Vector3d& v, double round_off) {
-  const auto part = [&](int i) { return shown(std::abs(v(i)) < round_off ? 0.0 : v(i), 4); };
+  const auto part = [&](int i) { return number_text(std::abs(v(i)) < round_off ? 0.0 : v(i), 4); };
   return fmt::format("({}, {}, {})", part(0), part(1), part(2));
 }
 
@@ -63,22 +63,22 @@ std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
     std::vector<std::string> row = {i < 6 ? "N" : "K", loads[static_cast<std::size_t>(i % 6)]};
     for (int j = first_column; j < first_column + 6; ++j) {
       const double scale = std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      row.push_back(shown(std::abs(matrix(i, j)) <= round_off * scale ? 0.0 : matrix(i, j)));
+      row.push_back(number_text(std::abs(matrix(i, j)) <= round_off * scale ? 0.0 : matrix(i, j)));
     }
     table.add(row);
   }
   return table.text();
 }
 
-std::string character_text(const elements::Character& c) {
+std::string stiffness_properties_text(const elements::StiffnessProperties& c) {
   TextTable table(
       {"principal stiffness of K, N held", "axis (local)", "principal rotational stiffness", "axis (local) "});
   constexpr double round_off = 1e-9;
   const double least = round_off * std::abs(c.principal_rotational_stiffnesses(2));
   for (int i = 0; i < 3; ++i) {
     const double rotational = c.principal_rotational_stiffnesses(i);
-    table.add({shown(c.principal_stiffnesses(i)) + " N/m", vector_words(c.principal_axes.col(i), round_off),
-               shown(std::abs(rotational) < least ? 0.0 : rotational) + " N m/rad",
+    table.add({number_text(c.principal_stiffnesses(i)) + " N/m", vector_words(c.principal_axes.col(i), round_off),
+               number_text(std::abs(rotational) < least ? 0.0 : rotational) + " N m/rad",
                vector_words(c.principal_rotational_axes.col(i), round_off)});
   }
   return table.text() +
@@ -121,7 +121,7 @@ std::string energy_text(const study::ElementSummary& summary) {
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
     if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
-    table.add({std::to_string(mode.number), shown(mode.angular_frequency.value_or(std::nan("")) / two_pi),
+    table.add({std::to_string(mode.number), number_text(mode.angular_frequency.value_or(std::nan("")) / two_pi),
                fmt::format("{:.2f}%", 100 * mode.share), percent(mode.inside.translation),
                percent(mode.inside.rotation), percent(mode.inside.coupling), mode.name});
     ++shown_modes;
@@ -141,8 +141,9 @@ std::string uncertainty_text(const model::Element& element) {
   for (int i = 0; i < 12; ++i) {
     const double value = element.law.scale * element.law.nominal_stiffness(i, i),
                  half = element.law.scale * evidence.uncertainty(i, i);
-    table.add({fmt::format("{} {}", i < 6 ? "N" : "K", study::component_name(i)), shown(value), shown(half, 3),
-               i % 6 < 3 ? "N/m" : "N m/rad", value != 0 ? fmt::format("{:.2g}%", 100 * half / std::abs(value)) : "–"});
+    table.add({fmt::format("{} {}", i < 6 ? "N" : "K", study::component_name(i)), number_text(value),
+               number_text(half, 3), i % 6 < 3 ? "N/m" : "N m/rad",
+               value != 0 ? fmt::format("{:.2g}%", 100 * half / std::abs(value)) : "–"});
   }
   std::string text = "Uncertainty (" + evidence.meaning + ")\n" + table.text();
   for (const model::Residual& r : evidence.residuals)
@@ -158,7 +159,7 @@ std::string damping_words(const elements::Law& law) {
   if (const auto* l = std::get_if<elements::LossFactor>(&law.damping))
     return fmt::format("loss factor {:.6g}", l->value);
   if (std::holds_alternative<elements::DampingMatrix>(law.damping)) return "a viscous damping matrix";
-  if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::words(*v);
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&law.damping)) return elements::law_description(*v);
   if (law.frequency_dependence && !law.frequency_dependence->elastic) return "in its table";
   return "none";
 }
@@ -194,7 +195,8 @@ std::string preload_text(const elements::Law& law) {
   for (int end = 0; end < 2; ++end) {
     std::vector<std::string> row = {end == 0 ? "N" : "K"};
     for (int j = 0; j < 6; ++j)
-      row.push_back(shown(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
+      row.push_back(
+          number_text(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
     table.add(row);
   }
   return "Preload in the equilibrium state (local axes of each end)\n" + table.text();
@@ -216,11 +218,13 @@ std::string list(const std::vector<std::string>& words, const char* separator) {
 
 std::string mode_comparison_text(const study::Simplification& simple) {
   TextTable table({"mode", "f [Hz]", "three springs", "difference", "MAC", "motion"});
-  const auto hertz = [](const std::optional<double>& omega) { return shown(omega ? *omega / two_pi : std::nan("")); };
+  const auto hertz = [](const std::optional<double>& omega) {
+    return number_text(omega ? *omega / two_pi : std::nan(""));
+  };
   for (const study::ModeComparison& mode : simple.modes)
     table.add({std::to_string(mode.number), hertz(mode.full),
                mode.simplified && *mode.simplified == 0 ? "0 (free)" : hertz(mode.simplified),
-               percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.likeness),
+               percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.similarity),
                mode.name});
   std::string text = table.text();
   for (const std::string& motion : simple.free_motions) text += "  with three springs " + motion + "\n";
@@ -245,9 +249,9 @@ std::string peak_comparison_text(const study::Simplification& simple) {
                simplified = part(peak.simplified, &HighestPeak::angular_frequency);
     const auto high = part(peak.full, &HighestPeak::amplitude),
                high_simplified = part(peak.simplified, &HighestPeak::amplitude);
-    table.add({peak.name, shown(full.value_or(none) / two_pi), shown(simplified.value_or(none) / two_pi),
-               percent(study::relative_difference(full, simplified)), shown(high.value_or(none)),
-               shown(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)),
+    table.add({peak.name, number_text(full.value_or(none) / two_pi), number_text(simplified.value_or(none) / two_pi),
+               percent(study::relative_difference(full, simplified)), number_text(high.value_or(none)),
+               number_text(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)),
                peak.unit});
     if (peak.vanishes) notes += fmt::format("  {}: no motion with three springs\n", peak.name);
     else if (peak.full && !peak.simplified) notes += fmt::format("  {}: no peak with three springs\n", peak.name);
@@ -267,7 +271,7 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
       "\nStiffness 12×12, local axes: load per unit displacement, so F rows are N/m and N/rad, M rows N m/m and N "
       "m/rad\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n";
   text += half_matrix(summary.stiffness, 0) + "\n" + half_matrix(summary.stiffness, 6);
-  text += "\nCharacter\n" + character_text(summary.character);
+  text += "\nCharacter\n" + stiffness_properties_text(summary.stiffness_properties);
   text += "\nChecks\n" + checks_text(element, summary.verdict);
   for (const std::string& part :
        {energy_text(summary), uncertainty_text(element), frequency_text(element), preload_text(element.law)})

@@ -16,8 +16,8 @@ namespace trivet::cli {
 namespace {
 
 using results::nothing;
+using results::number_text;
 using results::percent;
-using results::shown;
 using results::TextTable;
 
 constexpr std::size_t most_levers = 12;

@@ -56,9 +56,9 @@ int map_command(const Options& options) {
       throw BadArgument(
           "map: none given; add map = {x = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}, y = {…}, "
           "no_peak = \"coordinates\"} to [analyses]");
-    const study::MapOptions wanted = sizes(options.points);
+    const study::MapOptions map_options = sizes(options.points);
     const std::unique_ptr<results::PictureFile> picture = new_picture(options);
-    const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, wanted, progress());
+    const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, map_options, progress());
     foundation::Problems warnings = model_warnings(variant);
     warnings.add(map.warnings);
     if (!options.json) write_problems(warnings);

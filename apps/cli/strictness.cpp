@@ -9,7 +9,7 @@
 namespace trivet::cli {
 namespace {
 
-std::string counted(std::size_t count, const char* one, const char* several) {
+std::string count_text(std::size_t count, const char* one, const char* several) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
@@ -20,34 +20,35 @@ void Strictness::add(const foundation::Problems& warnings) {
 }
 
 void Strictness::add(const study::DesignMap& map) {
-  if (map.kept == 0) ++broken_;
+  if (map.feasible_designs == 0) ++infeasible_;
   for (const study::MapMark& mark : map.marks)
     if (!mark.judged) ++not_judged_;
-    else if (!mark.judged->governing.kept()) ++broken_;
+    else if (!mark.judged->governing.feasible()) ++infeasible_;
 }
 
 void Strictness::add(const study::Answers& answers) {
   add(answers.warnings);
-  for (const study::LimitAnswer& limit : answers.limits) exceeded_ += !limit.kept;
-  for (const study::LimitLineResult& line : answers.limit_lines) exceeded_ += !line.comparison.kept();
+  for (const study::LimitAnswer& limit : answers.limits) exceeded_ += !limit.met;
+  for (const study::LimitLineResult& line : answers.limit_lines) exceeded_ += !line.comparison.met();
   if (answers.map) add(*answers.map);
 }
 
 int Strictness::exit_code(bool strict, int otherwise) const {
   if (strict && otherwise == done && not_judged_ > 0) {
     write_error(fmt::format("--strict: {} of a map could not be computed; exit code {}\n",
-                            counted(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
+                            count_text(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
     return not_computed;
   }
-  if (!strict || otherwise != done || exceeded_ + broken_ + warnings_.size() == 0) return otherwise;
+  if (!strict || otherwise != done || exceeded_ + infeasible_ + warnings_.size() == 0) return otherwise;
   std::string found;
   const auto list = [&](std::size_t count, const std::string& words) {
     found += count == 0 ? "" : (found.empty() ? "" : ", ") + words;
   };
-  list(exceeded_, counted(exceeded_, "limit exceeded", "limits exceeded"));
-  list(broken_, counted(broken_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\""));
-  list(warnings_.size(), counted(warnings_.size(), "warning", "warnings"));
-  const int code = exceeded_ + broken_ > 0 ? over_a_limit : with_warnings;
+  list(exceeded_, count_text(exceeded_, "limit exceeded", "limits exceeded"));
+  list(infeasible_,
+       count_text(infeasible_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\""));
+  list(warnings_.size(), count_text(warnings_.size(), "warning", "warnings"));
+  const int code = exceeded_ + infeasible_ > 0 ? over_a_limit : with_warnings;
   write_error(fmt::format("--strict: {}; exit code {}\n", found, code));
   return code;
 }

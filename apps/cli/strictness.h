@@ -23,7 +23,7 @@ class Strictness {
   [[nodiscard]] int exit_code(bool strict, int otherwise) const;
 
  private:
-  std::size_t exceeded_ = 0, broken_ = 0, not_judged_ = 0;
+  std::size_t exceeded_ = 0, infeasible_ = 0, not_judged_ = 0;
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };
 

@@ -20,8 +20,8 @@ namespace trivet::cli {
 namespace {
 
 using results::nothing;
+using results::number_text;
 using results::percent;
-using results::shown;
 using results::TextTable;
 
 using foundation::two_pi;
@@ -38,7 +38,7 @@ constexpr double nanometre = 1e-9;
 
 std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension) {
   if (!suspension.elastic) return "";
-  const elements::Character& c = *suspension.elastic;
+  const elements::StiffnessProperties& c = *suspension.elastic;
   std::string text = fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
                                  triple(c.elastic_centre, nanometre),
                                  c.centre_is_unique ? "" : " (not unique: the nearest point of a line)",
@@ -80,7 +80,7 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
   TextTable table(header);
   const auto percent = [](double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
   for (const modal::BodyMode& mode : suspension.modes) {
-    std::vector<std::string> row = {shown(mode.angular_frequency.value_or(nothing) / two_pi, 5)};
+    std::vector<std::string> row = {number_text(mode.angular_frequency.value_or(nothing) / two_pi, 5)};
     for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
     if (heavy_elements) row.push_back(percent(mode.in_elements));
     row.emplace_back(model::coordinate_names[static_cast<std::size_t>(mode.purest)]);
@@ -96,9 +96,9 @@ std::string separation_text(const study::SuspensionAnswer& answer) {
     header.push_back(fmt::format("{:.4g} Hz / this", excitation / two_pi));
   TextTable table(header);
   for (const modal::FrequencySeparation& row : answer.separation) {
-    std::vector<std::string> cells = {std::to_string(row.mode), shown(row.angular_frequency / two_pi, 5),
-                                      shown(row.ratio_to_next.value_or(nothing), 4)};
-    for (const double ratio : row.excitation_ratio) cells.push_back(shown(ratio, 4));
+    std::vector<std::string> cells = {std::to_string(row.mode), number_text(row.angular_frequency / two_pi, 5),
+                                      number_text(row.ratio_to_next.value_or(nothing), 4)};
+    for (const double ratio : row.excitation_ratio) cells.push_back(number_text(ratio, 4));
     table.add(cells);
   }
   return "Frequency separation of the whole system" +

@@ -41,7 +41,7 @@ Picture picture(const model::System& system, const response::Band& band,
   assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const modal::Roots roots = modal::roots(system, assembled, modes);
-  auto channels = assembly::channels(system, assembled, of, assembly::Quantity::displacement);
+  auto channels = assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement);
   assembly::Loading loading = assembly::harmonic_loading(system, assembled);
   response::Peaks peaks = response::peaks(assembled, channels, loading, modes, roots, {.search_to = band.to});
   response::CurveModel model = response::curve_model(assembled, channels, loading, roots.poles, peaks, band);

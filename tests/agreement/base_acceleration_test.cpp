@@ -41,7 +41,7 @@ struct Answered {
   Answered(const project::Project& project, const std::vector<std::string>& of)
       : system(project.base().system),
         assembled(assembly::assemble(system)),
-        channels(assembly::channels(system, assembled, of, assembly::Quantity::displacement)),
+        channels(assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement)),
         loading(assembly::harmonic_loading(system, assembled)) {}
 };
 

@@ -87,7 +87,7 @@ TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
   const auto curves = response::frequency_response(assembled,
                                                    assembly::channels(system, assembled, {"body 1", "body 1.relative"},
-                                                                      assembly::Quantity::displacement),
+                                                                      assembly::MotionQuantity::displacement),
                                                    loading, frequencies)
                           .curves;
   const Eigen::VectorXcd g = loading.motion.at(1).head<6>();
@@ -199,7 +199,7 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
   std::vector<std::string> of = {"coordinates"};
   for (const model::Element& element : system.elements()) of.push_back(element.name);
-  const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::velocity);
+  const auto channels = assembly::channels(system, assembled, of, assembly::MotionQuantity::velocity);
   const response::Peaks peaks =
       response::peaks(assembled, channels, loading, modes, roots, {1e-12, to});  // shallow ones too
   std::vector<double> scan;

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "support/matchers.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
@@ -361,9 +361,9 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
   const numerics::BlockSweep blocks(m, load);
   const auto with_threads = [&](int threads) {
     numerics::SweepResult result = room_for(m.size(), omega);
-    foundation::for_each_piece(
-        omega.size(), {.size = 48, .threads = threads},
-        [&](std::size_t first, std::size_t last) { solve_columns(blocks, omega, first, last, result); });
+    foundation::parallel_for(omega.size(), {.size = 48, .threads = threads}, [&](std::size_t first, std::size_t last) {
+      solve_columns(blocks, omega, first, last, result);
+    });
     return result;
   };
   const numerics::SweepResult one = with_threads(1), sixteen = with_threads(16);

@@ -63,14 +63,15 @@ TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {
       const model::System system = skew(seed, law);
       const assembly::Assembled assembled = assembly::assemble(system);
       for (const double omega : {0.0, 3.0, 40.0, 400.0, 4000.0}) {
-        const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
+        const auto channels =
+            assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
         const auto fast =
             response::frequency_response(assembled, channels, assembly::harmonic_loading(system, assembled), {omega});
         const Eigen::VectorXcd direct = condensed_response(system, assembled, omega);
         const double size = direct.cwiseAbs().maxCoeff();
         for (Eigen::Index i = 0; i < direct.size(); ++i)
           EXPECT_LE(std::abs(fast.curves[static_cast<std::size_t>(i)].value(0) - direct(i)), solved_twice * size)
-              << elements::words(law) << " at " << omega;
+              << elements::law_description(law) << " at " << omega;
       }
     }
 }
@@ -78,13 +79,13 @@ TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {
 TEST(RelaxingElements, ForcesOnTheGroundBalanceTheBody) {
   const model::System system = skew(7, elements::Zener{1.5, 0.02});
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto channels = assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement);
+  const auto channels = assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement);
   const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
   // Momentum of the body: force on it from its elements + excitation = −ω² m u_C, in ground axes.
   const double omega = 25;
   const auto response = response::frequency_response(assembled, channels, load, {omega});
   const auto q = response::frequency_response(
-      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement), load,
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement), load,
       {omega});
   Eigen::VectorXcd motion(6);
   for (std::size_t j = 0; j < 6; ++j) motion(static_cast<Eigen::Index>(j)) = q.curves[j].value(0);
@@ -124,7 +125,8 @@ response::Peaks peaks_of(const model::System& system, double to = 0) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   return response::peaks(
-      assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
+      assembled,
+      assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::MotionQuantity::displacement),
       assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), {1e-6, to});
 }
 
@@ -181,7 +183,8 @@ response::FrequencyResponse response_of(const project::Project& project, const s
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   return response::frequency_response(
-      assembled, assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement),
+      assembled,
+      assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::MotionQuantity::displacement),
       assembly::harmonic_loading(system, assembled), omega);
 }
 
@@ -245,7 +248,7 @@ TEST(ElementMass, WeighsOnTheGround) {
   const auto& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto statics = response::static_response(
-      system, assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement));
+      system, assembled, assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement));
   double mass = system.bodies()[0].mass.mass;
   for (const auto& element : system.elements()) {
     Eigen::Matrix<double, 12, 1> rigid = Eigen::Matrix<double, 12, 1>::Zero();

@@ -21,7 +21,7 @@ using namespace trivet;
 using test::RelativelyNear;
 
 response::Question question(const std::vector<std::string>& of,
-                            assembly::Quantity quantity = assembly::Quantity::displacement) {
+                            assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) {
   return {of, quantity, [](const model::System& system, const assembly::Assembled& assembled) {
             return assembly::harmonic_loading(system, assembled);
           }};
@@ -110,7 +110,7 @@ TEST(PeakSensitivities, AreThoseOfPeaksSolvedAgain) {
         test::RandomSystem(seed).description(several ? 3 : 1, std::array{proportional, viscous, loss}[seed % 3]));
     compared += compare(system,
                         question({"body 0.x", "body 0.tip.ry", "ground.force.z", "element 1.moment.x"},
-                                 static_cast<assembly::Quantity>(seed % 3)),
+                                 static_cast<assembly::MotionQuantity>(seed % 3)),
                         {.every = several ? 11 : 2});
   }
   EXPECT_GT(compared, 250);
@@ -194,10 +194,11 @@ TEST(PeakSensitivities, FollowAMovingGroundAndAnUnbalance) {
     description.excitations = drive(kind, random);
     if (kind == 1) description.damping = model::RayleighDamping{0.4, 2e-4};
     if (kind == 0) description.elements[0].law.damping = elements::Zener{0.8, 0.01};
-    EXPECT_GT(compare(test::checked(description),
-                      question({"body 0.x", "element 0.force.z", "ground.moment.x"}, assembly::Quantity::velocity),
-                      {.every = 7}),
-              20);
+    EXPECT_GT(
+        compare(test::checked(description),
+                question({"body 0.x", "element 0.force.z", "ground.moment.x"}, assembly::MotionQuantity::velocity),
+                {.every = 7}),
+        20);
   }
 }
 
@@ -295,7 +296,7 @@ TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
     const model::System system = test::checked(
         test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]));
     const assembly::Assembled assembled = assembly::assemble(system);
-    const auto asked = question({"body 0.tip.x", "ground.force.z"}, static_cast<assembly::Quantity>(seed % 3));
+    const auto asked = question({"body 0.tip.x", "ground.force.z"}, static_cast<assembly::MotionQuantity>(seed % 3));
     const double omega = 40.0 + 10 * seed;
     const auto curves =
         response::frequency_response(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
@@ -320,7 +321,7 @@ TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
 double input_power(const model::System& system, const response::Question& asked, double omega) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto curves = response::frequency_response(
-      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement),
       asked.load(system, assembled), {omega});
   const Eigen::VectorXcd load = asked.load(system, assembled).force.at(omega);
   double power = 0;
@@ -374,7 +375,7 @@ TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
     const double omega = 60;
     const response::PeakShares shares = response::peak_shares(system, assembled, asked, {0, omega, {}});
     const auto force = response::frequency_response(
-        assembled, assembly::channels(system, assembled, {"ground"}, assembly::Quantity::displacement),
+        assembled, assembly::channels(system, assembled, {"ground"}, assembly::MotionQuantity::displacement),
         asked.load(system, assembled), {omega});
     double power = 0;
     for (std::size_t j = 0; j < 6; ++j)

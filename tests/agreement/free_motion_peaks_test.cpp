@@ -22,7 +22,7 @@ response::Peaks peaks_of(const std::string& text) {
   response::PeakOptions options;
   options.min_prominence = 1e-12;  // of the highest, which is at rest if the machine is nearly free
   response::Peaks peaks = response::peaks(
-      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement),
+      assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement),
       assembly::harmonic_loading(system, assembled), modes, modal::roots(system, assembled, modes), options);
   std::erase_if(peaks.list, [](const response::Peak& peak) { return peak.prominence < 1e-6 * peak.amplitude; });
   return peaks;

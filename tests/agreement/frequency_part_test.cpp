@@ -59,10 +59,10 @@ class Springs {
     }
   }
 
-  /// The frequency-dependent part; it declares the rows of the first `told` springs only.
-  [[nodiscard]] FrequencyPart part(std::size_t told = 3) const {
+  /// The frequency-dependent part; it declares the rows of the first `coupled` springs only.
+  [[nodiscard]] FrequencyPart part(std::size_t coupled = 3) const {
     return {[this](double omega, Eigen::MatrixXcd& z, Eigen::VectorXcd& h) { add(omega, z, h); },
-            {groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(told)}};
+            {groups_.begin(), groups_.begin() + static_cast<std::ptrdiff_t>(coupled)}};
   }
 
   void expect_solved(const SweepResult& found, const std::vector<double>& omega, const std::string& name) const {

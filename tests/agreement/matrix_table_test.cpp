@@ -39,21 +39,21 @@ class Folder {
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;
 
-  /// Writes the entries (i, j) with `wanted` of the matrix of every row.
-  template <typename Wanted, typename MatrixOf>
-  std::string table(const std::string& name, int size, const Wanted& wanted,
+  /// Writes the entries (i, j) with `is_selected` of the matrix of every row.
+  template <typename Predicate, typename MatrixOf>
+  std::string table(const std::string& name, int size, const Predicate& is_selected,
                     const std::function<std::string(int, int)>& word, const MatrixOf& matrix_of) const {
     std::ofstream file(path_ / name);
     file << "frequency_hz";
     for (int i = 0; i < size; ++i)
       for (int j = 0; j < size; ++j)
-        if (wanted(i, j)) file << "," << word(i, j) << "," << word(i, j) << "_loss";
+        if (is_selected(i, j)) file << "," << word(i, j) << "," << word(i, j) << "_loss";
     for (int row = 0; row < rows; ++row) {
       const Eigen::MatrixXcd m = matrix_of(row);
       file << "\n" << step_hz * row;
       for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j)
-          if (wanted(i, j)) file << fmt::format(",{:.17g},{:.17g}", m(i, j).real(), m(i, j).imag());
+          if (is_selected(i, j)) file << fmt::format(",{:.17g},{:.17g}", m(i, j).real(), m(i, j).imag());
     }
     file << "\n";
     return (path_ / name).string();
@@ -86,12 +86,12 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   const Eigen::Matrix3d turn = random.rotation();
   const Eigen::AngleAxisd own(turn);
   const spatial::Matrix6 both = spatial::both_blocks(turn);
-  const auto held = [&](int row) -> Eigen::MatrixXcd {
+  const auto turned_block = [&](int row) -> Eigen::MatrixXcd {
     return both.cast<Complex>() * constants(row).asDiagonal() * both.transpose().cast<Complex>();
   };
   const auto full = [&](int row) -> Eigen::MatrixXcd {
     Eigen::MatrixXcd m(12, 12);
-    m << held(row), -held(row), -held(row), held(row);
+    m << turned_block(row), -turned_block(row), -turned_block(row), turned_block(row);
     return m;
   };
   const auto numbered = [](int i, int j) { return fmt::format("k_{}_{}", i + 1, j + 1); };
@@ -106,10 +106,10 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
       fmt::format(
           "interpolation = \"linear\"\norientation = {{axis = [{:.17g}, {:.17g}, {:.17g}], angle = \"{:.17g} rad\"}}\n",
           own.axis().x(), own.axis().y(), own.axis().z(), own.angle()));
-  const Eigen::VectorXcd of_end = answer(folder.table("end.csv", 6, upper, numbered, held), "");
+  const Eigen::VectorXcd of_end = answer(folder.table("end.csv", 6, upper, numbered, turned_block), "");
   const Eigen::VectorXcd of_both = answer(folder.table("both.csv", 12, upper, numbered, full), "");
   const Eigen::VectorXcd unsymmetric =
-      answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, held), "symmetric = false\n");
+      answer(folder.table("all.csv", 6, [](int, int) { return true; }, numbered, turned_block), "symmetric = false\n");
   for (Eigen::Index i = 0; i < expected.size(); ++i) {
     EXPECT_LE(std::abs(of_end(i) - expected(i)), round_off * std::abs(expected(i))) << i;
     EXPECT_LE(std::abs(of_both(i) - expected(i)), round_off * std::abs(expected(i))) << i;

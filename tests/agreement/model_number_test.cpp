@@ -9,7 +9,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/names_in_file.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 
 namespace {
@@ -112,12 +112,12 @@ TEST(ModelNumbers, LeaveWhatTheyDoNotTouchAsItWasRead) {
                                     {"elements.side.stiffness_factor.z", 1.1},
                                     {"bodies.machine.mass", 120.0}}) {
     const auto quick = project::changed_system(project->base(), {{project::ModelNumber(path, ""), value}});
-    const auto anew =
+    const auto read_again =
         project::project_from_text(machine, "machine.toml",
                                    {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01",
                                     path + (" = " + std::to_string(value))});
-    ASSERT_TRUE(quick && anew) << path;
-    EXPECT_EQ(dynamic_stiffness(*quick), dynamic_stiffness(anew->base().system)) << path;
+    ASSERT_TRUE(quick && read_again) << path;
+    EXPECT_EQ(dynamic_stiffness(*quick), dynamic_stiffness(read_again->base().system)) << path;
   }
 }
 

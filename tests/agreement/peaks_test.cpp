@@ -20,7 +20,8 @@ using test::RelativelyNear;
 constexpr double amplitude_digits = 1e-10;
 constexpr double frequency_digits = 1e-8;
 
-response::Peaks peaks_of(const model::System& system, const std::vector<std::string>& of, assembly::Quantity quantity) {
+response::Peaks peaks_of(const model::System& system, const std::vector<std::string>& of,
+                         assembly::MotionQuantity quantity) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, of, quantity);
@@ -31,7 +32,7 @@ response::Peaks peaks_of(const model::System& system, const std::vector<std::str
 }
 
 /// m = 2 kg, ω0 = 30 rad/s, F = 5 N.
-response::Peaks single_mass(double ratio, double loss, assembly::Quantity quantity,
+response::Peaks single_mass(double ratio, double loss, assembly::MotionQuantity quantity,
                             const std::string& of = "coordinates") {
   const auto project =
       test::project(test::chain({2}, {1800}, {2 * ratio * 60}, {loss}) +
@@ -41,7 +42,7 @@ response::Peaks single_mass(double ratio, double loss, assembly::Quantity quanti
 
 TEST(PeaksOfOneMass, DisplacementForEveryDamping) {
   for (const double ratio : {1e-6, 1e-5, 1e-3, 0.05, 0.3, 0.6, 0.7}) {
-    const response::Peaks found = single_mass(ratio, 0, assembly::Quantity::displacement);
+    const response::Peaks found = single_mass(ratio, 0, assembly::MotionQuantity::displacement);
     ASSERT_EQ(found.list.size(), 1u) << ratio;
     EXPECT_THAT(found.list[0].angular_frequency,
                 RelativelyNear(30 * std::sqrt(1 - 2 * ratio * ratio), frequency_digits))
@@ -70,7 +71,7 @@ TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
                       force + "\n")
             .base()
             .system,
-        {of}, assembly::Quantity::displacement);
+        {of}, assembly::MotionQuantity::displacement);
   };
   const response::Peaks z = found("[0, 0, 1]", "b.z");
   ASSERT_EQ(z.list.size(), 1u);
@@ -83,30 +84,30 @@ TEST(PeaksOfTwoModes, BelongToTheModeThatResonatesNotToTheNearestInFrequency) {
 
 TEST(PeaksOfOneMass, NoneAboveTheKnownDamping) {
   for (const double ratio : {0.708, 1.0, 2.5})
-    EXPECT_TRUE(single_mass(ratio, 0, assembly::Quantity::displacement).list.empty()) << ratio;
+    EXPECT_TRUE(single_mass(ratio, 0, assembly::MotionQuantity::displacement).list.empty()) << ratio;
 }
 
 TEST(PeaksOfOneMass, VelocityAndAcceleration) {
   for (const double ratio : {1e-4, 0.2, 0.65}) {
-    const auto velocity = single_mass(ratio, 0, assembly::Quantity::velocity);
+    const auto velocity = single_mass(ratio, 0, assembly::MotionQuantity::velocity);
     ASSERT_EQ(velocity.list.size(), 1u);
     EXPECT_THAT(velocity.list[0].angular_frequency, RelativelyNear(30.0, frequency_digits));
     EXPECT_THAT(velocity.list[0].amplitude, RelativelyNear(5 / (2 * ratio * 60), amplitude_digits));
     EXPECT_FALSE(velocity.list[0].ratio_to_static.has_value());
-    const auto acceleration = single_mass(ratio, 0, assembly::Quantity::acceleration);
+    const auto acceleration = single_mass(ratio, 0, assembly::MotionQuantity::acceleration);
     ASSERT_EQ(acceleration.list.size(), 1u);
     EXPECT_THAT(acceleration.list[0].angular_frequency,
                 RelativelyNear(30 / std::sqrt(1 - 2 * ratio * ratio), frequency_digits));
     EXPECT_THAT(acceleration.list[0].amplitude,
                 RelativelyNear(5 / 2.0 / (2 * ratio * std::sqrt(1 - ratio * ratio)), amplitude_digits));
   }
-  EXPECT_TRUE(single_mass(0.75, 0, assembly::Quantity::acceleration).list.empty()) << "it only rises to F/m";
+  EXPECT_TRUE(single_mass(0.75, 0, assembly::MotionQuantity::acceleration).list.empty()) << "it only rises to F/m";
 }
 
 TEST(PeaksOfOneMass, TransmittedForce) {
   // |F_t/F|² = (1 + (2ζr)²)/((1 − r²)² + (2ζr)²) is largest at r² = (√(1 + 8ζ²) − 1)/(4ζ²), for any damping.
   for (const double ratio : {0.01, 0.5, 2.0}) {
-    const auto found = single_mass(ratio, 0, assembly::Quantity::displacement, "k1.force.x");
+    const auto found = single_mass(ratio, 0, assembly::MotionQuantity::displacement, "k1.force.x");
     ASSERT_EQ(found.list.size(), 1u) << ratio;
     const double r2 = (std::sqrt(1 + 8 * ratio * ratio) - 1) / (4 * ratio * ratio), c = 4 * ratio * ratio * r2;
     EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30 * std::sqrt(r2), frequency_digits));
@@ -117,7 +118,7 @@ TEST(PeaksOfOneMass, TransmittedForce) {
 
 TEST(PeaksOfOneMass, LossFactor) {
   for (const double loss : {1e-6, 0.1, 1.0, 5.0}) {
-    const auto found = single_mass(0, loss, assembly::Quantity::displacement);
+    const auto found = single_mass(0, loss, assembly::MotionQuantity::displacement);
     ASSERT_EQ(found.list.size(), 1u);
     EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30.0, frequency_digits)) << loss;
     EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5 / 1800.0 / loss, amplitude_digits)) << loss;
@@ -125,7 +126,7 @@ TEST(PeaksOfOneMass, LossFactor) {
 }
 
 TEST(PeaksOfOneMass, UndampedIsUnbounded) {
-  const auto found = single_mass(0, 0, assembly::Quantity::displacement);
+  const auto found = single_mass(0, 0, assembly::MotionQuantity::displacement);
   ASSERT_EQ(found.list.size(), 1u);
   EXPECT_TRUE(std::isinf(found.list[0].amplitude));
   EXPECT_THAT(found.list[0].angular_frequency, RelativelyNear(30.0, 1e-14));
@@ -140,7 +141,7 @@ TEST(PeaksOfOneMass, LightDampingBesideAHeavyDashpotIsNoUndampedPole) {
                     "coefficient = 1e8\n[elements.s]\ntype = \"three_springs\"\non = \"other\"\nat = [0, 0, "
                     "0]\ntranslation = [1, 0, 0]\n" +
                     "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n");
-  const auto found = peaks_of(project.base().system, {"m1"}, assembly::Quantity::displacement);
+  const auto found = peaks_of(project.base().system, {"m1"}, assembly::MotionQuantity::displacement);
   ASSERT_EQ(found.list.size(), 1u);
   EXPECT_THAT(found.list[0].amplitude, RelativelyNear(5e5, 1e-9));
   EXPECT_TRUE(found.list[0].ratio_to_static.has_value()) << "the system is held: it has a static answer";
@@ -150,7 +151,7 @@ TEST(PeaksOfOneMass, FreeMassHasNone) {
   const auto project = test::project(
       "trivet = 1\n[bodies.m]\nmass = 2\nfree = [\"x\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, "
       "0]\nforce = [5, 0, 0]\n");
-  EXPECT_TRUE(peaks_of(project.base().system, {"coordinates"}, assembly::Quantity::displacement).list.empty());
+  EXPECT_TRUE(peaks_of(project.base().system, {"coordinates"}, assembly::MotionQuantity::displacement).list.empty());
 }
 
 /// A grid that is dense around every pole and extends well beyond the last.
@@ -191,7 +192,7 @@ TEST(PeaksOfRandomSystems, AreThoseOfADenseScan) {
     const modal::Roots roots = modal::roots(system, assembled, modes);
     const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
     const auto channels = assembly::channels(system, assembled, {"coordinates", "ground", "body 0.tip"},
-                                             static_cast<assembly::Quantity>(seed % 3));
+                                             static_cast<assembly::MotionQuantity>(seed % 3));
     const response::Peaks found = response::peaks(assembled, channels, load, modes, roots, {1e-5});
     const std::vector<double> grid = dense_grid(roots.poles);
     const response::FrequencyResponse scan = response::frequency_response(assembled, channels, load, grid);

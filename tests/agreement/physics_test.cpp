@@ -47,7 +47,7 @@ Eigen::MatrixXcd receptance(const assembly::Assembled& assembled, double omega) 
 
 std::vector<response::Curve> curves(const model::System& system, const std::vector<std::string>& of,
                                     const std::vector<double>& omega,
-                                    assembly::Quantity quantity = assembly::Quantity::displacement) {
+                                    assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) {
   const assembly::Assembled assembled = assembly::assemble(system);
   return response::frequency_response(assembled, assembly::channels(system, assembled, of, quantity),
                                       assembly::harmonic_loading(system, assembled), omega)
@@ -215,7 +215,7 @@ TEST(Physics, GroundForceAndAppliedForceMakeTheMomentumChange) {
       const auto ground = curves(system, {"ground"}, {omega});
       Eigen::Vector3cd momentum_change = Eigen::Vector3cd::Zero();
       for (const auto& body : d.bodies) {
-        const auto a = curves(system, {body.name + ".centre"}, {omega}, assembly::Quantity::acceleration);
+        const auto a = curves(system, {body.name + ".centre"}, {omega}, assembly::MotionQuantity::acceleration);
         const Eigen::Vector3cd acceleration(a[0].value(0), a[1].value(0), a[2].value(0));
         momentum_change += body.mass.mass * (body.pose.rotation.cast<std::complex<double>>() * acceleration);
       }

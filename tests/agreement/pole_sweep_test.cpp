@@ -115,7 +115,7 @@ TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
   int answered = 0;
   for (const test::HardCase& hard : test::hard_cases()) {
     const std::string name = hard.name;
-    const std::optional<PoleSweep> poles = PoleSweep::of(hard.m, test::load());
+    const std::optional<PoleSweep> poles = PoleSweep::try_build(hard.m, test::load());
     if (!poles) continue;
     const std::vector<double> omega = near_resonances(hard.m);
     const Answer found = response(*poles, omega, hard.m.size());
@@ -137,12 +137,12 @@ TEST(PoleSweep, DeclinesWhatItCannotProve) {
     const bool impossible = name.starts_with("critical") || name == "exceptional point" || name == "indefinite mass" ||
         name == "unsymmetric" || name.starts_with("loss factor");
     if (impossible) {
-      EXPECT_FALSE(PoleSweep::of(hard.m, test::load())) << name;
+      EXPECT_FALSE(PoleSweep::try_build(hard.m, test::load())) << name;
     }
     const bool regular =
         name.starts_with("general") || name.starts_with("proportional") || name.starts_with("coincident");
     if (regular) {
-      EXPECT_TRUE(PoleSweep::of(hard.m, test::load())) << name;
+      EXPECT_TRUE(PoleSweep::try_build(hard.m, test::load())) << name;
     }
   }
 }
@@ -170,7 +170,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
         const DynamicMatrices m = random_system(n, static_cast<unsigned>(n), damping);
         const Eigen::VectorXcd load =
             Eigen::VectorXcd::LinSpaced(n, std::complex<double>(1, n % 2), std::complex<double>(-0.7, 0.4));
-        const std::optional<PoleSweep> poles = PoleSweep::of(m, load);
+        const std::optional<PoleSweep> poles = PoleSweep::try_build(m, load);
         const bool fused =
             set != "SCALAR" && set != "EMU128";  // without fused products light damping cannot be checked
         if (!poles && !fused) continue;
@@ -193,7 +193,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
 TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
   constexpr Eigen::Index count = 400'003, piece = 999;
   const DynamicMatrices m = random_system(6, 3, 0.1);
-  const std::optional<PoleSweep> poles = PoleSweep::of(m, Eigen::VectorXcd::Ones(6));
+  const std::optional<PoleSweep> poles = PoleSweep::try_build(m, Eigen::VectorXcd::Ones(6));
   ASSERT_TRUE(poles);
   const Eigen::ArrayXd omega = Eigen::ArrayXd::LinSpaced(count, 0.01, 50);
   for (const Eigen::Index rows : {count, count + 5, count + 7}) {  // distances that are not multiples of a memory line
@@ -210,7 +210,7 @@ TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
 }
 
 TEST(PoleSweep, NeedsArraysOfTheRightSize) {
-  const std::optional<PoleSweep> poles = PoleSweep::of(random_system(3, 1, 0.1), Eigen::VectorXcd::Ones(3));
+  const std::optional<PoleSweep> poles = PoleSweep::try_build(random_system(3, 1, 0.1), Eigen::VectorXcd::Ones(3));
   ASSERT_TRUE(poles);
   Eigen::ArrayXXd re(4, 3), im(4, 2);
   EXPECT_THROW(static_cast<void>(poles->response(Eigen::ArrayXd::Ones(4), re, im)), foundation::InvalidInput);
@@ -223,7 +223,7 @@ TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne)
   for (int i = 0; i < 30000; ++i) omega.push_back(1e-4 * i);
   for (const auto& hard : test::hard_cases()) {
     const Eigen::VectorXcd load = test::load();
-    if (!PoleSweep::of(hard.m, load)) continue;
+    if (!PoleSweep::try_build(hard.m, load)) continue;
     const numerics::SweepResult direct = numerics::sweep(hard.m, load, omega);
     numerics::SweepPlanes one, sixteen;
     numerics::sweep(hard.m, load, omega, one, {.every_backward_error = false, .threads = 1});

@@ -29,13 +29,14 @@ constexpr double settled = 2e-8;
 struct Case {
   model::System system;
   assembly::Assembled assembled = assembly::assemble(system);
-  std::vector<assembly::Channel> channels(const std::vector<std::string>& of,
-                                          assembly::Quantity quantity = assembly::Quantity::displacement) const {
+  std::vector<assembly::Channel> channels(
+      const std::vector<std::string>& of,
+      assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
 };
 
-Case drawn(unsigned seed, std::size_t bodies, test::RandomDamping damping) {
+Case random_case(unsigned seed, std::size_t bodies, test::RandomDamping damping) {
   return {test::checked(test::RandomSystem(seed).description(bodies, damping))};
 }
 
@@ -105,7 +106,7 @@ void expect_mean_squares(const response::RandomResponse& response, const Eigen::
 }
 
 TEST(RandomResponse, TheVarianceOverPolesIsThatOfAFineGrid) {
-  const Case c = drawn(21, 2, test::RandomDamping::viscous);
+  const Case c = random_case(21, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates", "element 0", "element 1.deflection", "ground"});
   for (const assembly::Loading& load : {force(c, 1), base(c, 0)}) {
     const response::RandomLoading loading{{{"input", load, two_pieces(2, 40, 400)}}, {}};
@@ -117,15 +118,15 @@ TEST(RandomResponse, TheVarianceOverPolesIsThatOfAFineGrid) {
 }
 
 TEST(RandomResponse, AccelerationsOfABodyAreThoseOfAFineGrid) {
-  const Case c = drawn(22, 1, test::RandomDamping::viscous);
-  const auto channels = c.channels({"body 0", "body 0.tip.relative"}, assembly::Quantity::acceleration);
+  const Case c = random_case(22, 1, test::RandomDamping::viscous);
+  const auto channels = c.channels({"body 0", "body 0.tip.relative"}, assembly::MotionQuantity::acceleration);
   const response::RandomLoading loading{{{"floor", base(c, 2), two_pieces(3, 60, 300)}}, {}};
   expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 20000),
                       truncation);
 }
 
 TEST(RandomResponse, ProportionalDampingIsSolvedModeByModeAndAgrees) {
-  const Case c = drawn(23, 2, test::RandomDamping::proportional);
+  const Case c = random_case(23, 2, test::RandomDamping::proportional);
   const auto channels = c.channels({"coordinates", "element 2"});
   const response::RandomLoading loading{{{"input", force(c, 0), two_pieces(2, 40, 400)}}, {}};
   const response::RandomResponse random = response::random_response(c.assembled, channels, loading);
@@ -134,7 +135,7 @@ TEST(RandomResponse, ProportionalDampingIsSolvedModeByModeAndAgrees) {
 }
 
 TEST(RandomResponse, ALossFactorAgreesWithAFineGrid) {
-  const Case c = drawn(24, 2, test::RandomDamping::loss);
+  const Case c = random_case(24, 2, test::RandomDamping::loss);
   const auto channels = c.channels({"coordinates", "ground"});
   const response::RandomLoading loading{{{"input", force(c, 1), two_pieces(2, 40, 400)}}, {}};
   expect_mean_squares(response::random_response(c.assembled, channels, loading), summed(c, channels, loading, 40000),
@@ -142,7 +143,7 @@ TEST(RandomResponse, ALossFactorAgreesWithAFineGrid) {
 }
 
 TEST(RandomResponse, ATravellingWaveAgreesWithAFineGrid) {
-  const Case c = drawn(25, 2, test::RandomDamping::viscous);
+  const Case c = random_case(25, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates", "element 0.deflection"});
   const response::RandomLoading loading{
       {{"wave", base(c, 0, model::Wave{Eigen::Vector3d(0.6, 0.8, 0), 4.0}), two_pieces(2, 40, 400)}}, {}};
@@ -151,7 +152,7 @@ TEST(RandomResponse, ATravellingWaveAgreesWithAFineGrid) {
 }
 
 TEST(RandomResponse, AVeryFastWaveIsAnInPhaseMotionOfAllGroundPoints) {
-  const Case c = drawn(26, 2, test::RandomDamping::viscous);
+  const Case c = random_case(26, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const excitation::Spectrum spectrum = two_pieces(2, 40, 400);
   model::Action together;
@@ -180,7 +181,7 @@ Eigen::MatrixXd white_noise_covariance(const Case& c, const assembly::Loading& l
 }
 
 TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
-  const Case c = drawn(27, 3, test::RandomDamping::viscous);
+  const Case c = random_case(27, 3, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const assembly::Loading load = force(c, 2);
   constexpr double density = 0.7, highest = 1e7;
@@ -238,7 +239,7 @@ TEST(RandomResponse, ANarrowInputElsewhereIsNotOverlooked) {
 }
 
 TEST(RandomResponse, CoherentEqualInputsAreOneInputAndUncorrelatedOnesAddUp) {
-  const Case c = drawn(28, 2, test::RandomDamping::viscous);
+  const Case c = random_case(28, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates", "ground"});
   const excitation::Spectrum spectrum = two_pieces(2, 40, 400);
   const assembly::Loading one = force(c, 0), other = force(c, 1);
@@ -261,7 +262,7 @@ TEST(RandomResponse, CoherentEqualInputsAreOneInputAndUncorrelatedOnesAddUp) {
 }
 
 TEST(RandomResponse, PartlyCoherentLateInputsAgreeWithAFineGrid) {
-  const Case c = drawn(29, 2, test::RandomDamping::viscous);
+  const Case c = random_case(29, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const excitation::Spectrum rising = two_pieces(2, 40, 400), flat = excitation::flat_spectrum(0.4, 2, 400);
   const response::RandomLoading loading{{{"first", force(c, 0), rising}, {"second", base(c, 0), flat}},
@@ -271,7 +272,7 @@ TEST(RandomResponse, PartlyCoherentLateInputsAgreeWithAFineGrid) {
 }
 
 TEST(RandomResponse, ADelayOfAPairIsTheDelayOfItsSecondInput) {
-  const Case c = drawn(30, 2, test::RandomDamping::viscous);
+  const Case c = random_case(30, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const excitation::Spectrum spectrum = two_pieces(2, 40, 400);
   model::Action late;
@@ -296,7 +297,7 @@ TEST(RandomResponse, ADelayOfAPairIsTheDelayOfItsSecondInput) {
 }
 
 TEST(RandomResponse, AGroundAccelerationIsADisplacementWithItsSpectrumIntegratedTwice) {
-  const Case c = drawn(31, 2, test::RandomDamping::viscous);
+  const Case c = random_case(31, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates", "element 0", "element 1.deflection"});
   const excitation::Spectrum acceleration = two_pieces(2, 40, 400);
   const auto given = response::random_response(c.assembled, channels, {{{"a", base(c, 2), acceleration}}, {}});
@@ -344,7 +345,7 @@ TEST(RandomResponse, ElementsThatDependOnFrequencyAreIntegratedToTheSameValues) 
 }
 
 TEST(RandomResponse, TwoEqualCoherentInputsHaveFourTimesTheDensityOfOne) {
-  const Case c = drawn(34, 1, test::RandomDamping::viscous);
+  const Case c = random_case(34, 1, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const response::RandomInput input{"one", force(c, 0), two_pieces(2, 40, 400)};
   const auto one = response::random_curves(c.assembled, channels, {{input}, {}}, {3, 30, 300});
@@ -355,7 +356,7 @@ TEST(RandomResponse, TwoEqualCoherentInputsHaveFourTimesTheDensityOfOne) {
 }
 
 TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {
-  const Case c = drawn(33, 2, test::RandomDamping::viscous);
+  const Case c = random_case(33, 2, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
   const response::RandomLoading loading{
       {{"first", force(c, 0), two_pieces(2, 40, 400)}, {"second", base(c, 0), excitation::flat_spectrum(0.4, 5, 200)}},

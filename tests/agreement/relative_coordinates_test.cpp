@@ -10,8 +10,8 @@
 #include "support/shaken_machine.h"
 #include "trivet/excitation/pulses.h"
 #include "trivet/response/random/random_response.h"
-#include "trivet/response/steady/curve_ends.h"
 #include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/steady/vanishing_ends.h"
 #include "trivet/response/transient/transient.h"
 
 namespace {

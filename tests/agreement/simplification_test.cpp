@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "support/projects.h"
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 
 namespace {
 
@@ -72,7 +72,7 @@ TEST(Simplification, ChangesNothingForAMatrixThatIsThreeSprings) {
   ASSERT_EQ(simple.modes.size(), 6u);
   for (const ModeComparison& mode : simple.modes) {
     EXPECT_NEAR(*trivet::study::relative_difference(mode.full, mode.simplified), 0, round_off) << mode.name;
-    EXPECT_NEAR(mode.likeness, 1, round_off) << mode.name;
+    EXPECT_NEAR(mode.similarity, 1, round_off) << mode.name;
   }
   ASSERT_EQ(simple.peaks.size(), 6u);
   for (const auto& peak : simple.peaks)

@@ -46,11 +46,11 @@ TEST(SolidMount, PreloadedTetrahedraOfBothPressuresAgreeWithHexahedra) {
   fem::Preload load;
   load.value << 0.001, 0, -0.002, 0, 0.02, 0.05;
   const auto expected = fem::preloaded_stiffness(hexahedra, rubber, fem::frame(block), load);
-  ASSERT_TRUE(expected.converged) << expected.why_not;
+  ASSERT_TRUE(expected.converged) << expected.failure_reason;
   for (const auto pressure : {fem::TetPressure::constant, fem::TetPressure::continuous}) {
     const auto solid =
         fem::preloaded_stiffness(tetrahedra, rubber, fem::frame(block), load, {.tet_pressure = pressure});
-    ASSERT_TRUE(solid.converged) << solid.why_not;
+    ASSERT_TRUE(solid.converged) << solid.failure_reason;
     EXPECT_EQ(solid.negative_eigenvalues, 0);
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j < 12; ++j)
@@ -66,7 +66,7 @@ TEST(SolidMount, TangentIsTheSlopeOfThePreload) {
   fem::Preload load;
   load.value << 0.001, -0.0005, -0.003, 0, 0, 0;
   const auto here = fem::preloaded_stiffness(mesh, rubber, fem::frame(block), load);
-  ASSERT_TRUE(here.converged) << here.why_not;
+  ASSERT_TRUE(here.converged) << here.failure_reason;
   for (int j = 0; j < 3; ++j) {
     const double step = 3e-6;
     fem::Preload more = load, less = load;

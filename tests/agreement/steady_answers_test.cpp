@@ -108,9 +108,10 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
     const response::PowerFlow flow = response::power_flow(system, assembled, loading, frequencies);
     ASSERT_EQ(flow.mounts.size(), 2u);
     for (std::size_t m = 0; m < flow.mounts.size(); ++m) {
-      const auto forces = assembly::channels(system, assembled, {flow.mounts[m]}, assembly::Quantity::displacement);
+      const auto forces =
+          assembly::channels(system, assembled, {flow.mounts[m]}, assembly::MotionQuantity::displacement);
       const auto velocities =
-          assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::Quantity::velocity);
+          assembly::channels(system, assembled, {flow.mounts[m] + ".foot"}, assembly::MotionQuantity::velocity);
       const auto force = response::frequency_response(assembled, forces, loading, frequencies);
       const auto velocity = response::frequency_response(assembled, velocities, loading, frequencies);
       for (Eigen::Index i = 0; i < flow.into_ground.cols(); ++i) {
@@ -215,7 +216,7 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
     const assembly::Assembled assembled = assembly::assemble(system);
     const modal::Modes modes = modal::modes(system, assembled);
     const auto channels =
-        assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::Quantity::displacement);
+        assembly::channels(system, assembled, {"coordinates", "ground"}, assembly::MotionQuantity::displacement);
     const response::RunUp found = response::run_up(assembled, channels, response::order_loadings(system, assembled),
                                                    modes, modal::roots(system, assembled, modes), {{20, 100}, 1e-6, 5});
     EXPECT_FALSE(found.critical.empty());
@@ -238,7 +239,7 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
     const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
     const response::DeflectionShape shape = response::deflection_shape(system, assembled, loading, 40);
     const auto expect = [&](const std::string& word, const response::MovingPlace& place, const Eigen::Matrix3d& axes) {
-      const auto channels = assembly::channels(system, assembled, {word}, assembly::Quantity::displacement);
+      const auto channels = assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement);
       const auto curves = response::frequency_response(assembled, channels, loading, {40});
       Eigen::Matrix<Complex, 6, 1> motion;
       for (int j = 0; j < 6; ++j) motion(j) = curves.curves[static_cast<std::size_t>(j)].value(0);
@@ -282,7 +283,7 @@ TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
     const modal::Modes modes = modal::modes(system, assembled);
     const modal::Roots roots = modal::roots(system, assembled, modes);
     const assembly::Loading loading = assembly::harmonic_loading(system, assembled);
-    const auto channels = assembly::channels(system, assembled, {"body 1.tip.z"}, assembly::Quantity::velocity);
+    const auto channels = assembly::channels(system, assembled, {"body 1.tip.z"}, assembly::MotionQuantity::velocity);
     const std::vector<double> scan = response::logarithmic_grid({10, 500}, 20000);
     const Eigen::VectorXd level =
         response::frequency_response(assembled, channels, loading, scan).curves[0].value.cwiseAbs();

@@ -109,7 +109,7 @@ TEST(Transient, SettlesIntoTheHarmonicResponseWithDelaysAtSingleGroundEnds) {
   const auto sine = excitation::sine_burst(1, omega, 1e6);
   const auto first = test::base_motion(assembled, sine, along(2, 0.01), 0, {0}),
              second = test::base_motion(assembled, sine, along(0, 0.02), 0, {1}, delay);
-  for (const auto quantity : {assembly::Quantity::displacement, assembly::Quantity::acceleration}) {
+  for (const auto quantity : {assembly::MotionQuantity::displacement, assembly::MotionQuantity::acceleration}) {
     response::TransientOptions options = until(62, 0.05);
     options.from = 60;
     const auto r = test::transient(system, assembled, words, {first, second}, options, quantity);
@@ -200,7 +200,7 @@ TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThr
   const auto run = [&](const excitation::Signal& signal, int derivative) {
     return test::transient(system, assembled, {"coordinates"},
                            {test::base_motion(assembled, signal, direction, derivative)}, until(0.1, 0.004),
-                           assembly::Quantity::velocity);
+                           assembly::MotionQuantity::velocity);
   };
   const auto a = run(jump, 0), b = run(short_jump, 0), c = run(corner, 0), d = run(short_corner, 1);
   for (std::size_t k = 0; k < 6; ++k) {
@@ -303,7 +303,7 @@ TEST(Transient, FindsTheExtremesOfAFineCurveFromACoarseOne) {
   const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto force = test::force_on(assembled, 1, mixed(), along(2));
-  for (const auto quantity : {assembly::Quantity::displacement, assembly::Quantity::acceleration}) {
+  for (const auto quantity : {assembly::MotionQuantity::displacement, assembly::MotionQuantity::acceleration}) {
     const auto fine = test::transient(system, assembled, {"coordinates"}, {force}, until(1.2, 0.0001), quantity);
     const auto coarse = test::transient(system, assembled, {"coordinates"}, {force}, until(1.2, 0.002), quantity);
     for (std::size_t k = 0; k < fine.curves.size(); ++k) {

@@ -21,7 +21,7 @@ def names_of_constants(text):
     text = re.sub(r'R?"(?:[^"\\]|\\.)*"', "0", text.split("//")[0])
     while (flat := re.sub(r"\([^()]*\)|\{[^{}]*\}|<[^<>]*>|\[[^\[\]]*\]", " ", text)) != text:
         text = flat
-    return [found[1] for part in text.split(",") if (found := re.match(r"(?:.*[\s*&])?(\w+)$", re.split("[=;({[]", part)[0].strip()))]
+    return [found[1] for part in text.split(",") if (found := re.match(r"(?:.*[\s*&])?([A-Za-z_]\w*)$", re.split("[=;({[]", part)[0].strip()))]
 
 
 def declared(lines):

@@ -87,8 +87,8 @@ inline study::Answers answers_of_everything() {
   a.modes = modal::modes(system, assembled);
   a.roots = modal::roots(system, assembled, a.modes);
   const std::vector<std::string> of = {"coordinates", "machine.seat", "ground"};
-  const auto channels = assembly::channels(system, assembled, of, assembly::Quantity::displacement);
-  const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::Quantity::velocity);
+  const auto channels = assembly::channels(system, assembled, of, assembly::MotionQuantity::displacement);
+  const auto velocities = assembly::channels(system, assembled, {"machine.seat.z"}, assembly::MotionQuantity::velocity);
   const response::RandomLoading random = response::random_loading(system, assembled);
   a.of_questions["random"] = study::RandomResult{response::random_response(assembled, channels, random),
                                                  response::random_curves(assembled, channels, random),

@@ -18,7 +18,8 @@ struct Assembly {
   explicit Assembly(const model::Description& d) : system(checked(d)), assembled(assembly::assemble(system)) {}
 
   [[nodiscard]] std::vector<assembly::Channel> channels(
-      const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
+      const std::vector<std::string>& of,
+      assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   [[nodiscard]] assembly::Loading loading() const { return assembly::harmonic_loading(system, assembled); }

@@ -41,7 +41,7 @@ namespace trivet::test {
 [[nodiscard]] inline response::TransientResponse transient(
     const model::System& system, const assembly::Assembled& assembled, const std::vector<std::string>& of,
     const std::vector<response::TimeInput>& inputs, const response::TransientOptions& options,
-    assembly::Quantity quantity = assembly::Quantity::displacement) {
+    assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) {
   return response::transient_response(system, assembled, assembly::channels(system, assembled, of, quantity), inputs,
                                       options);
 }

@@ -25,7 +25,7 @@ TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
   EXPECT_EQ(map.unknown, 4u);  // −5 and 0 kg
   ASSERT_FALSE(map.report.missing.empty());
   EXPECT_THAT(map.report.missing.front().words, testing::HasSubstr("mass = -5 kg; a mass must be > 0"));
-  EXPECT_FALSE(map.outcomes[0].kept());
+  EXPECT_FALSE(map.outcomes[0].feasible());
 }
 
 /// A body with an inertia that violates the triangle inequality, with different numbers in each design.
@@ -48,9 +48,9 @@ TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
       "no_peak = \"coordinates\"}\n");
   const project::Project project = test::project(text, {"elements.spring.damping={loss_factor=0.1}"});
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
-  EXPECT_EQ(map.report.proven + map.report.redone, 0u);
-  EXPECT_EQ(map.report.one_by_one, 9u);
-  EXPECT_THAT(map.report.words(), testing::HasSubstr("loss factors"));
+  EXPECT_EQ(map.report.proven + map.report.fallback, 0u);
+  EXPECT_EQ(map.report.assembled_separately, 9u);
+  EXPECT_THAT(map.report.summary(), testing::HasSubstr("loss factors"));
 }
 
 /// With heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it only at infinity.
@@ -63,7 +63,7 @@ TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
   for (const bool fast : {true, false}) {
     const study::DesignMap map =
         study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {0, fast}});
-    EXPECT_EQ(map.kept, map.outcomes.size());
+    EXPECT_EQ(map.feasible_designs, map.outcomes.size());
     for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_EQ(outcome.margin, 1);
     EXPECT_THAT(results::verdict_words(map, map.marks.at(1)),
                 testing::ElementsAre("least margin 1: machine.z ≤ 1 m/s²"));
@@ -74,14 +74,14 @@ TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
-  EXPECT_EQ(map.report.one_by_one, 20u);
-  EXPECT_THAT(map.report.words(), testing::HasSubstr("defined differently from design to design"));
+  EXPECT_EQ(map.report.assembled_separately, 20u);
+  EXPECT_THAT(map.report.summary(), testing::HasSubstr("defined differently from design to design"));
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheWayTheyWereJudged) {
   const project::Project project = *project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});
-  EXPECT_EQ(map.report.proven + map.report.redone + map.report.one_by_one, 900u);
+  EXPECT_EQ(map.report.proven + map.report.fallback + map.report.assembled_separately, 900u);
   EXPECT_GT(map.report.proven, 800u);
 }
 
@@ -95,7 +95,7 @@ TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAnd
   for (const int threads : {1, 4}) {
     const study::DesignMap map =
         study::design_map(project, project.base(), *project.base().analyses.map, {0, 0, {threads, true}}, progress);
-    EXPECT_EQ(map.report.one_by_one, 20u);
+    EXPECT_EQ(map.report.assembled_separately, 20u);
     std::string text;
     results::write_map_json(map, {}, [&](std::string_view piece) { text += piece; });
     texts.push_back(text);

@@ -25,7 +25,7 @@ design::PlainDesign design_of(double k, double b) {
 TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
   const auto family =
       design::DesignFamily::fitted(
-          [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(p.x * p.x, p.y), ""}; },
+          [](const design::FamilyPoint& p) { return design::PlainDesignOrReason{design_of(p.x * p.x, p.y), ""}; },
           {0.3, 10, "x"}, {0.01, 0.5, "y"})
           .family;
   ASSERT_TRUE(family);
@@ -45,7 +45,7 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
 TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
   const auto family =
       design::DesignFamily::fitted(
-          [](const design::FamilyPoint& p) { return design::PlainOrNot{design_of(std::log(p.x), p.y), ""}; },
+          [](const design::FamilyPoint& p) { return design::PlainDesignOrReason{design_of(std::log(p.x), p.y), ""}; },
           {1, 1000, "x"}, {0.01, 0.5, "y"})
           .family;
   ASSERT_TRUE(family);
@@ -54,10 +54,10 @@ TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
 
 TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
   const auto along_x = [](const design::FamilyPoint& p) {
-    return design::PlainOrNot{design_of(std::abs(p.x - 3.3), p.y), ""};
+    return design::PlainDesignOrReason{design_of(std::abs(p.x - 3.3), p.y), ""};
   };
   const auto along_y = [](const design::FamilyPoint& p) {
-    return design::PlainOrNot{design_of(p.x, std::max(p.y, 0.2)), ""};
+    return design::PlainDesignOrReason{design_of(p.x, std::max(p.y, 0.2)), ""};
   };
   const auto of_x = design::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}),
              of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
@@ -71,7 +71,7 @@ TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
   const auto changing = [](const design::FamilyPoint& p) {
     design::PlainDesign design = design_of(p.x, p.y);
     design.rows(0, 0) = p.x;
-    return design::PlainOrNot{design, ""};
+    return design::PlainDesignOrReason{design, ""};
   };
   const auto found = design::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
   EXPECT_FALSE(found.family);
@@ -80,7 +80,8 @@ TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
 
 TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
   const auto lossy = [](const design::FamilyPoint& p) {
-    return p.x > 5 ? design::PlainOrNot{{}, "loss factors"} : design::PlainOrNot{design_of(p.x, p.y), ""};
+    return p.x > 5 ? design::PlainDesignOrReason{{}, "loss factors"}
+                   : design::PlainDesignOrReason{design_of(p.x, p.y), ""};
   };
   EXPECT_EQ(design::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
 }

@@ -19,7 +19,7 @@ TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
   ASSERT_EQ(map.outcomes.size(), 20u);
   EXPECT_EQ(map.unknown, 0u);
   std::size_t shares = 0;
-  for (const study::RuleShare& share : map.shares) shares += share.kept + share.broken;
+  for (const study::RuleShare& share : map.shares) shares += share.feasible + share.infeasible;
   EXPECT_EQ(shares, 20u);
   ASSERT_TRUE(map.best);
   for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_LE(outcome.margin, map.outcomes[*map.best].margin);

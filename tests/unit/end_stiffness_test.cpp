@@ -22,13 +22,13 @@ using testing::HasSubstr;
 /// 18 condensed rows whose scaled reciprocal condition is about 1e-4.
 constexpr double condensed_round_off = 1e5 * epsilon;
 
-std::string kept(const std::string& name) {
+std::string file_content(const std::string& name) {
   return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name);
 }
 
 /// The bar in four elements; its nodes are 11, 12, 13, 14, 15.
 NamedMatrix chain() {
-  NamedMatrix matrix = *exchange::read_numpy_array(kept("chain.npy"), "f");
+  NamedMatrix matrix = *exchange::read_numpy_array(file_content("chain.npy"), "f");
   for (int node = 11; node <= 15; ++node)
     for (int component = 1; component <= 6; ++component) matrix.labels.push_back({node, component});
   return matrix;

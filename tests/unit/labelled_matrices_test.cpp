@@ -21,13 +21,13 @@ using exchange::RigidEnd;
 using testing::HasSubstr;
 
 const std::string folder = std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/";
-std::string kept(const std::string& name) { return *exchange::file_bytes(folder + name); }
+std::string file_content(const std::string& name) { return *exchange::file_bytes(folder + name); }
 
 /// Digits of the entries in the files: 10 in large fields, 4 in small fields with a sign and an exponent.
 constexpr double large_field = 1e-9, small_field = 2e-3;
 
 TEST(NastranDmig, IsReadInLargeFieldAsSymmetricMatrix) {
-  const auto matrix = exchange::read_nastran_dmig(kept("chain_large.pch"), "f", "kaax");
+  const auto matrix = exchange::read_nastran_dmig(file_content("chain_large.pch"), "f", "kaax");
   ASSERT_TRUE(matrix) << complaint(matrix);
   ASSERT_EQ(matrix->labels.size(), 30u);
   EXPECT_EQ(matrix->labels.front(), (Label{11, 1}));
@@ -249,7 +249,7 @@ TEST(MatrixFile, NeedsAFormatThatIsKnown) {
 
 TEST(LabelledReaders, SurviveEveryTruncationAndEveryChangedByte) {
   for (const char* name : {"chain_small.bdf", "beam_complex.pch", "block_rigid_body.mtx", "block_storage.dof"}) {
-    const std::string whole = kept(name);
+    const std::string whole = file_content(name);
     for (std::size_t at = 0; at < whole.size(); at += 5) {
       std::string changed = whole;
       changed[at] = static_cast<char>(changed[at] ^ 0x15);

@@ -17,7 +17,7 @@ TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
   const project::MapRequest& map = *project.base().analyses.map;
   ASSERT_EQ(map.limits.size(), 1u);
   EXPECT_EQ(map.limits[0].name, "machine.z");
-  EXPECT_EQ(map.limits[0].quantity, assembly::Quantity::velocity);
+  EXPECT_EQ(map.limits[0].quantity, assembly::MotionQuantity::velocity);
   EXPECT_DOUBLE_EQ(map.limits[0].amplitude, 0.02);
   EXPECT_DOUBLE_EQ(map.band->to, 30);
 }
@@ -28,9 +28,9 @@ TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
                      ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
   const auto& limits = project.base().analyses.map->limits;
   ASSERT_EQ(limits.size(), 3u);
-  EXPECT_EQ(limits[0].quantity, assembly::Quantity::displacement);
-  EXPECT_EQ(limits[1].quantity, assembly::Quantity::acceleration);
-  EXPECT_EQ(limits[2].quantity, assembly::Quantity::velocity);
+  EXPECT_EQ(limits[0].quantity, assembly::MotionQuantity::displacement);
+  EXPECT_EQ(limits[1].quantity, assembly::MotionQuantity::acceleration);
+  EXPECT_EQ(limits[2].quantity, assembly::MotionQuantity::velocity);
 }
 
 TEST(MapReader, LetsAPeakRiseToMoreThanTwiceItsMinimum) {

@@ -39,7 +39,7 @@ TEST(MapRegions, NoBrokenPlaceIsShownAsLimitedByNothing) {
   const study::DesignMap map = coarse_map("9");
   ASSERT_GT(map.without_bound, 10u);
   for (const report::MapRegion& region : report::map_regions(map))
-    EXPECT_EQ(region.broken.empty(), region.governing == report::MapRegion::unlimited);
+    EXPECT_EQ(region.infeasible.empty(), region.governing == report::MapRegion::unlimited);
 }
 
 /// Also on a grid so fine that some designs are not drawn.
@@ -49,9 +49,9 @@ TEST(MapRegions, CoverBothSidesOfTheBoundary) {
     const auto regions = report::map_regions(map);
     for (int k = 0; k < 4000; ++k) {
       const design::MapPlace p{std::fmod(0.31 + 0.618033988749895 * k, 1.0), (k + 0.5) / 4000};
-      const bool kept = holds(map.feasible.rings, p);
+      const bool feasible = holds(map.feasible.rings, p);
       const auto covering = std::count_if(regions.begin(), regions.end(), [&](const report::MapRegion& region) {
-        return holds(kept ? region.kept : region.broken, p);
+        return holds(feasible ? region.feasible : region.infeasible, p);
       });
       EXPECT_EQ(covering, 1) << points << " points: " << p.x << ", " << p.y;
     }

@@ -19,7 +19,7 @@ study::DesignMap map_of(const std::string& rules, const std::vector<std::string>
 study::DesignMap nearly_all_kept(std::size_t steep) {
   study::DesignMap map;
   map.outcomes = {{2, 0}, {2, 0}, {2, 0}, {0.99F, 0}};
-  map.kept = 3;
+  map.feasible_designs = 3;
   map.feasible.area = 0.999996;
   map.steep = steep;
   return map;
@@ -28,14 +28,14 @@ study::DesignMap nearly_all_kept(std::size_t steep) {
 TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
   study::DesignMap map = nearly_all_kept(0);
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
-  map.kept = 4;
+  map.feasible_designs = 4;
   EXPECT_EQ(results::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
 }
 
 TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
   study::DesignMap map = nearly_all_kept(0);
-  map.kept = 4;
-  map.passages.pairs = 1;
+  map.feasible_designs = 4;
+  map.band_crossings.pairs = 1;
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 4 of 4 designs");
 }
 

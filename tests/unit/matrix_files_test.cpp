@@ -21,7 +21,7 @@ constexpr double round_off = 8 * epsilon;
 /// The Matrix Market files have 16 decimals.
 constexpr double printed = 1e-15;
 
-std::string kept(const std::string& name) {
+std::string file_content(const std::string& name) {
   return *exchange::file_bytes(std::string(TRIVET_SOURCE_DIR) + "/tests/data/matrices/" + name);
 }
 
@@ -37,14 +37,14 @@ void expect_bar(const foundation::Expected<NamedMatrix>& read, double tolerance,
 Eigen::MatrixXd upper_ones() { return Eigen::MatrixXd::Ones(12, 12).triangularView<Eigen::Upper>(); }
 
 TEST(MatrixMarket, IsReadInAllFormsThatScipyWrites) {
-  expect_bar(exchange::read_matrix_market(kept("beam_coordinate_symmetric.mtx"), "f"), printed);
-  expect_bar(exchange::read_matrix_market(kept("beam_coordinate_general.mtx"), "f"), printed);
-  expect_bar(exchange::read_matrix_market(kept("beam_array_symmetric.mtx"), "f"), printed);
-  expect_bar(exchange::read_matrix_market(kept("beam_array_general.mtx"), "f"), printed, upper_ones());
+  expect_bar(exchange::read_matrix_market(file_content("beam_coordinate_symmetric.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(file_content("beam_coordinate_general.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(file_content("beam_array_symmetric.mtx"), "f"), printed);
+  expect_bar(exchange::read_matrix_market(file_content("beam_array_general.mtx"), "f"), printed, upper_ones());
 }
 
 TEST(MatrixMarket, KeepsTheImaginaryPart) {
-  const auto read = exchange::read_matrix_market(kept("beam_complex.mtx"), "f");
+  const auto read = exchange::read_matrix_market(file_content("beam_complex.mtx"), "f");
   expect_bar(read, printed);
   const Eigen::MatrixXd wanted = 0.02 * bernoulli();
   EXPECT_THAT(read->imaginary, NearInUnits(wanted, entry_scale(wanted), printed));
@@ -60,16 +60,16 @@ TEST(MatrixMarket, TakesCommentsBlankLinesAndWindowsLineEnds) {
 
 TEST(NumpyArray, IsReadInEveryVersionAndOrder) {
   for (const char* name : {"beam.npy", "beam_version_2.npy", "beam_version_3.npy", "beam_complex.npy"})
-    expect_bar(exchange::read_numpy_array(kept(name), "f"), round_off);
-  expect_bar(exchange::read_numpy_array(kept("beam_by_columns.npy"), "f"), round_off, upper_ones());
-  const auto lossy = exchange::read_numpy_array(kept("beam_complex.npy"), "f");
+    expect_bar(exchange::read_numpy_array(file_content(name), "f"), round_off);
+  expect_bar(exchange::read_numpy_array(file_content("beam_by_columns.npy"), "f"), round_off, upper_ones());
+  const auto lossy = exchange::read_numpy_array(file_content("beam_complex.npy"), "f");
   const Eigen::MatrixXd wanted = 0.02 * bernoulli();
   EXPECT_THAT(lossy->imaginary, NearInUnits(wanted, entry_scale(wanted), round_off));
 }
 
 TEST(CsvMatrix, IsReadWithCommasSemicolonsTabsAndBlanks) {
-  expect_bar(exchange::read_csv_matrix(kept("beam.csv"), "f"), round_off);
-  expect_bar(exchange::read_csv_matrix(kept("beam_semicolon.csv"), "f"), round_off);
+  expect_bar(exchange::read_csv_matrix(file_content("beam.csv"), "f"), round_off);
+  expect_bar(exchange::read_csv_matrix(file_content("beam_semicolon.csv"), "f"), round_off);
   for (const char* text : {"1\t2\n3\t4\n", " 1  2 \n 3 4", "\xEF\xBB\xBF# heading\n1, 2\r\n3,4\r\n"}) {
     const auto read = exchange::read_csv_matrix(text, "f");
     ASSERT_TRUE(read) << complaint(read);
@@ -197,7 +197,7 @@ TEST(MatrixFile, MustBeAReadableFile) {
 
 TEST(MatrixReaders, SurviveEveryTruncationAndEveryChangedByte) {
   for (const char* name : {"beam_complex.mtx", "beam_array_symmetric.mtx", "beam.csv", "beam_complex.npy"}) {
-    const std::string whole = kept(name);
+    const std::string whole = file_content(name);
     for (std::size_t at = 0; at < whole.size(); at += 3) {
       std::string changed = whole;
       changed[at] = static_cast<char>(changed[at] ^ 0x15);

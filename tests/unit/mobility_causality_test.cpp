@@ -13,7 +13,8 @@ using namespace trivet::identification;
 using Complex = std::complex<double>;
 using Ground = std::function<Complex(Complex)>;
 
-MobilityVerdict judged(const Ground& mobility, const std::function<Complex(Complex, double)>& measured, int rows = 80) {
+MobilityVerdict causality_verdict(const Ground& mobility, const std::function<Complex(Complex, double)>& measured,
+                                  int rows = 80) {
   std::vector<double> frequencies;
   Eigen::VectorXcd values(rows);
   for (int i = 0; i < rows; ++i) {
@@ -41,7 +42,7 @@ const std::pair<const char*, Ground> grounds[] = {
 
 TEST(MobilityCausality, EveryPassiveGroundPasses) {
   for (const auto& [name, ground] : grounds) {
-    const MobilityVerdict verdict = judged(ground, as_it_is);
+    const MobilityVerdict verdict = causality_verdict(ground, as_it_is);
     EXPECT_TRUE(verdict.passes) << name << ": " << verdict.relative_rms;
   }
 }
@@ -49,15 +50,16 @@ TEST(MobilityCausality, EveryPassiveGroundPasses) {
 TEST(MobilityCausality, AConjugateOrReversedMobilityIsCaught) {
   for (const auto& [name, ground] : grounds) {
     if (std::string(name) == "wide plate") continue;  // real, so it equals its conjugate
-    EXPECT_FALSE(judged(ground, [](Complex y, double) { return std::conj(y); }).passes) << name;
+    EXPECT_FALSE(causality_verdict(ground, [](Complex y, double) { return std::conj(y); }).passes) << name;
   }
   for (const auto& [name, ground] : grounds)
-    EXPECT_TRUE(judged(ground, [](Complex y, double) { return -y; }).refused) << name;
+    EXPECT_TRUE(causality_verdict(ground, [](Complex y, double) { return -y; }).refused) << name;
 }
 
 TEST(MobilityCausality, ADelayIsCaught) {
   for (const auto& [name, ground] : grounds)
-    EXPECT_FALSE(judged(ground, [](Complex y, double w) { return y * std::polar(1.0, -0.004 * w); }).passes) << name;
+    EXPECT_FALSE(causality_verdict(ground, [](Complex y, double w) { return y * std::polar(1.0, -0.004 * w); }).passes)
+        << name;
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ model::Description tower(std::size_t count) {
   return description;
 }
 
-std::string told(const foundation::Problems& problems) {
+std::string messages(const foundation::Problems& problems) {
   std::string text;
   for (const foundation::Problem& problem : problems.list()) text += foundation::message(problem) + "\n";
   return text;
@@ -29,7 +29,8 @@ TEST(QuestionSizes, AHundredFreeBodiesAreAdmittedAndNoMore) {
   project::Analyses modes;
   modes.modes = true;
   EXPECT_FALSE(project::too_large(tower(100), modes).has_errors());
-  EXPECT_THAT(told(project::too_large(tower(101), modes)), HasSubstr("606 free coordinates; at most 600 are computed"));
+  EXPECT_THAT(messages(project::too_large(tower(101), modes)),
+              HasSubstr("606 free coordinates; at most 600 are computed"));
 }
 
 TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
@@ -52,7 +53,7 @@ TEST(QuestionSizes, TwentyBodiesWithAllPeaksAreSearchedAndAHundredAreNot) {
   project::Analyses peaks;
   peaks.peaks.emplace();
   EXPECT_FALSE(project::too_large(tower(20), peaks).has_errors());
-  EXPECT_THAT(told(project::too_large(tower(100), peaks)),
+  EXPECT_THAT(messages(project::too_large(tower(100), peaks)),
               HasSubstr("resonance peaks of 600 curves of a system of 600 coordinates"));
 }
 
@@ -62,8 +63,8 @@ TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {
   asked.response->points = 500'000;
   EXPECT_FALSE(project::too_large(tower(1), asked).has_errors());
   asked.response->points = 500'001;
-  EXPECT_THAT(told(project::too_large(tower(1), asked)), HasSubstr("500001 points × 6 curves"));
-  asked.response->wanted.of = {"body 0.x"};
+  EXPECT_THAT(messages(project::too_large(tower(1), asked)), HasSubstr("500001 points × 6 curves"));
+  asked.response->selection.of = {"body 0.x"};
   EXPECT_FALSE(project::too_large(tower(1), asked).has_errors());
 }
 
@@ -82,7 +83,7 @@ TEST(QuestionSizes, OfAFileAreToldWhereTheyAreAsked) {
       "1]\n[analyses]\nresponse = {spacing = \"linear\", points = 2000000}\n";
   const auto refused = project::project_from_text(text, "machine.toml");
   ASSERT_FALSE(refused.has_value());
-  EXPECT_THAT(told(refused.error()),
+  EXPECT_THAT(messages(refused.error()),
               HasSubstr("machine.toml:16: error: analyses.response.points: 2000000 points × 6 curves"));
 }
 

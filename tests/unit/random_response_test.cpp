@@ -56,8 +56,8 @@ struct Case {
   response::RandomResponse random(const response::RandomLoading& loading,
                                   const response::RandomOptions& options = {}) const {
     return response::random_response(
-        assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement), loading,
-        options);
+        assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement),
+        loading, options);
   }
   assembly::Loading force(std::size_t body = 0) const {
     model::Action action;
@@ -200,7 +200,7 @@ TEST(RandomRefusals, SayWhatIsWrong) {
                foundation::InvalidInput);
   EXPECT_THROW((void)c.random({{{"a", c.force(), flat}}, {}}, {.weighted = {{1, excitation::Weighting::Wk}}}),
                foundation::InvalidInput);
-  const auto forces = assembly::channels(c.system, c.assembled, {"spring"}, assembly::Quantity::displacement);
+  const auto forces = assembly::channels(c.system, c.assembled, {"spring"}, assembly::MotionQuantity::displacement);
   EXPECT_THROW((void)response::random_response(c.assembled, forces, {{{"a", c.force(), flat}}, {}},
                                                {.weighted = {{0, excitation::Weighting::Wk}}}),
                foundation::InvalidInput);
@@ -209,7 +209,8 @@ TEST(RandomRefusals, SayWhatIsWrong) {
 
 TEST(RandomProgress, StopsWhereItIsTold) {
   const Case c = one_mass(100, dashpot(1));
-  const auto channels = assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::displacement);
+  const auto channels =
+      assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
   EXPECT_THROW((void)response::random_response(c.assembled, channels, white(c), {},
                                                [](std::string_view, double) { throw foundation::Interrupted(); }),
                foundation::Interrupted);

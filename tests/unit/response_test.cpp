@@ -138,7 +138,7 @@ TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
         test::project(test::chain({2}, {1800}, {}) +
                       "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" +
                       "[limits]\n\"m1.x\" = 1\n[analyses]\nresponse = {band = " + band + "}\n");
-    EXPECT_FALSE(study::answers(project.base(), project.base().analyses).limits[0].kept) << band;
+    EXPECT_FALSE(study::answers(project.base(), project.base().analyses).limits[0].met) << band;
   }
 }
 
@@ -147,9 +147,9 @@ TEST(Limits, AreKeptByWhatStandsOnThem) {
       driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
   project::Analyses asked = project.base().analyses;
   const double largest = study::answers(project.base(), asked).limits[0].in_band;
-  for (const auto& [share, kept] : {std::pair{1 - 1e-12, true}, {1 - 1e-6, false}}) {
+  for (const auto& [share, met] : {std::pair{1 - 1e-12, true}, {1 - 1e-6, false}}) {
     asked.limits[0].amplitude = share * largest;
-    EXPECT_EQ(study::answers(project.base(), asked).limits[0].kept, kept) << share;
+    EXPECT_EQ(study::answers(project.base(), asked).limits[0].met, met) << share;
   }
 }
 
@@ -158,7 +158,7 @@ TEST(Limits, AreJudgedAtTheExactPeakWithinTheBand) {
       driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
   const auto limits = study::answers(project.base(), project.base().analyses).limits;
   ASSERT_EQ(limits.size(), 1u);
-  EXPECT_TRUE(limits[0].kept);
+  EXPECT_TRUE(limits[0].met);
   EXPECT_GT(limits[0].anywhere, limits[0].in_band);
 }
 

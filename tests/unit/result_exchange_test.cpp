@@ -113,7 +113,7 @@ TEST(ResultManifestTest, RejectsPathsThatLeaveTheFolder) {
   const auto read = [&](const std::string& path) {
     std::ofstream(folder.path() / manifest_name)
         << "{\"format\":\"trivet-manifest\",\"files\":[{\"path\":\"" + path + "\",\"size\":1,\"sha256\":\"0\"}]}";
-    return ResultManifest::of(FolderHandle(folder.path()));
+    return ResultManifest::read(FolderHandle(folder.path()));
   };
   for (const char* path : {"../a", "/a", "a/../b", "a//b", "", ".", "..", "a/"}) EXPECT_FALSE(read(path)) << path;
   ASSERT_TRUE(read("00-base/a"));

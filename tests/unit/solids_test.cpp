@@ -192,26 +192,27 @@ TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
 
 TEST(StlFile, SaysWhatIsWrongWithIt) {
   const foundation::TemporaryFolder folder;
-  const auto of = [&](const std::string& bytes) {
+  const auto messages_for = [&](const std::string& bytes) {
     test::write_file(folder.path() / "part.stl", bytes);
     return messages(rigid_solid({{"part", StlSolid{folder.path() / "part.stl", mm}, 1000}}));
   };
   const test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
-  EXPECT_THAT(of(""), HasSubstr("0 bytes"));
-  EXPECT_THAT(of("hello"), HasSubstr("5 bytes, neither text nor a binary STL file"));
-  EXPECT_THAT(of("solid nothing\nendsolid\n"), HasSubstr("contains no triangle"));
-  EXPECT_THAT(of(test::stl_binary(box).substr(0, 400)),
+  EXPECT_THAT(messages_for(""), HasSubstr("0 bytes"));
+  EXPECT_THAT(messages_for("hello"), HasSubstr("5 bytes, neither text nor a binary STL file"));
+  EXPECT_THAT(messages_for("solid nothing\nendsolid\n"), HasSubstr("contains no triangle"));
+  EXPECT_THAT(messages_for(test::stl_binary(box).substr(0, 400)),
               HasSubstr("400 bytes; a binary file of 12 triangles, as stated in its header, has 684"));
-  EXPECT_THAT(of(test::stl_text(box).substr(0, 400)), HasSubstr("cut off"));
-  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"),
+  EXPECT_THAT(messages_for(test::stl_text(box).substr(0, 400)), HasSubstr("cut off"));
+  EXPECT_THAT(messages_for("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 zero\n"),
               AllOf(HasSubstr("line 4"), HasSubstr("three finite numbers")));
-  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 nan\n"),
+  EXPECT_THAT(messages_for("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 nan\n"),
               HasSubstr("three finite numbers"));
-  EXPECT_THAT(of("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop\n"), HasSubstr("a loop of 1 vertices"));
-  EXPECT_THAT(of("solid\nfaçade\n"), HasSubstr("unexpected 'façade'"));
+  EXPECT_THAT(messages_for("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nendloop\n"),
+              HasSubstr("a loop of 1 vertices"));
+  EXPECT_THAT(messages_for("solid\nfaçade\n"), HasSubstr("unexpected 'façade'"));
   std::string with_nan = test::stl_binary(box);
   with_nan.replace(84 + 12, 4, "\xff\xff\xff\x7f");
-  EXPECT_THAT(of(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is not a finite number"));
+  EXPECT_THAT(messages_for(with_nan), HasSubstr("triangle 1 of 12 has a coordinate that is not a finite number"));
   EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path() / "missing.stl", mm}, 1000}})),
               HasSubstr("cannot be read"));
   EXPECT_THAT(messages(rigid_solid({{"part", StlSolid{folder.path(), mm}, 1000}})), HasSubstr("cannot be read"));

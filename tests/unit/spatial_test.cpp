@@ -73,18 +73,18 @@ TEST(MassMatrix, GivesTheKineticEnergyOfThePoints) {
 }
 
 TEST(BrokenBounds, AcceptARealBodyAndALamina) {
-  EXPECT_TRUE(broken_bounds(test::RandomSystem(4).body("b").mass).empty());
+  EXPECT_TRUE(violated_bounds(test::RandomSystem(4).body("b").mass).empty());
   MassProperties lamina{2, {0.1, 0, 0}, Eigen::Vector3d(1, 2, 3).asDiagonal()};  // flat: J3 = J1 + J2 exactly
-  EXPECT_TRUE(broken_bounds(lamina).empty());
+  EXPECT_TRUE(violated_bounds(lamina).empty());
 }
 
 TEST(BrokenBounds, NameEachBound) {
   MassProperties body{-2, {0, 0, 0}, Eigen::Vector3d(1, 1, 3).asDiagonal()};
-  EXPECT_EQ(broken_bounds(body).size(), 2u);  // mass, triangle
+  EXPECT_EQ(violated_bounds(body).size(), 2u);  // mass, triangle
   body.mass = 2;
-  ASSERT_EQ(broken_bounds(body).size(), 1u);
-  EXPECT_THAT(broken_bounds(body)[0].rule, testing::HasSubstr("by 1 kg m²"));
-  EXPECT_FALSE(broken_bounds({2, {0, 0, 0}, Eigen::Vector3d(0, 1, 1).asDiagonal()}).empty())
+  ASSERT_EQ(violated_bounds(body).size(), 1u);
+  EXPECT_THAT(violated_bounds(body)[0].rule, testing::HasSubstr("by 1 kg m²"));
+  EXPECT_FALSE(violated_bounds({2, {0, 0, 0}, Eigen::Vector3d(0, 1, 1).asDiagonal()}).empty())
       << "a rod without thickness cannot turn about itself";
 }
 

@@ -15,7 +15,7 @@
 #include "trivet/response/transient/exponential_step.h"
 #include "trivet/response/transient/input_course.h"
 #include "trivet/response/transient/state_space.h"
-#include "trivet/response/transient/transient_walk.h"
+#include "trivet/response/transient/time_stepper.h"
 
 namespace {
 
@@ -69,8 +69,8 @@ TEST(ExponentialStep, TurnsAnOscillatorByItsAngleOnEveryLevel) {
 TEST(ExponentialStep, IntegratesTheInputAndItsIntegrals) {
   // ẋ = w_m alone: x(h) is the integral of the quantity of the mth column, a cos-like series in κ for ∬u.
   const double h = 0.8, kappa = 3;
-  const Eigen::MatrixXd still = Eigen::MatrixXd::Zero(1, 1);
-  const response::ExponentialStep exponential(still, h, kappa);
+  const Eigen::MatrixXd zero_system = Eigen::MatrixXd::Zero(1, 1);
+  const response::ExponentialStep exponential(zero_system, h, kappa);
   response::InputMatrix G = response::InputMatrix::Zero(1, 5);
   G(0, response::of_value) = 1;
   const auto gamma = exponential.input(G, kappa)[0];
@@ -95,15 +95,15 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   drive.force(1, response::of_value) = 1;
   const response::StateSpace space(m, {drive});
   const std::vector<response::InputCourse> courses = {response::InputCourse(excitation::step(1), 0)};
-  response::TransientWalk walk(space, courses, 0.01, 1e-15);
-  response::WalkState state{0, Eigen::VectorXd::Zero(space.size()), {-1}};
-  walk.take_corners(state);
-  walk.advance(state, 0.37);
+  response::TimeStepper stepper(space, courses, 0.01, 1e-15);
+  response::StepperState state{0, Eigen::VectorXd::Zero(space.size()), {-1}};
+  stepper.apply_corners(state);
+  stepper.advance(state, 0.37);
   // The share k1/(k1 + k2) of the force acts on the mass, which is on the springs in series; the node is between them.
   const double series = k1 * k2 / (k1 + k2), omega = std::sqrt(series / mass),
                q = k1 / (k1 + k2) / series * (1 - std::cos(omega * 0.37));
   Eigen::VectorXd inputs(response::input_derivatives);
-  walk.inputs(state, inputs);
+  stepper.inputs(state, inputs);
   const Eigen::VectorXd both = space.displacements().on_state * state.x + space.displacements().on_input * inputs;
   EXPECT_THAT(both(0), RelativelyNear(q, 1e-12));
   EXPECT_THAT(both(1), RelativelyNear((1 + k1 * q) / (k1 + k2), 1e-12));
@@ -235,11 +235,11 @@ TEST(Transient, ReportsProgressAndStopsWhenAsked) {
     EXPECT_LE(fraction, 1);
     if (++calls == 3) throw foundation::Interrupted();
   };
-  EXPECT_THROW(
-      static_cast<void>(response::transient_response(
-          m.system, m.assembled, assembly::channels(m.system, m.assembled, {"m1.x"}, assembly::Quantity::displacement),
-          {m.push(excitation::step(1))}, until(100, 0.01), progress)),
-      foundation::Interrupted);
+  EXPECT_THROW(static_cast<void>(response::transient_response(
+                   m.system, m.assembled,
+                   assembly::channels(m.system, m.assembled, {"m1.x"}, assembly::MotionQuantity::displacement),
+                   {m.push(excitation::step(1))}, until(100, 0.01), progress)),
+               foundation::Interrupted);
 }
 
 TEST(Transient, RmsOfAWholeNumberOfPeriodsIsThatOfASine) {
@@ -264,7 +264,7 @@ TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
                 .maxCoeff(),
             1e-14);
   const auto pushed = test::transient(m.system, m.assembled, {"m1.x"}, {base, m.push(excitation::step(8, 2))}, options,
-                                      assembly::Quantity::acceleration);
+                                      assembly::MotionQuantity::acceleration);
   EXPECT_THAT(pushed.curves[0].values(0), RelativelyNear(4.0, 1e-12));
 }
 

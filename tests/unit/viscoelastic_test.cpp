@@ -20,7 +20,7 @@ const std::vector<Viscoelastic> laws = {KelvinVoigt{3e-3}, Zener{0.7, 0.02},
                                         FractionalZener{1.5, 2e-3, 0.4}};
 
 TEST(RelativeModulus, IsOneAtRest) {
-  for (const Viscoelastic& law : laws) EXPECT_EQ(relative_modulus(law, 0.0), Complex(1)) << words(law);
+  for (const Viscoelastic& law : laws) EXPECT_EQ(relative_modulus(law, 0.0), Complex(1)) << law_description(law);
 }
 
 TEST(RelativeModulus, IsPassiveAndConjugateAtNegativeFrequencies) {
@@ -28,8 +28,8 @@ TEST(RelativeModulus, IsPassiveAndConjugateAtNegativeFrequencies) {
   for (const Viscoelastic& law : laws)
     for (double w = 1e-6; w < 1e9; w *= 3) {
       const Complex m = relative_modulus(law, w);
-      EXPECT_GE(m.imag(), 0) << words(law) << " at " << w;
-      EXPECT_LE(std::abs(relative_modulus(law, -w) - std::conj(m)), round_off * std::abs(m)) << words(law);
+      EXPECT_GE(m.imag(), 0) << law_description(law) << " at " << w;
+      EXPECT_LE(std::abs(relative_modulus(law, -w) - std::conj(m)), round_off * std::abs(m)) << law_description(law);
     }
 }
 
@@ -41,7 +41,7 @@ TEST(RelativeModulus, IsAnalyticInTheRightHalfOfTheComplexFrequencies) {
       const Complex along = (relative_modulus(law, w + h) - relative_modulus(law, w - h)) / (2 * h);
       const Complex across =
           (relative_modulus(law, w + Complex(0, h)) - relative_modulus(law, w - Complex(0, h))) / Complex(0, 2 * h);
-      EXPECT_LE(std::abs(along - across), truncation * std::abs(along)) << words(law) << " at " << w;
+      EXPECT_LE(std::abs(along - across), truncation * std::abs(along)) << law_description(law) << " at " << w;
     }
 }
 
@@ -53,7 +53,8 @@ TEST(RelativeModulus, AFractionalLawOfOrderOneIsZeners) {
 
 TEST(RelativeModulus, StaysFiniteAtExtremeFrequencies) {
   for (const Viscoelastic& law : laws)
-    for (const double w : {1e-300, 1e300}) EXPECT_TRUE(std::isfinite(std::abs(relative_modulus(law, w)))) << words(law);
+    for (const double w : {1e-300, 1e300})
+      EXPECT_TRUE(std::isfinite(std::abs(relative_modulus(law, w)))) << law_description(law);
 }
 
 TEST(RationalForm, IsTheLawItselfWhereTheLawIsRational) {
@@ -88,7 +89,7 @@ TEST(RationalForm, RefusesAnEmptyBandAndAnUnphysicalLaw) {
 }
 
 TEST(ViscoelasticCheck, NamesEveryUnphysicalNumber) {
-  for (const Viscoelastic& law : laws) EXPECT_TRUE(check(law).list().empty()) << words(law);
+  for (const Viscoelastic& law : laws) EXPECT_TRUE(check(law).list().empty()) << law_description(law);
   EXPECT_EQ(check(KelvinVoigt{-1}).list().size(), 1u);
   EXPECT_EQ(check(Zener{-0.1, 0}).list().size(), 2u);
   EXPECT_EQ(check(FractionalZener{-1, std::nan(""), 1.2}).list().size(), 3u);

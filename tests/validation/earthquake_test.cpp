@@ -31,7 +31,7 @@ TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const excitation::ResponseSpectrum flat{{0.1, 1000}, {2, 2}, 0};
   const auto channels =
-      assembly::channels(system, assembled, {"m2.x", "ground.force.x"}, assembly::Quantity::displacement);
+      assembly::channels(system, assembled, {"m2.x", "ground.force.x"}, assembly::MotionQuantity::displacement);
   const auto r = response::earthquake_response(assembled, channels, flat, along(0));
   double squares = 0, mass = 0;
   for (int i = 0; i < 2; ++i) {
@@ -68,7 +68,8 @@ TEST(Earthquake, OfOneModeIsTheLargestValueOfItsTimeHistory) {
   const auto project = test::project(test::chain({mass}, {mass * omega * omega, 0}, {2 * zeta * omega * mass}));
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto channels = assembly::channels(system, assembled, {"m1.relative.x"}, assembly::Quantity::displacement);
+  const auto channels =
+      assembly::channels(system, assembled, {"m1.relative.x"}, assembly::MotionQuantity::displacement);
   const auto r = response::earthquake_response(assembled, channels, spectrum, along(0));
   response::TransientOptions options;
   options.to = 12;
@@ -105,7 +106,7 @@ TEST(Earthquake, WarnsOfModesAndDampingBeyondItsSpectrum) {
   EXPECT_THAT(message(r.warnings.list()[0]), testing::HasSubstr("5 % of the effective mass"));
   EXPECT_THAT(message(r.warnings.list()[1]), testing::HasSubstr("spectrum for 0.05"));
   const auto channels =
-      assembly::channels(project.base().system, assembled, {"base.x"}, assembly::Quantity::displacement);
+      assembly::channels(project.base().system, assembled, {"base.x"}, assembly::MotionQuantity::displacement);
   EXPECT_THROW(static_cast<void>(response::earthquake_response(assembled, channels, narrow, along(0))),
                foundation::NotComputable);
 }

@@ -33,8 +33,9 @@ struct Solved {
         modes(modal::modes(system, assembled)),
         roots(modal::roots(system, assembled, modes)) {}
 
-  std::vector<assembly::Channel> channels(const std::vector<std::string>& of,
-                                          assembly::Quantity quantity = assembly::Quantity::displacement) const {
+  std::vector<assembly::Channel> channels(
+      const std::vector<std::string>& of,
+      assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
@@ -170,8 +171,8 @@ TEST(RunUp, TellsTallPeaksFromSmallOnes) {
   EXPECT_THROW(solved.run_up({"machine"}, {10, 70}, 1), foundation::InvalidInput);
   orders[0].order = 0;
   d.excitations[0].course = model::Orders{orders};
-  const Solved still(test::guided_mass(2, natural, ratio));
-  EXPECT_THROW(still.run_up({"machine"}, {10, 70}), foundation::InvalidInput) << "nothing goes with a shaft";
+  const Solved force_only(test::guided_mass(2, natural, ratio));
+  EXPECT_THROW(force_only.run_up({"machine"}, {10, 70}), foundation::InvalidInput) << "nothing goes with a shaft";
   const model::System resting = test::checked(d);
   EXPECT_THROW((void)response::order_loadings(resting, assembly::assemble(resting)), foundation::InvalidInput)
       << "order 0";
@@ -368,7 +369,7 @@ response::LimitComparison velocity_of_mass(const response::LimitLine& line, cons
   model::Description d = test::guided_mass(2, 30, ratio);
   d.excitations = {test::vertical_force("push", 0, 5)};
   const Solved solved(d);
-  const auto channels = solved.channels({"machine"}, assembly::Quantity::velocity);
+  const auto channels = solved.channels({"machine"}, assembly::MotionQuantity::velocity);
   const auto loading = assembly::harmonic_loading(solved.system, solved.assembled);
   return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles,
                                        solved.peaks(channels, loading), line, band);
@@ -389,7 +390,7 @@ TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
         {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
     const auto found = velocity_of_mass(line, {2, 200});
     ASSERT_EQ(found.exceeded.size(), 1u);
-    EXPECT_FALSE(found.kept());
+    EXPECT_FALSE(found.met());
     EXPECT_THAT(found.exceeded[0].from, RelativelyNear((root - s) / (2 * mass), digits));
     EXPECT_THAT(found.exceeded[0].to, RelativelyNear((root + s) / (2 * mass), digits));
     EXPECT_THAT(found.least_margin, RelativelyNear(limit * dashpot / force, digits));
@@ -407,7 +408,7 @@ TEST(LimitLine, FallingWithFrequencyLimitsTheDisplacement) {
   const auto found = velocity_of_mass(line, {1, 1000}, ratio);
   EXPECT_EQ(found.compared.from, 3);
   EXPECT_EQ(found.compared.to, 300);
-  EXPECT_TRUE(found.kept());
+  EXPECT_TRUE(found.met());
   EXPECT_THAT(found.least_margin_at, RelativelyNear(natural / std::sqrt(1 - 2 * ratio * ratio), 1e-7));
   EXPECT_THAT(found.least_margin, RelativelyNear(30 * mass * 2 * ratio * std::sqrt(1 - ratio * ratio) / force, digits));
   EXPECT_THAT(response::margin_level(found.least_margin), RelativelyNear(20 * std::log10(found.least_margin), digits));

@@ -85,7 +85,7 @@ void expect_characteristics(const std::string& file, const std::vector<Character
   const project::Project project = paper(file);
   const model::System& system = project.find("Figure 3")->system;
   const assembly::Assembled assembled = assembly::assemble(system);
-  const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::Quantity::displacement);
+  const auto channels = assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
   const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0);
   for (const Characteristic& at : expected) {
     const auto response = response::frequency_response(assembled, channels, load, {at.p});

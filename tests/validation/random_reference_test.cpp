@@ -47,8 +47,8 @@ model::Element strut(const std::string& name, std::optional<std::size_t> from, s
 struct Case {
   model::System system;
   assembly::Assembled assembled = assembly::assemble(system);
-  response::RandomAnswer answer(const std::string& of, assembly::Quantity quantity, const response::RandomInput& input,
-                                const response::RandomOptions& options = {}) const {
+  response::RandomAnswer answer(const std::string& of, assembly::MotionQuantity quantity,
+                                const response::RandomInput& input, const response::RandomOptions& options = {}) const {
     const auto channels = assembly::channels(system, assembled, {of}, quantity);
     return response::random_response(assembled, channels, {{input}, {}}, options).answers.at(0);
   }
@@ -83,13 +83,14 @@ TEST(MilesEquation, TheFormulaAndItsExactNeighboursAreMet) {
   const Case c = oscillator(2.5, 2 * pi * 80, 0.05);
   const response::RandomInput wide{"shaker", c.base(2), flat_hz(0.04 * g * g, 0, 8e8)},
       narrow{"shaker", c.base(2), flat_hz(0.04 * g * g, 20, 2000)};
-  const response::RandomAnswer relative = c.answer("m.relative.z", assembly::Quantity::displacement, wide);
+  const response::RandomAnswer relative = c.answer("m.relative.z", assembly::MotionQuantity::displacement, wide);
   EXPECT_NEAR(*relative.rms / 0.0002751793829982445, 1, tolerance);
   EXPECT_NEAR(*relative.rms * std::pow(2 * pi * 80, 2) / g / 7.0898154036220635, 1, tolerance);
   EXPECT_NEAR(*relative.zero_crossings / 80, 1, tolerance);  // white noise: the undamped natural frequency
   EXPECT_NEAR(*relative.three_sigma / *relative.rms, 3, 1e-15);
-  EXPECT_NEAR(*c.answer("m.z", assembly::Quantity::acceleration, wide).rms / g / 7.125176298310874, 1, tolerance);
-  EXPECT_NEAR(*c.answer("m.z", assembly::Quantity::acceleration, narrow).rms / g / 7.066220704474251, 1, tolerance);
+  EXPECT_NEAR(*c.answer("m.z", assembly::MotionQuantity::acceleration, wide).rms / g / 7.125176298310874, 1, tolerance);
+  EXPECT_NEAR(*c.answer("m.z", assembly::MotionQuantity::acceleration, narrow).rms / g / 7.066220704474251, 1,
+              tolerance);
 }
 
 TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
@@ -104,7 +105,8 @@ TEST(RandomBaseAcceleration, DensitiesAreThoseOfCodeAster) {
                           {20, 2.8924, 2.89242112158763, 7.1006, 7.100623129870979},
                           {25, 0.47047, 0.47047853061314016, 2.7953, 2.7953332917309908}};
   const Case c = oscillator(100, 100, 0.05);
-  auto channels = assembly::channels(c.system, c.assembled, {"m.z", "m.relative.z"}, assembly::Quantity::acceleration);
+  auto channels =
+      assembly::channels(c.system, c.assembled, {"m.z", "m.relative.z"}, assembly::MotionQuantity::acceleration);
   for (const Row& row : rows) {
     const auto curves = response::random_curves(c.assembled, channels,
                                                 {{{"ground", c.base(2), flat_hz(1, 1, 100)}}, {}}, {2 * pi * row.f});
@@ -157,11 +159,13 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
     tyre_force += weight * std::norm(car.tyre * (wheel - 1.0));
   }
   const response::RandomInput input{"road", c.base(0), road};
-  EXPECT_NEAR(*c.answer("car.z", assembly::Quantity::acceleration, input).rms / std::sqrt(acceleration), 1, truncation);
-  const response::RandomAnswer rattle = c.answer("suspension.deflection.z", assembly::Quantity::displacement, input);
+  EXPECT_NEAR(*c.answer("car.z", assembly::MotionQuantity::acceleration, input).rms / std::sqrt(acceleration), 1,
+              truncation);
+  const response::RandomAnswer rattle =
+      c.answer("suspension.deflection.z", assembly::MotionQuantity::displacement, input);
   EXPECT_NEAR(*rattle.rms / std::sqrt(travel), 1, truncation);
   EXPECT_NEAR(*rattle.zero_crossings / (std::sqrt(travel_rate / travel) / (2 * pi)), 1, truncation);
-  EXPECT_NEAR(*c.answer("tyre.force.z", assembly::Quantity::displacement, input).rms / std::sqrt(tyre_force), 1,
+  EXPECT_NEAR(*c.answer("tyre.force.z", assembly::MotionQuantity::displacement, input).rms / std::sqrt(tyre_force), 1,
               truncation);
 }
 
@@ -174,7 +178,7 @@ TEST(HumanWeighting, AVeryNarrowBandIsWeighedByThePublishedFactors) {
   const response::RandomInput input{"force", c.force(0, 2), flat_hz(1, 15.91499, 15.91501)};
   using excitation::Weighting;
   for (const auto& [weighting, factor] : {std::pair{Weighting::Wk, 0.7718}, {Weighting::Wd, 0.1261}})
-    for (const auto quantity : {assembly::Quantity::displacement, assembly::Quantity::acceleration}) {
+    for (const auto quantity : {assembly::MotionQuantity::displacement, assembly::MotionQuantity::acceleration}) {
       const response::RandomAnswer answer = c.answer("seat.z", quantity, input, {.weighted = {{0, weighting}}});
       EXPECT_NEAR(*answer.weighted_rms / (factor * std::sqrt(2e-5)), 1, printed);
     }
@@ -198,7 +202,7 @@ TEST(HumanWeighting, AWideBandAgreesWithTheSumOverItsCurve) {
         std::norm(excitation::transfer(excitation::Weighting::Wk, omega));
   }
   const response::RandomAnswer answer =
-      c.answer("m.z", assembly::Quantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
+      c.answer("m.z", assembly::MotionQuantity::velocity, input, {.weighted = {{0, excitation::Weighting::Wk}}});
   EXPECT_FALSE(answer.rms);  // a flat acceleration down to 0 Hz has no finite velocity …
   EXPECT_THAT(answer.reason, testing::HasSubstr("begins at 0 Hz"));
   ASSERT_TRUE(answer.weighted_rms);  // … but the weighting removes it
@@ -209,7 +213,7 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
   // ∫₀^∞ S/(m²(ω² + ω₀²)²) dω = π S/(4 m² ω₀³).
   constexpr double settled = 1e-7;
   const Case c = oscillator(1, 10, 1);
-  const auto channels = assembly::channels(c.system, c.assembled, {"m.z"}, assembly::Quantity::displacement);
+  const auto channels = assembly::channels(c.system, c.assembled, {"m.z"}, assembly::MotionQuantity::displacement);
   const auto random = response::random_response(c.assembled, channels,
                                                 {{{"force", c.force(0, 1), excitation::flat_spectrum(1, 0, 1e5)}}, {}});
   EXPECT_EQ(random.method, response::RandomMethod::quadrature);
@@ -219,19 +223,21 @@ TEST(CriticalDamping, ADoublePoleIsIntegratedWithoutPoles) {
 
 TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
   const Case undamped = oscillator(1, 10, 0), damped = oscillator(1, 10, 0.1);
-  const response::RandomAnswer resonance = undamped.answer(
-      "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
+  const response::RandomAnswer resonance =
+      undamped.answer("m.z", assembly::MotionQuantity::displacement,
+                      {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 100)});
   EXPECT_FALSE(resonance.rms || resonance.rms_of_derivative || resonance.zero_crossings || resonance.three_sigma);
   EXPECT_THAT(resonance.reason, testing::HasSubstr("undamped natural frequency"));
   // A band below resonance has a finite variance also without damping: ∫₁⁵ dω/(100 − ω²)².
   const auto primitive = [](double w) { return w / (200 * (100 - w * w)) + std::log((10 + w) / (10 - w)) / 4000; };
-  const response::RandomAnswer below = undamped.answer(
-      "m.z", assembly::Quantity::displacement, {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
+  const response::RandomAnswer below =
+      undamped.answer("m.z", assembly::MotionQuantity::displacement,
+                      {"force", undamped.force(0, 1), excitation::flat_spectrum(1, 1, 5)});
   EXPECT_NEAR(*below.rms, std::sqrt(primitive(5) - primitive(1)), 1e-12);
   const response::RandomInput floor{"floor", damped.base(2), excitation::flat_spectrum(1, 0, 100)};
-  EXPECT_FALSE(damped.answer("m.z", assembly::Quantity::displacement, floor).rms);
-  EXPECT_TRUE(damped.answer("m.relative.z", assembly::Quantity::displacement, floor).rms);
-  EXPECT_TRUE(damped.answer("m.z", assembly::Quantity::acceleration, floor).rms);
+  EXPECT_FALSE(damped.answer("m.z", assembly::MotionQuantity::displacement, floor).rms);
+  EXPECT_TRUE(damped.answer("m.relative.z", assembly::MotionQuantity::displacement, floor).rms);
+  EXPECT_TRUE(damped.answer("m.z", assembly::MotionQuantity::acceleration, floor).rms);
 }
 
 }  // namespace

@@ -31,10 +31,10 @@ struct Oscillator {
   Oscillator(double omega, double damping_ratio)
       : natural(omega),
         ratio(damping_ratio),
-        system(made(omega, damping_ratio)),
+        system(guided_mass_system(omega, damping_ratio)),
         assembled(assembly::assemble(system)) {}
 
-  static model::System made(double omega, double damping_ratio) {
+  static model::System guided_mass_system(double omega, double damping_ratio) {
     constexpr double mass = 7.3;
     model::Description d;
     model::Body body;
@@ -59,7 +59,8 @@ struct Oscillator {
   }
 
   [[nodiscard]] std::vector<assembly::Channel> channels(
-      const std::vector<std::string>& of, assembly::Quantity quantity = assembly::Quantity::displacement) const {
+      const std::vector<std::string>& of,
+      assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
     return assembly::channels(system, assembled, of, quantity);
   }
   /// A motion of the ground along z, given by this derivative of its displacement.

@@ -153,7 +153,7 @@ TEST(Preload, FifteenPercentCompressionSoftensShearAndStiffensTheRest) {
   fem::Preload load;
   load.value(2) = -0.15 * 0.025;
   const fem::PreloadedStiffness solid = fem::preloaded_stiffness(mesh, {rubber}, fem::frame(cylinder), load);
-  ASSERT_TRUE(solid.converged) << solid.why_not;
+  ASSERT_TRUE(solid.converged) << solid.failure_reason;
   const std::array<std::pair<int, double>, 4> changes{{{6, -0.19}, {8, 0.36}, {9, 0.43}, {11, 0.17}}};
   for (const auto& [i, change] : changes)
     EXPECT_NEAR(solid.stiffness(i, i) / before(i, i) - 1, change, two_units_of_the_percentage) << i;
@@ -173,7 +173,7 @@ TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
   load.value << 120, 0.0004, -900, 0.03, 0.4, 0.02;
   load.is_load = {true, false, true, false, true, false};
   const fem::PreloadedStiffness solid = fem::preloaded_stiffness(mesh, {rubber}, skew, load);
-  ASSERT_TRUE(solid.converged) << solid.why_not;
+  ASSERT_TRUE(solid.converged) << solid.failure_reason;
   for (const int i : {0, 2, 4}) EXPECT_NEAR(solid.preload(6 + i), load.value(i), 1e-5) << "end K carries the load";
   EXPECT_NEAR(solid.motion(1), 0.0004, 1e-12);
   const Eigen::Matrix<double, 12, 6> wrench =
@@ -191,7 +191,7 @@ TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
 TEST(Preload, OfNothingIsTheStressFreeElement) {
   const fem::Mesh mesh = fem::mesh(cylinder, 1);
   const auto solid = fem::preloaded_stiffness(mesh, {rubber}, fem::frame(cylinder), {});
-  ASSERT_TRUE(solid.converged) << solid.why_not;
+  ASSERT_TRUE(solid.converged) << solid.failure_reason;
   const auto free = fem::condense(mesh, {rubber}, fem::frame(cylinder)).stiffness;
   const spatial::Vector12 scale = free.diagonal().cwiseSqrt();
   EXPECT_THAT(solid.stiffness, test::NearInUnits(free, scale, 1e-9));
@@ -203,7 +203,7 @@ TEST(Preload, BeyondAllMeasureIsRefusedWithTheLastBalance) {
   const auto solid = fem::preloaded_stiffness(fem::mesh(cylinder, 1), {rubber}, fem::frame(cylinder), load);
   EXPECT_FALSE(solid.converged);
   EXPECT_LT(solid.reached, 1);
-  EXPECT_THAT(solid.why_not, testing::HasSubstr("no equilibrium beyond"));
+  EXPECT_THAT(solid.failure_reason, testing::HasSubstr("no equilibrium beyond"));
 }
 
 }  // namespace

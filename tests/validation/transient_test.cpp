@@ -51,7 +51,7 @@ TEST(Transient, OfASineFromRestMeetsThePublishedCase) {
   const auto u =
       test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))}, until(1, 0.1));
   const auto a = test::transient(m.system, m.assembled, {"m1.x"}, {test::force_on(m.assembled, 0, sine, along(0))},
-                                 until(1, 0.1), assembly::Quantity::acceleration);
+                                 until(1, 0.1), assembly::MotionQuantity::acceleration);
   const int at[] = {5, 7, 10};
   const double displacement[] = {0.010842666594819608, -0.00379569402569434, -0.012746319039918437};
   const double acceleration[] = {-4.66147887235089, 2.2784084304907837, 5.479897070081606};
@@ -127,7 +127,8 @@ TEST(Transient, OfABaseThatJumpsStartsWithTheImpulseOfItsDamper) {
   const Machine m = chain({mass}, {stiffness, 0}, {dashpot});
   const auto inputs = std::vector{test::base_motion(m.assembled, excitation::step(height), along(0))};
   const auto r = test::transient(m.system, m.assembled, {"m1.x", "m1.relative.x"}, inputs, until(1, 0.01));
-  const auto v = test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(1, 0.01), assembly::Quantity::velocity);
+  const auto v =
+      test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(1, 0.01), assembly::MotionQuantity::velocity);
   for (Eigen::Index i = 0; i < r.time.size(); ++i) {
     const double t = r.time(i);
     const double x = height *
@@ -179,7 +180,7 @@ TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
     const Machine m = chain({1}, {w * w, 0}, {2 * zeta * w});
     const auto r =
         test::transient(m.system, m.assembled, {"m1.x"}, {test::base_motion(m.assembled, shock, along(0), 2)},
-                        until(0.011 + 2 / frequency_hz, 0.25 / frequency_hz), assembly::Quantity::acceleration);
+                        until(0.011 + 2 / frequency_hz, 0.25 / frequency_hz), assembly::MotionQuantity::acceleration);
     const auto spectrum = excitation::shock_spectrum(shock, {w}, zeta);
     EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(spectrum[0].largest(), 1e-8)) << frequency_hz;
     EXPECT_THAT(r.curves[0].smallest.value, RelativelyNear(spectrum[0].smallest(), 1e-8)) << frequency_hz;
@@ -192,7 +193,7 @@ TEST(Transient, SeesBothSidesOfAJumpBetweenItsPoints) {
   const auto r =
       test::transient(m.system, m.assembled, {"m1.x"},
                       {test::force_on(m.assembled, 0, excitation::terminal_peak_sawtooth(6, 0.015), along(0))},
-                      until(0.1, 0.01), assembly::Quantity::acceleration);
+                      until(0.1, 0.01), assembly::MotionQuantity::acceleration);
   EXPECT_THAT(r.curves[0].largest.value, RelativelyNear(6 / mass, 1e-6));
   EXPECT_NEAR(r.curves[0].largest.time, 0.015, 1e-12);
 }
@@ -204,7 +205,8 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
   options.initial =
       response::initial_state(m.assembled, Eigen::Vector3d(1e-3, -2e-3, 3e-3), Eigen::Vector3d(0.1, 0, -0.2));
   const auto q = test::transient(m.system, m.assembled, {"coordinates"}, {}, options);
-  const auto v = test::transient(m.system, m.assembled, {"coordinates"}, {}, options, assembly::Quantity::velocity);
+  const auto v =
+      test::transient(m.system, m.assembled, {"coordinates"}, {}, options, assembly::MotionQuantity::velocity);
   const auto energy = [&](Eigen::Index i) {
     Eigen::Vector3d x, dx;
     for (int k = 0; k < 3; ++k)

@@ -48,7 +48,7 @@ TEST(RelativeModulus, ObeysTheKramersKronigRelation) {
         Viscoelastic(FractionalZener{1.5, 2e-3, 0.4})})
     for (const double w : {1.0, 60.0, 4000.0})
       EXPECT_NEAR(storage_from_loss(law, w), relative_modulus(law, w).real() - 1, quadrature)
-          << words(law) << " at " << w;
+          << law_description(law) << " at " << w;
 }
 
 TEST(Zener, IsTheThreeParameterIsolatorOfRuzicka) {

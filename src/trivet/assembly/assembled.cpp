@@ -128,13 +128,14 @@ void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor
   scatter_block(map.ends.transpose() * matrix * map.ends, map.rows, map.rows, factor, global);
 }
 
-/// Coupling of the ground ends to the free rows, for the elements that `wanted` accepts.
-template <typename Wanted>
-void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Ground& ground, const Wanted& wanted) {
+/// Coupling of the ground ends to the free rows, for the elements that `is_selected` accepts.
+template <typename Predicate>
+void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Ground& ground,
+                   const Predicate& is_selected) {
   ground.A = ground.B = ground.K = ground.K_loss = Eigen::MatrixXd::Zero(n, ground.size());
   bool lossy = false;
   for (const ElementMap& map : elements) {
-    if (map.ground_rows.empty() || !wanted(map)) continue;
+    if (map.ground_rows.empty() || !is_selected(map)) continue;
     const auto add = [&](const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
       scatter_block(map.ends.transpose() * matrix * map.ground_ends, map.rows, map.ground_rows, factor, global);
     };
@@ -196,10 +197,10 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
   }
 }
 
-/// Sums bodies, foundations and the elements that `wanted` accepts.
-template <typename Wanted>
+/// Sums bodies, foundations and the elements that `is_selected` accepts.
+template <typename Predicate>
 numerics::DynamicMatrices summed(const model::System& system, const Assembled& assembled, Eigen::Index n,
-                                 const Wanted& wanted) {
+                                 const Predicate& is_selected) {
   numerics::DynamicMatrices m;
   m.A = m.B = m.K = m.K_loss = Eigen::MatrixXd::Zero(n, n);
   bool lossy = false;
@@ -209,7 +210,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const ElementMap& map = assembled.elements[e];
     m.symmetric = m.symmetric && system.elements()[e].symmetric;
-    if (!wanted(map)) continue;
+    if (!is_selected(map)) continue;
     scatter(map, map.matrices.stiffness, 1, m.K);
     scatter(map, map.matrices.damping, 1, m.B);
     scatter(map, map.matrices.mass, 1, m.A);

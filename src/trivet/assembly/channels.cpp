@@ -21,7 +21,7 @@ using Matrix6xc = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
 
 class Builder {
  public:
-  Builder(const model::System& system, const Assembled& assembled, Quantity quantity)
+  Builder(const model::System& system, const Assembled& assembled, MotionQuantity quantity)
       : system_(system), assembled_(assembled), derivative_(static_cast<int>(quantity)) {}
 
   /// All channels of one name; empty if the name is unknown.
@@ -29,7 +29,7 @@ class Builder {
     std::vector<Channel> result;
     const auto append = [&](std::vector<Channel> more) { result.insert(result.end(), more.begin(), more.end()); };
     const auto append_motions = [&](std::vector<Channel> more) {
-      for (Channel& channel : more) follow(channel);
+      for (Channel& channel : more) set_ground_terms(channel);
       append(std::move(more));
     };
     if (of == "ground") append(ground());
@@ -106,7 +106,7 @@ class Builder {
   }
 
   /// Sets the terms of a motion on the followed ground coordinates.
-  void follow(Channel& channel) const {
+  void set_ground_terms(Channel& channel) const {
     Eigen::VectorXd on_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
     if (!channel.ground.empty()) on_ground = channel.ground.on_displacement.real();
     on_ground.tail(assembled_.ground.followed()) =
@@ -350,7 +350,7 @@ std::vector<std::string> channel_words(const model::Description& description) {
 }
 
 std::vector<Channel> channels(const model::System& system, const Assembled& assembled,
-                              const std::vector<std::string>& of, Quantity quantity) {
+                              const std::vector<std::string>& of, MotionQuantity quantity) {
   const Builder builder(system, assembled, quantity);
   std::vector<Channel> result;
   std::set<std::string> seen;

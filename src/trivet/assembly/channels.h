@@ -10,7 +10,7 @@
 
 namespace trivet::assembly {
 
-enum class Quantity { displacement, velocity, acceleration };
+enum class MotionQuantity { displacement, velocity, acceleration };
 
 /// Contribution of a frequency-dependent element to a force: row · D(ω) · (displacements of its ends).
 struct DynamicForce {
@@ -44,7 +44,7 @@ struct Channel : numerics::CurveTerms {
 /// the ground about its origin.
 /// @throws foundation::InvalidInput for an unknown name
 [[nodiscard]] std::vector<Channel> channels(const model::System& system, const Assembled& assembled,
-                                            const std::vector<std::string>& of, Quantity quantity);
+                                            const std::vector<std::string>& of, MotionQuantity quantity);
 
 /// Names of groups of results that `channels` accepts for this model; a full channel name is GROUP.COMPONENT.
 [[nodiscard]] std::vector<std::string> channel_words(const model::Description& description);

@@ -133,15 +133,15 @@ struct Columns {
   Eigen::MatrixXd K, B, K_loss;
 };
 
-/// Forces that the motion R g causes in the free rows: from the elements that `wanted` accepts, the weights and the
-/// foundations.
-template <typename Wanted>
-Columns coupled(const model::System& system, const Assembled& assembled, const Wanted& wanted) {
+/// Forces that the motion R g causes in the free rows: from the elements that `is_selected` accepts, the weights and
+/// the foundations.
+template <typename Predicate>
+Columns coupled(const model::System& system, const Assembled& assembled, const Predicate& is_selected) {
   const Eigen::Index n = assembled.layout.size();
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, assembled.ground.followed());
   Columns c{none, none, none};
   for (const ElementMap& map : assembled.elements) {
-    if (!wanted(map)) continue;
+    if (!is_selected(map)) continue;
     const FollowedForces forces = followed_forces(map, assembled.ground);
     if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,

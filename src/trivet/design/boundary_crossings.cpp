@@ -23,7 +23,7 @@ struct Bracket {
     const double low = std::min(a, b) + 0.5 * tolerance, high = std::max(a, b) - 0.5 * tolerance;
     return std::clamp(std::isfinite(t) ? t : 0.5 * (a + b), std::min(low, high), std::max(low, high));
   }
-  void see(double t, double value) {
+  void update(double t, double value) {
     ++steps;
     if ((value >= 0) == (at_b >= 0)) {
       b = t;
@@ -77,7 +77,7 @@ std::vector<double> boundary_crossings(const MapGrid& grid, const std::vector<De
       places.push_back(place_on_edge(grid, edges[e], t.back()));
     }
     const std::vector<DesignOutcome> found = judge(places, of_boundary);
-    for (std::size_t k = 0; k < open.size(); ++k) brackets[open[k]].see(t[k], boundary_level(found[k]));
+    for (std::size_t k = 0; k < open.size(); ++k) brackets[open[k]].update(t[k], boundary_level(found[k]));
   }
   std::vector<double> crossings;
   for (const Bracket& bracket : brackets) crossings.push_back(0.5 * (bracket.a + bracket.b));

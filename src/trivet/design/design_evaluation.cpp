@@ -9,7 +9,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/modal/highest_frequency.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/roots/design_modes.h"
@@ -84,20 +84,20 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
 }
 
 void DesignEvaluation::fit_family(const project::Case& variant) {
-  const auto plain = [&](const model::System& system) -> PlainOrNot {
+  const auto plain = [&](const model::System& system) -> PlainDesignOrReason {
     const assembly::Assembled assembled = assembly::assemble(system);
-    PlainOrNot found = plain_design(assembled, channels(system, assembled),
-                                    assembly::harmonic_loading(system, assembled, request_.excitations));
+    PlainDesignOrReason found = plain_design(assembled, channels(system, assembled),
+                                             assembly::harmonic_loading(system, assembled, request_.excitations));
     if (found.plain && !numerics::is_positive_definite(found.plain->K))
       return {{}, "rigid-body modes or unstable motions"};
     return found;
   };
   report_.family = plain(variant.system).reason;
   if (!report_.family.empty()) return;
-  FamilyOrNot found = DesignFamily::fitted(
-      [&](const FamilyPoint& point) -> PlainOrNot {
+  FamilyOrReason found = DesignFamily::fitted(
+      [&](const FamilyPoint& point) -> PlainDesignOrReason {
         const auto system = system_at({point.x, point.y});
-        return system ? plain(*system) : PlainOrNot{{}, "designs without a valid model"};
+        return system ? plain(*system) : PlainDesignOrReason{{}, "designs without a valid model"};
       },
       {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
   family_ = std::move(found.family);
@@ -144,7 +144,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   const numerics::DesignModes modes =
       counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
   const auto good = [](numerics::DesignStatus status) {
-    return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::redone;
+    return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
   };
   if (beyond_band_) {  // peaks count at all frequencies, amplitudes only in the band; the highest one is rarely outside
     const std::vector<std::size_t> again = highest_outside_band(found);
@@ -162,7 +162,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     }
   }
   std::vector<double> values(set_.rules.size());
-  std::size_t proven = 0, redone = 0;
+  std::size_t proven = 0, fallback = 0;
   for (std::size_t d = 0; d < points.size(); ++d) {
     if (!good(found.status[d])) {
       outcomes[d] = assembled_outcome(first + d, points[d]);
@@ -176,14 +176,14 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     outcomes[d] = outcome_of(governing(set_, values));
     for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k)
       count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
-    ++(found.status[d] == numerics::DesignStatus::proven ? proven : redone);
+    ++(found.status[d] == numerics::DesignStatus::proven ? proven : fallback);
   }
   const std::lock_guard lock(noting_);
   report_.proven += proven;
-  report_.redone += redone;
+  report_.fallback += fallback;
 }
 
-std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::Quantity quantity) {
+std::size_t DesignEvaluation::channel_of(const std::string& name, assembly::MotionQuantity quantity) {
   for (std::size_t i = 0; i < answers_.size(); ++i)
     if (answers_[i].name == name && answers_[i].quantity == quantity) return i;
   answers_.push_back({name, quantity});
@@ -228,7 +228,7 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
   return true;
 }
 
-JudgedDesign DesignEvaluation::judged(const model::System& system) const {
+JudgedDesign DesignEvaluation::judged_design(const model::System& system) const {
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const modal::Roots roots = modal::roots(system, assembled, modes);
@@ -263,7 +263,7 @@ void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, 
 DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const DesignPoint& point) {
   {
     const std::lock_guard lock(noting_);
-    ++report_.one_by_one;
+    ++report_.assembled_separately;
   }
   const auto system = system_at(point);
   if (!system) {
@@ -276,7 +276,7 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
     return {0, DesignOutcome::no_model};
   }
   try {
-    const JudgedDesign found = judged(*system);
+    const JudgedDesign found = judged_design(*system);
     DesignOutcome outcome = outcome_of(found.governing);
     for (const double squared : found.natural_frequencies_squared)
       if (counts_modes_) count_mode(squared, set_.band, outcome);
@@ -293,14 +293,14 @@ std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count,
                                                       const std::function<DesignPoint(std::size_t)>& point,
                                                       const foundation::Progress& progress) {
   std::vector<DesignOutcome> outcomes(count);
-  foundation::for_each_piece(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"},
-                             [&](std::size_t first, std::size_t last) {
-                               std::vector<DesignPoint> points;
-                               for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
-                               if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
-                               for (std::size_t i = first; i < last; ++i)
-                                 outcomes[i] = assembled_outcome(i, points[i - first]);
-                             });
+  foundation::parallel_for(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"},
+                           [&](std::size_t first, std::size_t last) {
+                             std::vector<DesignPoint> points;
+                             for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
+                             if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
+                             for (std::size_t i = first; i < last; ++i)
+                               outcomes[i] = assembled_outcome(i, points[i - first]);
+                           });
   std::vector<std::size_t> order(report_.missing.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::sort(order.begin(), order.end(),

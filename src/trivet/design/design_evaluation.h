@@ -35,16 +35,16 @@ class DesignEvaluation {
   [[nodiscard]] bool is_at(const model::System& system, const DesignPoint& point) const;
 
   /// A model judged by response::peaks. @throws foundation::NotComputable, InvalidInput
-  [[nodiscard]] JudgedDesign judged(const model::System& system) const;
+  [[nodiscard]] JudgedDesign judged_design(const model::System& system) const;
 
   [[nodiscard]] const EvaluationReport& report() const { return report_; }
 
  private:
   struct Answer {
     std::string name;
-    assembly::Quantity quantity = assembly::Quantity::displacement;
+    assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   };
-  [[nodiscard]] std::size_t channel_of(const std::string& name, assembly::Quantity quantity);
+  [[nodiscard]] std::size_t channel_of(const std::string& name, assembly::MotionQuantity quantity);
   [[nodiscard]] std::vector<assembly::Channel> channels(const model::System& system,
                                                         const assembly::Assembled& assembled) const;
   [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;

@@ -63,7 +63,7 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
 }
 
 /// Reason why two plain designs cannot be in one family; empty if they can.
-std::string unlike(const PlainDesign& a, const PlainDesign& b) {
+std::string reason_for_separate_families(const PlainDesign& a, const PlainDesign& b) {
   if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
   if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
     return "answers that are defined differently from design to design (a force of an element that the numbers change, "
@@ -101,8 +101,8 @@ std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
 
 }  // namespace
 
-PlainOrNot plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                        const assembly::Loading& loading) {
+PlainDesignOrReason plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                 const assembly::Loading& loading) {
   const numerics::DynamicMatrices& m = assembled.matrices;
   if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
   if (m.lossy()) return {{}, "loss factors"};
@@ -181,13 +181,13 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(
   return std::nullopt;
 }
 
-FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
+FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
   DesignFamily family;
   std::string reason;
   bool has_first = false;
-  const auto asked = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
-    PlainOrNot found = source(point);
-    reason = found.plain ? has_first ? unlike(family.first_, *found.plain) : "" : found.reason;
+  const auto plain_design_at = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
+    PlainDesignOrReason found = source(point);
+    reason = found.plain ? has_first ? reason_for_separate_families(family.first_, *found.plain) : "" : found.reason;
     if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
     return reason.empty() ? std::move(found.plain) : std::nullopt;
   };
@@ -195,13 +195,13 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
     return fmt::format("matrices that polynomials on {} nodes do not reproduce within {:.0e} along {}",
                        most_nodes_along_one, reproduced_within, name);
   };
-  const auto declined = [&](const std::string& otherwise) -> FamilyOrNot {
+  const auto declined = [&](const std::string& otherwise) -> FamilyOrReason {
     return {std::nullopt, reason.empty() ? otherwise : reason};
   };
-  if (!asked({x.from, y.from})) return declined("");
-  const auto along_x = fitted_along([&](double value) { return asked({value, 0.5 * (y.from + y.to)}); }, x);
+  if (!plain_design_at({x.from, y.from})) return declined("");
+  const auto along_x = fitted_along([&](double value) { return plain_design_at({value, 0.5 * (y.from + y.to)}); }, x);
   if (!along_x) return declined(not_met_along(x.name));
-  const auto along_y = fitted_along([&](double value) { return asked({0.5 * (x.from + x.to), value}); }, y);
+  const auto along_y = fitted_along([&](double value) { return plain_design_at({0.5 * (x.from + x.to), value}); }, y);
   if (!along_y) return declined(not_met_along(y.name));
   family.x_ = *along_x;
   family.y_ = *along_y;
@@ -215,13 +215,13 @@ FamilyOrNot DesignFamily::fitted(const Source& source, const FamilyVariable& x, 
   };
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
-      const auto design = asked({value(x, family.x_, i), value(y, family.y_, j)});
+      const auto design = plain_design_at({value(x, family.x_, i), value(y, family.y_, j)});
       if (!design) return declined("");
       family.values_.col(static_cast<Eigen::Index>(j * nx + i)) = packed(*design);
     }
   for (const FamilyPoint& share : check_points()) {
     const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
-    const auto design = asked(point);
+    const auto design = plain_design_at(point);
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
     if (worst > reproduced_within)

@@ -23,12 +23,13 @@ struct PlainDesign {
 };
 
 /// The design in that form, or the reason why it has no such form: "loss factors", "a moving ground" …
-struct PlainOrNot {
+struct PlainDesignOrReason {
   std::optional<PlainDesign> plain;
   std::string reason;
 };
-[[nodiscard]] PlainOrNot plain_design(const assembly::Assembled& assembled,
-                                      const std::vector<assembly::Channel>& channels, const assembly::Loading& loading);
+[[nodiscard]] PlainDesignOrReason plain_design(const assembly::Assembled& assembled,
+                                               const std::vector<assembly::Channel>& channels,
+                                               const assembly::Loading& loading);
 
 /// One of the two variables of a family.
 struct FamilyVariable {
@@ -40,7 +41,7 @@ struct FamilyPoint {
   double x = 0, y = 0;
 };
 
-struct FamilyOrNot;
+struct FamilyOrReason;
 
 /// Plain designs as smooth functions of two variables: polynomials through a few of them, checked against further
 /// designs.
@@ -51,12 +52,12 @@ class DesignFamily {
   static constexpr double reproduced_within = 1e-12;
 
   /// The design at a point; if it is not plain, the attempt ends with its reason.
-  using Source = std::function<PlainOrNot(const FamilyPoint&)>;
+  using Source = std::function<PlainDesignOrReason(const FamilyPoint&)>;
 
   /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25
   /// points of a lattice up to the ends of the ranges and 16 points between them must be reproduced. Returns a reason
   /// instead of a family if this fails or the rows of the answers change.
-  [[nodiscard]] static FamilyOrNot fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
+  [[nodiscard]] static FamilyOrReason fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
 
   /// Matrices and loads at the points.
   [[nodiscard]] numerics::Designs designs(std::span<const FamilyPoint> points) const;
@@ -89,7 +90,7 @@ class DesignFamily {
 
 /// A family, or the reason why there is none: that of the design that is not plain, or "… polynomials … do not
 /// reproduce …".
-struct FamilyOrNot {
+struct FamilyOrReason {
   std::optional<DesignFamily> family;
   std::string reason;
 };

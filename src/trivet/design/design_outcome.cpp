@@ -44,15 +44,15 @@ std::string without_numbers(const std::string& message) {
   return kind;
 }
 
-std::string EvaluationReport::words() const {
+std::string EvaluationReport::summary() const {
   std::string text;
-  if (proven + redone > 0)
-    text = fmt::format("{} designs by poles and residues{}; {}", proven + redone,
-                       redone > 0 ? fmt::format(", {} of them recomputed by a slower solver", redone) : "", family);
-  if (one_by_one > 0)
-    text +=
-        fmt::format("{}{} designs assembled from the changed project and searched separately{}",
-                    text.empty() ? "" : "; ", one_by_one, proven + redone > 0 || family.empty() ? "" : ": " + family);
+  if (proven + fallback > 0)
+    text = fmt::format("{} designs by poles and residues{}; {}", proven + fallback,
+                       fallback > 0 ? fmt::format(", {} of them recomputed by a slower solver", fallback) : "", family);
+  if (assembled_separately > 0)
+    text += fmt::format("{}{} designs assembled from the changed project and searched separately{}",
+                        text.empty() ? "" : "; ", assembled_separately,
+                        proven + fallback > 0 || family.empty() ? "" : ": " + family);
   return text;
 }
 

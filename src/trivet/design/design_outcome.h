@@ -34,7 +34,7 @@ struct DesignOutcome {
 
   [[nodiscard]] int modes_up_to() const { return modes_below + modes_in_band; }
   [[nodiscard]] bool known() const { return governing < not_computed; }
-  [[nodiscard]] bool kept() const { return known() && margin >= 1; }
+  [[nodiscard]] bool feasible() const { return known() && margin >= 1; }
 };
 
 /// One kind of reason why designs have no outcome: messages that differ only in their numbers are one kind.
@@ -54,14 +54,14 @@ struct JudgedDesign {
 
 /// How designs were evaluated, for the user.
 struct EvaluationReport {
-  std::size_t proven = 0;      ///< designs judged by poles and residues, many at once
-  std::size_t redone = 0;      ///< fallback designs, with poles or bounds not good enough for that: by the poles of an
-                               ///< eigensolver, or on discs free of poles
-  std::size_t one_by_one = 0;  ///< designs assembled from the changed project and searched separately
-  std::string family;          ///< how the matrices of the proven and redone designs were found, or why there are none
+  std::size_t proven = 0;    ///< designs judged by poles and residues, many at once
+  std::size_t fallback = 0;  ///< fallback designs, with poles or bounds not good enough for that: by the poles of an
+                             ///< eigensolver, or on discs free of poles
+  std::size_t assembled_separately = 0;  ///< designs assembled from the changed project and searched separately
+  std::string family;  ///< how the matrices of the proven and fallback designs were found, or why there are none
   std::vector<MissingReason> missing;
 
-  [[nodiscard]] std::string words() const;
+  [[nodiscard]] std::string summary() const;
 };
 
 /// A message with its numbers replaced by "#": equal for messages of one kind. Digits in a word ("mount2") remain.

@@ -56,7 +56,7 @@ double margin(const DesignRule& rule, double value) {
   return reached < 1 && reached >= 1 - on_the_limit ? 1 : reached;
 }
 
-bool keeps_limit(double amplitude, double limit) {
+bool meets_limit(double amplitude, double limit) {
   return margin({DesignRule::Kind::amplitude, 0, limit}, amplitude) >= 1;
 }
 
@@ -80,11 +80,11 @@ RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<a
 }
 
 Governing governing(const RuleSet& set, const std::vector<double>& values) {
-  const auto of = [&](std::size_t r) { return margin(set.rules[r], values[r]); };
+  const auto margin_of_rule = [&](std::size_t r) { return margin(set.rules[r], values[r]); };
   double least = infinity;
-  for (std::size_t r = 0; r < set.rules.size(); ++r) least = std::min(least, of(r));
+  for (std::size_t r = 0; r < set.rules.size(); ++r) least = std::min(least, margin_of_rule(r));
   for (std::size_t r = 0; r < set.rules.size(); ++r)
-    if (const double m = of(r); m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
+    if (const double m = margin_of_rule(r); m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
   return {0, infinity};
 }
 

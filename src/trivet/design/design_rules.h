@@ -40,7 +40,7 @@ inline constexpr double on_the_limit = 1e-9;
 [[nodiscard]] double margin(const DesignRule& rule, double value);
 
 /// Is an amplitude below its limit, or on it?
-[[nodiscard]] bool keeps_limit(double amplitude, double limit);
+[[nodiscard]] bool meets_limit(double amplitude, double limit);
 
 struct RuleSet {
   std::vector<DesignRule> rules;
@@ -64,7 +64,7 @@ struct RuleValues {
 struct Governing {
   std::size_t rule = 0;
   double margin = 0;  ///< the least of all rules
-  [[nodiscard]] bool kept() const { return margin >= 1; }
+  [[nodiscard]] bool feasible() const { return margin >= 1; }
 };
 [[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int most_drawn = 241;  // along an axis: about two pixels apart
 
-std::vector<int> drawn(int points) {
+std::vector<int> drawn_nodes(int points) {
   const int count = std::min(points, most_drawn);
   std::vector<int> nodes;
   for (int k = 0; k < count; ++k)
@@ -30,6 +30,6 @@ MapPlace DrawnGrid::on_map(const MapPlace& among_nodes) const {
   return {share(among_nodes.x, columns), share(among_nodes.y, rows)};
 }
 
-DrawnGrid drawn_grid(const MapGrid& grid) { return {grid, drawn(grid.nx), drawn(grid.ny)}; }
+DrawnGrid drawn_grid(const MapGrid& grid) { return {grid, drawn_nodes(grid.nx), drawn_nodes(grid.ny)}; }
 
 }  // namespace trivet::design

@@ -24,7 +24,7 @@ std::vector<Eigen::Index> pivots(Seat seat_n, Seat seat_k) {
 
 /// Static or dynamic condensation of the motions `free`; their rows and columns become zero.
 template <typename Matrix>
-Matrix released(const Matrix& d, const std::vector<Eigen::Index>& free) {
+Matrix condensed_motions(const Matrix& d, const std::vector<Eigen::Index>& free) {
   if (free.empty()) return d;
   using Block = numerics::UpToTwelve<typename Matrix::Scalar>;
   const Block rows = d(free, Eigen::all), corner = d(free, free);
@@ -122,7 +122,7 @@ SeatedCoil seated_coil(const CoilSpring& spring) {
 Matrix12 dynamic_stiffness(const SeatedCoil& coil, double angular_frequency) {
   const Clamped clamped = clamped_at(coil, angular_frequency);
   require_finite(clamped.d.allFinite(), angular_frequency);
-  return released(clamped.d, pivots(coil.seat_n, coil.seat_k));
+  return condensed_motions(clamped.d, pivots(coil.seat_n, coil.seat_k));
 }
 
 Matrix12c dynamic_stiffness(const SeatedCoil& coil, std::complex<double> angular_frequency) {
@@ -135,7 +135,7 @@ Matrix12c dynamic_stiffness(const SeatedCoil& coil, std::complex<double> angular
   d.topLeftCorner<6, 6>() += coil.second_order_n - lambda * coil.dead_mass_n;
   d.bottomRightCorner<6, 6>() += coil.second_order_k - lambda * coil.dead_mass_k;
   require_finite(d.allFinite(), angular_frequency);
-  return released(d, pivots(coil.seat_n, coil.seat_k));
+  return condensed_motions(d, pivots(coil.seat_n, coil.seat_k));
 }
 
 Matrix12 dynamic_stiffness(const CoilSpring& spring, double angular_frequency) {

@@ -57,12 +57,12 @@ Matrix6 flexibility_at_middle(const Helix& line, const HelicalRod& rod) {
 
 /// Components of a wrench that both seats carry when it acts at `height` on the axis: at a pivot no moment about e1 and
 /// e2, between two pivots only force and moment along the axis.
-struct Carried {
+struct TransmittedComponents {
   std::vector<Eigen::Index> components;
   double height;
 };
 
-Carried carried(const CoilSpring& spring) {
+TransmittedComponents transmitted_components(const CoilSpring& spring) {
   const bool pivot_n = spring.seat_n == Seat::pivoted, pivot_k = spring.seat_k == Seat::pivoted;
   const double top = seat_distance(spring),
                middle = spring.dead_coils_n * wire_height(spring) + spring.active_length / 2;
@@ -72,14 +72,14 @@ Carried carried(const CoilSpring& spring) {
 }
 
 /// Inverse of the carried part of a flexibility, zero elsewhere.
-Matrix6 inverse_of(const Matrix6& flexibility, const std::vector<Eigen::Index>& carried) {
+Matrix6 inverse_of(const Matrix6& flexibility, const std::vector<Eigen::Index>& components) {
   const Vector6 scale = flexibility.diagonal().cwiseSqrt().cwiseInverse();
   const Matrix6 unit = scale.asDiagonal() * flexibility * scale.asDiagonal();
-  const Eigen::MatrixXd part = unit(carried, carried);
+  const Eigen::MatrixXd part = unit(components, components);
   Matrix6 inverse = Matrix6::Zero();
   const Eigen::MatrixXd part_inverse =
       numerics::cholesky_solution(part, Eigen::MatrixXd(Eigen::MatrixXd::Identity(part.rows(), part.cols())));
-  inverse(carried, carried) = part_inverse;
+  inverse(components, components) = part_inverse;
   const Matrix6 result = scale.asDiagonal() * inverse * scale.asDiagonal();
   return 0.5 * (result + result.transpose());
 }
@@ -89,7 +89,7 @@ Matrix6 inverse_of(const Matrix6& flexibility, const std::vector<Eigen::Index>& 
 Matrix12 stiffness(const CoilSpring& spring) {
   require_sound(spring, false);
   const Helix line = helix(spring);
-  const Carried at = carried(spring);
+  const TransmittedComponents at = transmitted_components(spring);
   const double middle = spring.dead_coils_n * wire_height(spring) + spring.active_length / 2;
   const Matrix6 turn =
       spatial::both_blocks(spatial::rotation_about(Eigen::Vector3d::UnitZ(), line.start_angle + line.turn / 2));

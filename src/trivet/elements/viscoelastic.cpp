@@ -71,7 +71,7 @@ class Check {
     for (std::size_t i = 0; i < law.ratios.size(); ++i) ratio(fmt::format("ratios[{}]", i), law.ratios[i]);
     for (std::size_t i = 0; i < law.times.size(); ++i) time(fmt::format("times[{}]", i), law.times[i]);
   }
-  foundation::Problems take() { return std::move(problems_); }
+  foundation::Problems release_problems() { return std::move(problems_); }
 
  private:
   foundation::Problems problems_;
@@ -104,7 +104,7 @@ foundation::Problems check(const Viscoelastic& law) {
                           check.ratio("ratio", l.ratio), check.time("time", l.time), check.order(l.order);
                         }},
              law);
-  return check.take();
+  return check.release_problems();
 }
 
 std::string name(const Viscoelastic& law) {
@@ -112,7 +112,7 @@ std::string name(const Viscoelastic& law) {
   return names[law.index()];
 }
 
-std::string words(const Viscoelastic& law) {
+std::string law_description(const Viscoelastic& law) {
   const std::string numbers =
       std::visit(Overloaded{[](const KelvinVoigt& l) { return fmt::format("time {:.6g} s", l.time); },
                             [](const Zener& l) { return fmt::format("ratio {:.6g}, time {:.6g} s", l.ratio, l.time); },

@@ -61,6 +61,6 @@ struct RationalForm {
 [[nodiscard]] std::string name(const Viscoelastic& law);
 
 /// "Zener, ratio 0.5, time 0.01 s".
-[[nodiscard]] std::string words(const Viscoelastic& law);
+[[nodiscard]] std::string law_description(const Viscoelastic& law);
 
 }  // namespace trivet::elements

@@ -9,7 +9,7 @@ namespace {
 
 /// Numbers between commas or blanks.
 std::vector<std::string_view> fields(std::string_view line) {
-  return line.find(',') == std::string_view::npos ? words(line) : cells(line, ',');
+  return line.find(',') == std::string_view::npos ? blank_separated(line) : cells(line, ',');
 }
 
 std::optional<LabelledEntry> read_entry(std::string_view line, int number, FileProblems& problems) {

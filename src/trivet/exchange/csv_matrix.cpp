@@ -19,7 +19,7 @@ char separator_of(std::string_view line) {
 }
 
 std::vector<std::string_view> cells_of(std::string_view line, char separator) {
-  return separator == blank ? words(line) : cells(line, separator);
+  return separator == blank ? blank_separated(line) : cells(line, separator);
 }
 
 bool is_heading(const std::vector<std::string_view>& row) {

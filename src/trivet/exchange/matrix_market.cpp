@@ -25,7 +25,7 @@ std::optional<MarketHeader> read_header(Lines& lines, FileProblems& problems) {
     return std::nullopt;
   }
   const std::string line = lower(lines.line());
-  const auto parts = words(line);
+  const auto parts = blank_separated(line);
   const auto is = [&](std::size_t i, std::initializer_list<std::string_view> allowed) {
     return i < parts.size() && std::find(allowed.begin(), allowed.end(), parts[i]) != allowed.end();
   };
@@ -50,7 +50,7 @@ void read_coordinates(Lines& lines, const MarketHeader& header, int order, long 
                       FileProblems& problems) {
   const std::size_t wanted = header.is_complex ? 4 : 3;
   while (!problems.enough() && next_data(lines)) {
-    const auto parts = words(lines.line());
+    const auto parts = blank_separated(lines.line());
     if (static_cast<long long>(entries.size()) >= count) {
       problems.error(lines.number(), "entries", fmt::format("more than the stated {}", count),
                      "the size line states the number of entries", "correct the size line");
@@ -92,7 +92,7 @@ void read_array(Lines& lines, const MarketHeader& header, int order, std::vector
                      "the size line states the number of rows and columns", "correct the size line");
       return;
     }
-    const auto parts = words(lines.line());
+    const auto parts = blank_separated(lines.line());
     const auto real = parts.empty() ? std::nullopt : number(parts[0]);
     const auto imaginary = parts.size() < 2 ? std::optional(0.0) : number(parts[1]);
     if (parts.size() != wanted || !real || !imaginary)
@@ -115,7 +115,7 @@ foundation::Expected<NamedMatrix> read_matrix_market(std::string_view text, cons
   const auto header = read_header(lines, problems);
   if (!header) return problems.refused();
 
-  const auto sizes = next_data(lines) ? words(lines.line()) : std::vector<std::string_view>{};
+  const auto sizes = next_data(lines) ? blank_separated(lines.line()) : std::vector<std::string_view>{};
   const std::size_t wanted = header->coordinate ? 3 : 2;
   const auto rows = sizes.size() == wanted ? whole_number(sizes[0]) : std::nullopt;
   const auto columns = rows ? whole_number(sizes[1]) : std::nullopt;

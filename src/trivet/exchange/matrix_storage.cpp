@@ -43,7 +43,7 @@ foundation::Expected<NamedMatrix> read_matrix_storage(std::string_view text, con
   const int order = static_cast<int>(labels.size());
   std::vector<Entry> entries;
   for (Lines lines(text); !problems.enough() && lines.next();) {
-    const auto parts = words(lines.line());
+    const auto parts = blank_separated(lines.line());
     if (parts.empty()) continue;
     const auto row = whole_number(parts[0]);
     const auto column = parts.size() == 3 ? whole_number(parts[1]) : std::nullopt;

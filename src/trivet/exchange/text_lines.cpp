@@ -32,7 +32,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-std::vector<std::string_view> words(std::string_view line) {
+std::vector<std::string_view> blank_separated(std::string_view line) {
   std::vector<std::string_view> found;
   for (std::size_t at = line.find_first_not_of(blanks); at != std::string_view::npos;
        at = line.find_first_not_of(blanks, at)) {

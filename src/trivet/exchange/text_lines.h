@@ -26,7 +26,7 @@ class Lines {
 
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// The parts between runs of blanks and tabs.
-[[nodiscard]] std::vector<std::string_view> words(std::string_view line);
+[[nodiscard]] std::vector<std::string_view> blank_separated(std::string_view line);
 /// The trimmed parts between separators, including empty ones; none for a blank line.
 [[nodiscard]] std::vector<std::string_view> cells(std::string_view line, char separator);
 [[nodiscard]] std::string lower(std::string_view text);

@@ -15,16 +15,16 @@ class UserElement {
  public:
   UserElement(std::string wanted, FileProblems& problems) : wanted_(std::move(wanted)), problems_(problems) {}
 
-  void take(std::string_view line, int number) {
+  void read_line(std::string_view line, int number) {
     line_ = number;
     const std::string_view text = trimmed(line);
     if (text.empty()) return;
     if (text.starts_with("**"))
-      take_comment(trimmed(text.substr(
+      read_comment(trimmed(text.substr(
           text.find_first_not_of('*') == std::string_view::npos ? text.size() : text.find_first_not_of('*'))));
-    else if (text.starts_with('*')) take_keyword(lower(text));
-    else if (section_ == Section::components) take_components(text);
-    else if (section_ == Section::values) take_values(text);
+    else if (text.starts_with('*')) read_keyword(lower(text));
+    else if (section_ == Section::components) read_components(text);
+    else if (section_ == Section::values) read_values(text);
   }
 
   std::optional<NamedMatrix> matrix() {
@@ -62,7 +62,7 @@ class UserElement {
  private:
   enum class Section { none, components, values };
 
-  void take_comment(std::string_view text) {
+  void read_comment(std::string_view text) {
     const auto parts = cells(text, ',');
     const bool all_numbers = !parts.empty() &&
         std::all_of(parts.begin(), parts.end(), [](std::string_view p) { return p.empty() || whole_number(p); });
@@ -74,7 +74,7 @@ class UserElement {
     }
   }
 
-  void take_keyword(const std::string& text) {
+  void read_keyword(const std::string& text) {
     section_ = Section::none;
     listing_nodes_ = false;
     const auto parts = cells(text, ',');
@@ -100,7 +100,7 @@ class UserElement {
 
   /// The first line lists the components of the first node; a later line begins with the position of the node from
   /// which its list applies.
-  void take_components(std::string_view text) {
+  void read_components(std::string_view text) {
     std::vector<int> numbers;
     for (const std::string_view part : cells(text, ',')) {
       if (part.empty()) continue;
@@ -117,7 +117,7 @@ class UserElement {
     else lists_.push_back({place, numbers});
   }
 
-  void take_values(std::string_view text) {
+  void read_values(std::string_view text) {
     for (const std::string_view part : cells(text, ',')) {
       if (part.empty()) continue;
       const auto value = fortran_number(part);
@@ -167,7 +167,7 @@ class UserElement {
 foundation::Expected<NamedMatrix> read_user_element(std::string_view text, const std::string& type,
                                                     FileProblems& problems) {
   UserElement element(type, problems);
-  for (Lines lines(text); !problems.enough() && lines.next();) element.take(lines.line(), lines.number());
+  for (Lines lines(text); !problems.enough() && lines.next();) element.read_line(lines.line(), lines.number());
   auto matrix = problems.any() ? std::nullopt : element.matrix();
   if (!matrix) return problems.refused();
   return std::move(*matrix);

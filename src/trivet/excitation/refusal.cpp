@@ -10,24 +10,24 @@
 namespace trivet::excitation {
 namespace {
 
-void require(bool kept, double value, std::string_view thing, std::string_view unit, std::string_view rule) {
-  if (!kept || !std::isfinite(value))
+void require(bool met, double value, std::string_view quantity, std::string_view unit, std::string_view rule) {
+  if (!met || !std::isfinite(value))
     throw foundation::InvalidInput(
-        fmt::format("{} = {:.6g}{}{}: it must be {}", thing, value, unit.empty() ? "" : " ", unit, rule));
+        fmt::format("{} = {:.6g}{}{}: it must be {}", quantity, value, unit.empty() ? "" : " ", unit, rule));
 }
 
 }  // namespace
 
-void require_finite(double value, std::string_view thing, std::string_view unit) {
-  require(true, value, thing, unit, "finite");
+void require_finite(double value, std::string_view quantity, std::string_view unit) {
+  require(true, value, quantity, unit, "finite");
 }
 
-void require_positive(double value, std::string_view thing, std::string_view unit) {
-  require(value > 0, value, thing, unit, "> 0");
+void require_positive(double value, std::string_view quantity, std::string_view unit) {
+  require(value > 0, value, quantity, unit, "> 0");
 }
 
-void require_not_negative(double value, std::string_view thing, std::string_view unit) {
-  require(value >= 0, value, thing, unit, "≥ 0");
+void require_not_negative(double value, std::string_view quantity, std::string_view unit) {
+  require(value >= 0, value, quantity, unit, "≥ 0");
 }
 
 void require_damping_ratio(double zeta) { require(zeta >= 0 && zeta < 1, zeta, "damping ratio", "", "≥ 0 and < 1"); }

@@ -51,7 +51,7 @@ class Oscillator {
   Oscillator(double omega, double zeta) : omega_(omega), zeta_(zeta) {}
 
   /// Integrates over a piece of the base acceleration and widens the range of the absolute acceleration.
-  void follow(const Piece& piece, double duration, Range& absolute) {
+  void integrate(const Piece& piece, double duration, Range& absolute) {
     const double steps = std::max(1.0, std::ceil(duration * std::max(omega_, piece.kappa)));
     if (steps > most_steps)
       throw foundation::NotComputable(
@@ -128,7 +128,7 @@ std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<
       foundation::report_progress(
           progress, "shock response spectrum",
           (static_cast<double>(spectrum.size()) + done) / static_cast<double>(angular_frequencies.size()));
-      oscillator.follow(base.pieces[i], base.pieces[i + 1].start - base.pieces[i].start, primary);
+      oscillator.integrate(base.pieces[i], base.pieces[i + 1].start - base.pieces[i].start, primary);
     }
     if (!base.pieces.empty()) oscillator.ring_out(base.pieces.back().value, residual);
     spectrum.push_back({omega, primary.largest, primary.smallest, residual.largest, residual.smallest,

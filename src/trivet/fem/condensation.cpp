@@ -7,7 +7,7 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::fem {

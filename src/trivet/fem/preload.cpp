@@ -9,7 +9,7 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/solid.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -172,7 +172,7 @@ PreloadedStiffness preloaded_stiffness(const Mesh& mesh, const std::vector<Mater
   }
   result.converged = result.reached >= 1 - 1e-12;
   if (!result.converged)
-    result.why_not = fmt::format(
+    result.failure_reason = fmt::format(
         "no equilibrium beyond {:.1f} % of the preload: the solid buckles, its elements invert, or the mesh is too "
         "coarse for the strains; use a smaller preload or a finer mesh",
         100 * result.reached);

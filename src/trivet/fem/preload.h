@@ -29,9 +29,9 @@ struct PreloadOptions {
 /// Tangent stiffness about the preloaded state.
 struct PreloadedStiffness {
   bool converged = false;
-  std::string why_not;  ///< if not converged: the cause, and the part of the load that was reached; the other members
-                        ///< then describe the last state reached
-  double reached = 0;   ///< fraction of the load in equilibrium, 1 if converged
+  std::string failure_reason;  ///< if not converged: the cause, and the part of the load that was reached; the other
+                               ///< members then describe the last state reached
+  double reached = 0;          ///< fraction of the load in equilibrium, 1 if converged
 
   /// (u_N, θ_N, u_K, θ_K) about the moved reference points, in the axes of the element, second-order rotation of the
   /// plates included. K R_trans = 0; a rigid rotation φ gives the rotated preload: φ × force in the force rows, ½ φ ×

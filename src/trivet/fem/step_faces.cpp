@@ -22,7 +22,7 @@ using foundation::Problems;
 constexpr double millimetre = 1e-3;
 constexpr double same_place = 1e-6;  // of the solid's diagonal: coordinates of STEP files have more digits than that
 constexpr double same_volume = 1e-6;
-constexpr std::size_t faces_told = 12;
+constexpr std::size_t most_listed_faces = 12;
 
 /// Appends the number of solids and their volumes to faces.txt.
 constexpr const char* volumes_script = R"(
@@ -63,7 +63,7 @@ std::vector<double> read_volumes(std::istream& stream) {
   return volumes;
 }
 
-bool same(const std::vector<double>& a, const std::vector<double>& b) {
+bool nearly_equal(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() &&
       std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) { return std::abs(x - y) <= same_volume * x; });
 }
@@ -108,8 +108,8 @@ struct Fulfils {
   }
 };
 
-std::string words(const FaceSelection& selection, const StepFaces& all) {
-  struct Words {
+std::string selection_text(const FaceSelection& selection, const StepFaces& all) {
+  struct SelectionText {
     const StepFaces& all;
     std::string operator()(const FurthestFaces& s) const {
       return fmt::format("no plane face normal to ({:.4g}, {:.4g}, {:.4g}) at the end of the solid in this direction",
@@ -130,7 +130,7 @@ std::string words(const FaceSelection& selection, const StepFaces& all) {
       return "no face is selected";
     }
   };
-  return std::visit(Words{all}, selection);
+  return std::visit(SelectionText{all}, selection);
 }
 
 double diagonal(const StepFaces& all) {
@@ -141,14 +141,16 @@ double diagonal(const StepFaces& all) {
 
 std::string list_of(const StepFaces& all) {
   const double rounding = same_place * diagonal(all);
-  const auto told = [&](double x) { return std::abs(x) < rounding ? 0.0 : x; };
+  const auto without_round_off = [&](double x) { return std::abs(x) < rounding ? 0.0 : x; };
   std::string list;
-  for (std::size_t i = 0; i < std::min(all.faces.size(), faces_told); ++i) {
+  for (std::size_t i = 0; i < std::min(all.faces.size(), most_listed_faces); ++i) {
     const StepFace& face = all.faces[i];
     list += fmt::format("{}{} at ({:.4g}, {:.4g}, {:.4g}) m with {:.4g} m²", i > 0 ? ", " : "", face.number,
-                        told(face.centre.x()), told(face.centre.y()), told(face.centre.z()), face.area);
+                        without_round_off(face.centre.x()), without_round_off(face.centre.y()),
+                        without_round_off(face.centre.z()), face.area);
   }
-  return all.faces.size() > faces_told ? list + fmt::format(" and {} more", all.faces.size() - faces_told) : list;
+  return all.faces.size() > most_listed_faces ? list + fmt::format(" and {} more", all.faces.size() - most_listed_faces)
+                                              : list;
 }
 
 bool all_numbers_exist(const FaceSelection& selection, const StepFaces& all) {
@@ -183,7 +185,7 @@ foundation::Expected<StepFaces> step_faces(const std::filesystem::path& file, do
   if (apart.empty())
     return refused("file", fmt::format("{}: contains no solid", file.string()), "a mount must be a solid body",
                    "export the part as a solid body");
-  if (!same(apart, joined))
+  if (!nearly_equal(apart, joined))
     return refused(
         "file",
         fmt::format("{}: {} solids become {} when joined: they overlap", file.string(), apart.size(), joined.size()),
@@ -218,7 +220,7 @@ foundation::Expected<std::vector<std::size_t>> selected_faces(const StepFaces& a
   for (std::size_t i = 0; i < all.faces.size(); ++i)
     if (std::visit([&](const auto& wanted) { return fulfils(wanted, all.faces[i]); }, selection)) chosen.push_back(i);
   if (chosen.empty() || !all_numbers_exist(selection, all))
-    return refused(subject, words(selection, all),
+    return refused(subject, selection_text(selection, all),
                    fmt::format("a plate must be bonded to faces of the solid: {}", list_of(all)),
                    "select its faces by number, box, cylinder or direction");
   return chosen;

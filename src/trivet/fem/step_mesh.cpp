@@ -93,7 +93,7 @@ Eigen::Vector3d centre_of(const std::vector<StepFace>& faces) {
   return moment / area;
 }
 
-std::vector<StepFace> taken(const StepFaces& all, const std::vector<std::size_t>& chosen) {
+std::vector<StepFace> chosen_faces(const StepFaces& all, const std::vector<std::size_t>& chosen) {
   std::vector<StepFace> faces;
   for (const std::size_t i : chosen) faces.push_back(all.faces[i]);
   return faces;
@@ -166,8 +166,8 @@ foundation::Expected<StepMesh> mesh_step(const std::filesystem::path& file, cons
   if (problems.has_errors()) return tl::unexpected(problems);
 
   StepMesh step{.mesh = {},
-                .faces_n = taken(*all, *chosen_n),
-                .faces_k = taken(*all, *chosen_k),
+                .faces_n = chosen_faces(*all, *chosen_n),
+                .faces_k = chosen_faces(*all, *chosen_k),
                 .centre_n = {},
                 .centre_k = {},
                 .solids = all->solids,

@@ -37,7 +37,7 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
 
 /// Cuts a range of elements at the widest gap near the middle of its longest side, so that layers of a regular mesh
 /// stay whole.
-int Substructuring::cut(int first, int last, const Eigen::Matrix3Xd& centres) {
+int Substructuring::split_index(int first, int last, const Eigen::Matrix3Xd& centres) {
   const auto begin = order_.begin() + first, end = order_.begin() + last;
   Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
   for (auto it = begin; it != end; ++it) {
@@ -64,7 +64,7 @@ int Substructuring::divide(int first, int last, const Eigen::Matrix3Xd& centres)
   const int self = static_cast<int>(parts_.size());
   parts_.push_back({.first_element = first, .last_element = last});
   if (last - first > smallest_part) {
-    const int middle = cut(first, last, centres);
+    const int middle = split_index(first, last, centres);
     const int left = divide(first, middle, centres), right = divide(middle, last, centres);
     parts_[static_cast<std::size_t>(self)].left = left;
     parts_[static_cast<std::size_t>(self)].right = right;

@@ -52,7 +52,7 @@ class Substructuring {
   struct Run;
 
   int divide(int first, int last, const Eigen::Matrix3Xd& centres);
-  int cut(int first, int last, const Eigen::Matrix3Xd& centres);
+  int split_index(int first, int last, const Eigen::Matrix3Xd& centres);
   void number(int part);
   void place_children(int part);
   Eigen::MatrixXd condense_part(int part, Run& run, int threads,

@@ -93,7 +93,7 @@ bool FolderHandle::is_same_file(const std::string& name, const FolderHandle& oth
       one.st_ino == two.st_ino;
 }
 
-const char* words(FolderHandle::Kind kind) {
+const char* kind_name(FolderHandle::Kind kind) {
   switch (kind) {
     case FolderHandle::Kind::none:
       return "nothing";

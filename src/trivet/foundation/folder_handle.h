@@ -43,6 +43,6 @@ class FolderHandle {
 };
 
 /// Kind in words for messages: "a folder", "a symbolic link", …
-[[nodiscard]] const char* words(FolderHandle::Kind kind);
+[[nodiscard]] const char* kind_name(FolderHandle::Kind kind);
 
 }  // namespace trivet::foundation

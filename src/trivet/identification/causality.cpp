@@ -129,7 +129,7 @@ std::string inner_motion(const PassiveStiffness& passive, const DynamicStiffness
                                : fmt::format(", with an internal resonance near {:.3g} Hz", at / two_pi);
 }
 
-std::string words(const CausalityCheck& check, const DynamicStiffnessTable& table) {
+std::string verdict_text(const CausalityCheck& check, const DynamicStiffnessTable& table) {
   const std::string worst = fmt::format("(worst {:.2g} % at {:.4g} Hz)", 100 * check.misfit(check.worst),
                                         table.angular_frequency(check.worst) / two_pi);
   const double share = 100 * check.relative_rms;
@@ -245,7 +245,7 @@ foundation::Expected<CausalityCheck> causality(const DynamicStiffnessTable& tabl
       if (finer.relative_rms <= options.tolerance && has_steep_rows(table)) check.kind = Causality::too_coarse;
     }
   }
-  check.verdict = words(check, table);
+  check.verdict = verdict_text(check, table);
   if (!check.passes)
     check.warnings.warning("dynamic_stiffness", check.verdict,
                            fmt::format("up to {:.2g} % is accepted", 100 * options.tolerance), remedy(check.kind));

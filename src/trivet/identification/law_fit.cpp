@@ -134,18 +134,18 @@ double best_stiffness(const Scaled& data, const Family& family, const Eigen::Vec
 }
 
 LeastSquaresMinimum best_minimum(const Scaled& data, const Family& family) {
-  const auto of = [&](const Eigen::VectorXd& fitted) { return residuals(data, family, fitted); };
+  const auto residuals_at = [&](const Eigen::VectorXd& fitted) { return residuals(data, family, fitted); };
   std::vector<std::pair<double, Eigen::VectorXd>> tried;
   for (Eigen::VectorXd& start : starts(data, family)) {
     start(0) = std::log(best_stiffness(data, family, start));
-    tried.emplace_back(of(start).squaredNorm(), start);
+    tried.emplace_back(residuals_at(start).squaredNorm(), start);
   }
   const std::size_t kept = std::min<std::size_t>(5, tried.size());
   std::partial_sort(tried.begin(), tried.begin() + static_cast<std::ptrdiff_t>(kept), tried.end(),
                     [](const auto& a, const auto& b) { return a.first < b.first; });
   LeastSquaresMinimum best;
   for (std::size_t i = 0; i < kept; ++i)
-    if (LeastSquaresMinimum one = least_squares_minimum(of, tried[i].second);
+    if (LeastSquaresMinimum one = least_squares_minimum(residuals_at, tried[i].second);
         i == 0 || one.residuals.squaredNorm() < best.residuals.squaredNorm())
       best = std::move(one);
   return best;

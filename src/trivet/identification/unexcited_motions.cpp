@@ -31,14 +31,14 @@ Eigen::MatrixXd separated(Eigen::MatrixXd directions) {
   return directions;
 }
 
-std::string alone(int i) {
+std::string unmoved_coordinate_text(int i) {
   const char end = i < 6 ? 'N' : 'K', axis = "xyz"[i % 3];
   if (i % 6 < 3) return fmt::format("no load case moves {} along {}", end, axis);
   return fmt::format("no load case {} {} about {}", axis == 'z' ? "twists" : "tilts", end, axis);
 }
 
 /// "every load case has u_K x − 0.2 θ_K y = 0"
-std::string together(const Eigen::VectorXd& weights) {
+std::string fixed_combination_text(const Eigen::VectorXd& weights) {
   Eigen::Index lead = 0;
   weights.cwiseAbs().maxCoeff(&lead);
   std::string text;
@@ -76,7 +76,8 @@ std::vector<std::string> unexcited_motions(const Eigen::MatrixXd& motions) {
     const Eigen::VectorXd direction = directions.col(j);
     direction.cwiseAbs().maxCoeff(&lead);
     const bool single = (direction.cwiseAbs().array() > worth_a_word).count() == 1;
-    words.push_back(single ? alone(coordinate(lead, rows)) : together(direction.cwiseQuotient(size)));
+    words.push_back(single ? unmoved_coordinate_text(coordinate(lead, rows))
+                           : fixed_combination_text(direction.cwiseQuotient(size)));
   }
   return words;
 }

@@ -34,7 +34,8 @@ Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d
 }
 
 /// Rigid motions of the whole system that neither guides nor elements resist, one per column (reduced echelon form).
-Matrix6x unresisted(const model::System& system, const assembly::Assembled& assembled, const Eigen::MatrixXd& motions) {
+Matrix6x unresisted_motions(const model::System& system, const assembly::Assembled& assembled,
+                            const Eigen::MatrixXd& motions) {
   spatial::Matrix6 resistance = spatial::Matrix6::Zero();
   Eigen::MatrixXd free_rows = Eigen::MatrixXd::Zero(assembled.layout.size(), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b)
@@ -86,7 +87,7 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
 
   const Eigen::Vector3d about = centre_of_all(system);
   const Eigen::MatrixXd motions = whole_motions(system, about);
-  const Matrix6x whole = unresisted(system, assembled, motions);
+  const Matrix6x whole = unresisted_motions(system, assembled, motions);
   for (Eigen::Index i = 0; i < whole.cols(); ++i) words.push_back(whole_words(whole.col(i), about));
 
   if (words.size() < rigid.size()) {

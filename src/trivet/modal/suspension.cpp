@@ -53,10 +53,10 @@ Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
   return six;
 }
 
-elements::Character character_at_pole(const Matrix6& stiffness) {
+elements::StiffnessProperties properties_at_pole(const Matrix6& stiffness) {
   elements::Matrix12 moved_end = elements::Matrix12::Zero();
   moved_end.bottomRightCorner<6, 6>() = stiffness;
-  return elements::character(moved_end);
+  return elements::stiffness_properties(moved_end);
 }
 
 double distance_to_line(const Eigen::Vector3d& from, const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
@@ -154,7 +154,7 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
         body.name));
     return result;
   }
-  result.elastic = character_at_pole(result.stiffness);
+  result.elastic = properties_at_pole(result.stiffness);
   result.centre_distance = (result.elastic->elastic_centre - body.mass.centre).norm();
   if (!(result.elastic->softest_combination > unheld))
     result.notes.push_back("its elements leave some motion free or unstable: no roll axes under a constant moment");

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 #include "trivet/modal/modes.h"
 #include "trivet/spatial/screw.h"
 
@@ -47,7 +47,7 @@ struct BodySuspension {
       spatial::Matrix6::Zero();  ///< at the pole, body frame; internal coordinates of elements are condensed statically
   /// Elastic centre from the pole, principal stiffnesses and axes, remaining coupling; empty for a guided body, because
   /// its guides hold it too.
-  std::optional<elements::Character> elastic;
+  std::optional<elements::StiffnessProperties> elastic;
   double centre_distance = 0;  ///< from the elastic centre to the centre of mass [m]; with `elastic`
   std::vector<RollAxes>
       roll_axes;  ///< one per torque; empty if some rotation or translation is unrestrained, or the body is guided

@@ -36,21 +36,21 @@ void check_body(const Body& body, foundation::Problems& problems) {
     problems.error(subject, "no inertia", "a body that can turn needs its moments of inertia",
                    "give inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
 
-  std::vector<spatial::BrokenBound> broken;
+  std::vector<spatial::ViolatedBound> violated;
   if (body.has_inertia) {
-    broken = spatial::broken_bounds(body.mass);
+    violated = spatial::violated_bounds(body.mass);
   } else if (!(body.mass.mass > 0)) {
-    broken.push_back({fmt::format("mass = {:.6g} kg", body.mass.mass), "a mass must be > 0"});
+    violated.push_back({fmt::format("mass = {:.6g} kg", body.mass.mass), "a mass must be > 0"});
   }
   const bool regular = has_regular_mass(body);
-  for (const auto& bound : broken) {
+  for (const auto& bound : violated) {
     const bool of_mass = bound.finding.starts_with("mass =");
-    const std::string thing = subject + (of_mass ? ".mass" : ".inertia");
+    const std::string subject_of_bound = subject + (of_mass ? ".mass" : ".inertia");
     if (body.allow_unphysical && regular)
-      problems.warning(thing, bound.finding, bound.rule,
+      problems.warning(subject_of_bound, bound.finding, bound.rule,
                        "no real body has these numbers (allow_unphysical is set): every result is doubtful");
     else
-      problems.error(thing, bound.finding, bound.rule,
+      problems.error(subject_of_bound, bound.finding, bound.rule,
                      of_mass       ? "give a positive mass"
                          : regular ? "correct the value, its sign or its point of reference; allow_unphysical = true "
                                      "computes anyway and marks every result"

@@ -14,7 +14,7 @@ constexpr double silent_imbalance = 0.02;
 
 /// Wrench of the preloaded elements on a body at rest, body axes, about its centre of mass; empty if the body has no
 /// preloaded element.
-std::optional<spatial::Wrench> carried(const Description& description, std::size_t body) {
+std::optional<spatial::Wrench> preload_wrench(const Description& description, std::size_t body) {
   std::optional<spatial::Wrench> sum;
   for (const Element& element : description.elements) {
     if (!element.law.preload) continue;
@@ -38,7 +38,7 @@ std::optional<spatial::Wrench> carried(const Description& description, std::size
 void check_preloads(const Description& description, foundation::Problems& problems) {
   for (std::size_t b = 0; b < description.bodies.size(); ++b) {
     const Body& body = description.bodies[b];
-    const auto sum = carried(description, b);
+    const auto sum = preload_wrench(description, b);
     if (!sum) continue;
     if (!description.gravity) {
       problems.warning("bodies." + body.name,

@@ -16,21 +16,21 @@ struct NameOnly {
   std::string name;
 };
 
-template <typename Things>
-void check_names(const Things& things, const std::string& kind, foundation::Problems& problems,
+template <typename Parts>
+void check_names(const Parts& parts, const std::string& kind, foundation::Problems& problems,
                  bool with_results = true) {
   std::set<std::string> seen;
-  for (const auto& thing : things) {
-    const bool empty = thing.name.empty();
-    const bool a_word = with_results && (thing.name == "ground" || thing.name == "base" || thing.name == "coordinates");
-    if (empty || a_word || thing.name.find_first_of(".\n") != std::string::npos)
+  for (const auto& part : parts) {
+    const bool empty = part.name.empty();
+    const bool a_word = with_results && (part.name == "ground" || part.name == "base" || part.name == "coordinates");
+    if (empty || a_word || part.name.find_first_of(".\n") != std::string::npos)
       problems.error(
-          kind + "." + thing.name, fmt::format("name \"{}\"", thing.name),
+          kind + "." + part.name, fmt::format("name \"{}\"", part.name),
           "a name must not be empty, \"ground\", \"base\" or \"coordinates\", and must have no dot and no line break",
           "choose another name");
-    if (!seen.insert(thing.name).second)
-      problems.error(kind + "." + thing.name, fmt::format("name \"{}\" given twice", thing.name),
-                     "names must be unique", "rename one of them");
+    if (!seen.insert(part.name).second)
+      problems.error(kind + "." + part.name, fmt::format("name \"{}\" given twice", part.name), "names must be unique",
+                     "rename one of them");
   }
 }
 
@@ -85,7 +85,7 @@ void check_damping(const Description& description, foundation::Problems& problem
         problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio),
                        "a damping ratio is at most 1000; 1 is critical", "check the number");
     for (const auto& body : description.bodies)
-      if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
+      if (body.allow_unphysical && !spatial::violated_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
                        "modal ratios need undamped modes that all oscillate",
                        "define the damping of the elements instead");
@@ -121,12 +121,13 @@ void check_random(const Description& description, foundation::Problems& problems
         } else {
           // Both excitations may state the coherence if they agree.
           const excitation::InputPair pair{at(partner.other), at(excitation.name), partner.coherence, 0};
-          const bool told = std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
-            return p.first == pair.second && p.second == pair.first && p.coherence.at_zero == pair.coherence.at_zero &&
-                p.coherence.decay == pair.coherence.decay && p.coherence.distance == pair.coherence.distance &&
-                p.coherence.speed == pair.coherence.speed;
-          });
-          if (!told) inputs.pairs.push_back(pair);
+          const bool known_pair =
+              std::any_of(inputs.pairs.begin(), inputs.pairs.end(), [&](const excitation::InputPair& p) {
+                return p.first == pair.second && p.second == pair.first &&
+                    p.coherence.at_zero == pair.coherence.at_zero && p.coherence.decay == pair.coherence.decay &&
+                    p.coherence.distance == pair.coherence.distance && p.coherence.speed == pair.coherence.speed;
+              });
+          if (!known_pair) inputs.pairs.push_back(pair);
         }
       }
   if (known && !inputs.pairs.empty()) problems.add(excitation::check(inputs, "excitations"));

@@ -130,7 +130,7 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
     picture.mass = body.mass;
     picture.inertia_about_pole = b < inertia_about_pole.size() && inertia_about_pole[b];
     picture.from_solids = b < from_solids.size() && from_solids[b];
-    picture.allowed = !spatial::broken_bounds(body.mass).empty();
+    picture.allowed = !spatial::violated_bounds(body.mass).empty();
     for (const model::Point& point : body.points) picture.points.push_back(point.at);
   }
   const auto picture_of = [&](const std::optional<std::size_t>& body) -> BodyPicture* {
@@ -156,7 +156,7 @@ std::vector<BodyPicture> pictures(const model::System& system, const std::vector
 Features features(const BodyPicture& picture, const Slip& undone) {
   Features found;
   const spatial::MassProperties mass = undone_mass(picture, undone);
-  if (!picture.allowed && !spatial::broken_bounds(mass).empty()) {
+  if (!picture.allowed && !spatial::violated_bounds(mass).empty()) {
     found.possible = false;
     return found;
   }
@@ -198,7 +198,7 @@ Features features(const BodyPicture& picture, const Slip& undone) {
   found.lever = std::sqrt(k.bottomRightCorner<3, 3>().trace() / 2 / (held / directions)) / radius;
   found.lowest = natural_hertz(translations.front());
   found.highest = natural_hertz(translations.back());
-  if (!spatial::broken_bounds(mass).empty()) return found;
+  if (!spatial::violated_bounds(mass).empty()) return found;
   spatial::Matrix6 m = spatial::Matrix6::Zero();
   m.topLeftCorner<3, 3>() = mass.mass * Eigen::Matrix3d::Identity();
   m.bottomRightCorner<3, 3>() = mass.inertia_about_centre;

@@ -22,7 +22,7 @@ Eigen::Matrix3d other_sign(const Eigen::Matrix3d& j) {
 }
 
 bool is_real(const spatial::MassProperties& mass) {
-  if (!spatial::broken_bounds(mass).empty()) return false;
+  if (!spatial::violated_bounds(mass).empty()) return false;
   const double density = mass.mass / std::pow(2 * mass_radius(mass), 3);
   return density > least_density && density < most_density;
 }
@@ -37,7 +37,7 @@ double coupling(const Eigen::Matrix3d& j) {
 }  // namespace
 
 std::optional<InertiaSlip> slip_behind(const spatial::MassProperties& mass, bool inertia_about_pole) {
-  if (!(mass.mass > 0) || spatial::broken_bounds(mass).empty()) return std::nullopt;
+  if (!(mass.mass > 0) || spatial::violated_bounds(mass).empty()) return std::nullopt;
   const Eigen::Matrix3d about_pole = spatial::inertia_about_pole(mass),
                         typed = inertia_about_pole ? about_pole : mass.inertia_about_centre;
   const auto with = [&](double m, const Eigen::Vector3d& centre, const Eigen::Matrix3d& j) {
@@ -83,7 +83,7 @@ std::optional<Suspicion> doubtful_products(const std::string& body, const BodyPi
   const spatial::MassProperties& mass = picture.mass;
   const spatial::MassProperties other =
       spatial::from_inertia_about_pole(mass.mass, mass.centre, other_sign(spatial::inertia_about_pole(mass)));
-  if (!spatial::broken_bounds(other).empty()) return std::nullopt;
+  if (!spatial::violated_bounds(other).empty()) return std::nullopt;
   const double now = coupling(mass.inertia_about_centre), then = coupling(other.inertia_about_centre);
   if (now < much_coupling || then * ratio_of_signs > now) return std::nullopt;
   const Eigen::Matrix3d& j = mass.inertia_about_centre;

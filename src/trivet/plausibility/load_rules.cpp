@@ -101,7 +101,7 @@ std::optional<double> outside_of(const std::vector<Eigen::Vector2d>& points, con
   return worst / size;
 }
 
-bool bears(const model::Element& element) {
+bool carries_weight(const model::Element& element) {
   return element.type != "link" && element.type != "stay" && element.type != "beam" && element.type != "damper";
 }
 
@@ -118,7 +118,7 @@ std::vector<std::size_t> standing_on(const model::System& system, const Eigen::V
   std::vector<std::size_t> mounts;
   for (const std::size_t e : response::mounts(system)) {
     const model::Element& element = system.elements()[e];
-    if (!bears(element) || !(elements::stiffness(element.law).block<3, 3>(6, 6).trace() > 0)) continue;
+    if (!carries_weight(element) || !(elements::stiffness(element.law).block<3, 3>(6, 6).trace() > 0)) continue;
     const Eigen::Vector3d at = in_ground(system.bodies()[*element.k.body], element.k.at);
     if (!((at - centre).dot(down) > 0)) return {};
     mounts.push_back(e);
@@ -139,7 +139,7 @@ std::vector<std::size_t> propped_by(const model::System& system, const Eigen::Ve
   for (const std::size_t e : response::mounts(system)) all += along(e);
   std::vector<std::size_t> found;
   for (const std::size_t e : response::mounts(system))
-    if (!bears(system.elements()[e]) && along(e) > some * all) found.push_back(e);
+    if (!carries_weight(system.elements()[e]) && along(e) > some * all) found.push_back(e);
   return found;
 }
 

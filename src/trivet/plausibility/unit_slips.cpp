@@ -115,7 +115,7 @@ double missed_windows(const Features& found, const std::vector<Window>& windows)
   return price_of_missed_window * static_cast<double>(missed) / static_cast<double>(windows.size());
 }
 
-double tilted(const Features& found) {
+double tilt_penalty(const Features& found) {
   double sum = 0;
   for (const Judged& j : judged) {
     const auto& value = found.*(j.value);
@@ -135,10 +135,10 @@ const Attachment* most_damped(const BodyPicture& picture) {
 }
 
 Eigen::Vector3d farthest_point(const BodyPicture& picture) {
-  Eigen::Vector3d farthest = Eigen::Vector3d::Zero();
+  Eigen::Vector3d farthest_attachment = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& point : picture.points)
-    if (point.norm() > farthest.norm()) farthest = point;
-  return farthest;
+    if (point.norm() > farthest_attachment.norm()) farthest_attachment = point;
+  return farthest_attachment;
 }
 
 bool applies(const Slip& slip, const BodyPicture& picture) {
@@ -186,7 +186,7 @@ const Attachment* first_typed(const BodyPicture& picture) {
 }
 
 /// The farthest attachment: if a single place is wrong, it is this one.
-const Attachment* farthest(const BodyPicture& picture) {
+const Attachment* farthest_attachment(const BodyPicture& picture) {
   const Attachment* best = nullptr;
   for (const Attachment& a : picture.attachments)
     if (!best || (a.at - picture.mass.centre).norm() > (best->at - picture.mass.centre).norm() * (1 + 1e-9)) best = &a;
@@ -247,7 +247,7 @@ Suspicion of_slip(const model::System& system, const BodyPicture& picture, const
     s.probable = fmt::format("it would be {:.6g} N/m if {}; check the other elements of \"{}\" too",
                              slip.stiffness * mean, slip.words, body.name);
   } else {
-    const Attachment& a = *farthest(picture);
+    const Attachment& a = *farthest_attachment(picture);
     s.subject = "elements." + system.elements()[a.element].name + key_of_place(system, a, picture.body);
     s.finding = fmt::format("{:.6g} m from the centre of mass", (a.at - picture.mass.centre).norm());
     s.probable = fmt::format("it would be {:.6g} m if {}; check the other elements of \"{}\" too",
@@ -296,7 +296,7 @@ std::optional<BodyVerdict> judge(const model::System& system, const BodyPicture&
     if (!applies(slip, picture)) continue;
     const Features undone = features(picture, slip);
     if (!undone.possible) continue;
-    const double then = oddness(undone) + missed_windows(undone, windows) + tilted(undone);
+    const double then = oddness(undone) + missed_windows(undone, windows) + tilt_penalty(undone);
     if (then < best_oddness) {
       best_oddness = then;
       best = &slip;

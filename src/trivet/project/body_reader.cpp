@@ -55,7 +55,7 @@ void read_free(TableReader& reader, model::Body& body) {
   }
 }
 
-void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
+void read_points(TableReader& reader, model::Body& body, NamesInFile& in_file) {
   const Node* table = reader.table("points");
   if (!table) return;
   TableReader points(*table, reader.path() + ".points", reader.problems());
@@ -65,19 +65,19 @@ void read_points(TableReader& reader, model::Body& body, Mentioned& mentioned) {
     return;
   }
   for (const std::string& name : table->keys) {
-    mentioned.points.push_back(body.name + "." + name);
+    in_file.points.push_back(body.name + "." + name);
     if (const auto at = points.vector(name, Quantity::length)) body.points.push_back({name, *at});
   }
 }
 
-void mention_guided(const model::Body& body, Mentioned& mentioned) {
+void add_guided_names(const model::Body& body, NamesInFile& in_file) {
   for (std::size_t j = 0; j < 6; ++j)
-    if (!body.free[j]) mentioned.guided.push_back(body.name + "." + model::coordinate_names[j]);
+    if (!body.free[j]) in_file.guided.push_back(body.name + "." + model::coordinate_names[j]);
 }
 
-void mention_parts(const model::Body& body, Mentioned& mentioned) {
-  for (const model::Point& point : body.points) mentioned.points.push_back(body.name + "." + point.name);
-  mention_guided(body, mentioned);
+void add_names(const model::Body& body, NamesInFile& in_file) {
+  for (const model::Point& point : body.points) in_file.points.push_back(body.name + "." + point.name);
+  add_guided_names(body, in_file);
 }
 
 std::optional<model::Body> known_body(const KnownModel& known, const std::string& name, const Node& now) {
@@ -88,7 +88,7 @@ std::optional<model::Body> known_body(const KnownModel& known, const std::string
   return found == bodies.end() ? std::nullopt : std::optional(*found);
 }
 
-model::Body read_body(const Node& node, const std::string& name, std::size_t index, Mentioned& mentioned,
+model::Body read_body(const Node& node, const std::string& name, std::size_t index, NamesInFile& in_file,
                       foundation::Problems& problems) {
   TableReader reader(node, "bodies." + name, problems);
   model::Body body;
@@ -109,22 +109,22 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   }
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
-  read_points(reader, body, mentioned);
+  read_points(reader, body, in_file);
   read_free(reader, body);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia",
                    "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
-  mention_guided(body, mentioned);
-  read_body_adjustments(reader, body, index, mentioned);
+  add_guided_names(body, in_file);
+  read_body_adjustments(reader, body, index, in_file);
   reader.finish();
   return body;
 }
 
 }  // namespace
 
-void read_bodies(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known) {
+void read_bodies(TableReader& root, model::Description& description, NamesInFile& in_file, const KnownModel* known) {
   const Node* table = root.table("bodies");
-  mentioned.bodies_unknown = !table;
+  in_file.bodies_unknown = !table;
   if (!table) {
     if (!root.has("bodies")) root.missing("bodies", "describe at least one body: [bodies.NAME]");
     return;
@@ -132,18 +132,18 @@ void read_bodies(TableReader& root, model::Description& description, Mentioned& 
   if (table->keys.size() > most_bodies)
     root.error("bodies", fmt::format("{} bodies", table->keys.size()),
                fmt::format("this version takes at most {}", most_bodies), "split the model");
-  mentioned.bodies = table->keys;
+  in_file.bodies = table->keys;
   for (std::size_t i = 0; i < table->keys.size() && i < most_bodies; ++i) {
     const auto earlier = known ? known_body(*known, table->keys[i], table->items[i]) : std::nullopt;
     if (earlier) {
-      mention_parts(*earlier, mentioned);
+      add_names(*earlier, in_file);
       description.bodies.push_back(*earlier);
     } else if (table->items[i].kind == Node::Kind::table) {
       description.bodies.push_back(
-          read_body(table->items[i], table->keys[i], description.bodies.size(), mentioned, root.problems()));
+          read_body(table->items[i], table->keys[i], description.bodies.size(), in_file, root.problems()));
     } else {
       root.problems()
-          .error("bodies." + table->keys[i], words(table->items[i].kind), "a body is a table",
+          .error("bodies." + table->keys[i], kind_name(table->items[i].kind), "a body is a table",
                  "write [bodies.NAME] and its mass below")
           .origin = table->items[i].origin;
     }

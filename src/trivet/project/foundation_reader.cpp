@@ -7,7 +7,7 @@
 #include <map>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/mobility_table.h"
 #include "trivet/project/text/idle_key.h"
 
@@ -94,7 +94,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   const Node* list = reader.node("modes");
   if (!list || list->kind != Node::Kind::array || list->items.empty()) {
     reader.error(
-        "modes", list ? words(list->kind) : "missing", "a list of modes is expected",
+        "modes", list ? kind_name(list->kind) : "missing", "a list of modes is expected",
         "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
     return ground;
   }
@@ -104,7 +104,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   for (Eigen::Index i = 0; i < count; ++i) {
     const Node& node = list->items[static_cast<std::size_t>(i)];
     if (node.kind != Node::Kind::table) {
-      reader.error("modes", fmt::format("mode {} is {}", i + 1, words(node.kind)), "a mode is a table",
+      reader.error("modes", fmt::format("mode {} is {}", i + 1, kind_name(node.kind)), "a mode is a table",
                    "{frequency = …, modal_mass = …, damping = …, shapes = {…}}");
       continue;
     }
@@ -142,7 +142,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
 }
 
 /// Adds a separate ground point under end N of one element.
-void stand_on_place(const Ground& ground, model::Element& element, model::Description& description) {
+void add_separate_ground_point(const Ground& ground, model::Element& element, model::Description& description) {
   const auto count = static_cast<Eigen::Index>(ground.directions.size());
   const std::string name = element.name + ".foundation";
   model::Foundation place{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
@@ -167,21 +167,22 @@ void stand_on_place(const Ground& ground, model::Element& element, model::Descri
 
 /// Reports the shapes of a mount that is not on the foundation: they have no effect.
 void report_idle_shape(TableReader& root, const std::string& ground, const std::string& mount,
-                       const Mentioned& mentioned) {
-  if (std::any_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
-                  [&](const Mentioned::Standing& one) { return one.element == mount && one.ground == ground; }))
+                       const NamesInFile& in_file) {
+  if (std::any_of(
+          in_file.foundation_references.begin(), in_file.foundation_references.end(),
+          [&](const NamesInFile::FoundationReference& one) { return one.element == mount && one.ground == ground; }))
     return;
   const std::string subject = "foundations." + ground + ".modes";
   const Node* origin = root.node("foundations")->find(ground)->find("modes");
   const std::string finding = "shapes of " + foundation::quoted(mount);
-  if (std::find(mentioned.elements.begin(), mentioned.elements.end(), mount) != mentioned.elements.end()) {
+  if (std::find(in_file.elements.begin(), in_file.elements.end(), mount) != in_file.elements.end()) {
     root.problems()
         .warning(subject, finding, "this element is not on the foundation",
                  "add foundation = \"" + ground + "\" to it, or remove its shapes")
         .origin = origin->origin;
     return;
   }
-  const std::string guess = foundation::nearest_name(mount, mentioned.elements);
+  const std::string guess = foundation::nearest_name(mount, in_file.elements);
   root.problems()
       .error(subject, finding, "no element has this name",
              guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
@@ -190,14 +191,14 @@ void report_idle_shape(TableReader& root, const std::string& ground, const std::
 
 }  // namespace
 
-void read_foundations(TableReader& root, model::Description& description, Mentioned& mentioned) {
+void read_foundations(TableReader& root, model::Description& description, NamesInFile& in_file) {
   const Node* table = root.table("foundations");
   std::map<std::string, Ground> grounds;
   for (std::size_t i = 0; table && i < table->keys.size(); ++i) {
     const std::string& name = table->keys[i];
     if (table->items[i].kind != Node::Kind::table) {
       root.problems()
-          .error("foundations." + name, words(table->items[i].kind), "a foundation is a table",
+          .error("foundations." + name, kind_name(table->items[i].kind), "a foundation is a table",
                  "write [foundations.NAME] and its type below")
           .origin = table->items[i].origin;
       continue;
@@ -209,17 +210,17 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
     if (type == "mobility") grounds[name] = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
-    if (std::none_of(mentioned.stands_on.begin(), mentioned.stands_on.end(),
-                     [&](const Mentioned::Standing& one) { return one.ground == name; }))
+    if (std::none_of(in_file.foundation_references.begin(), in_file.foundation_references.end(),
+                     [&](const NamesInFile::FoundationReference& one) { return one.ground == name; }))
       reader.problems()
           .warning("foundations." + name, "no element is on it", "a foundation acts only under elements that name it",
                    "add foundation = \"" + name + "\" to them")
           .origin = table->items[i].origin;
   }
   for (const auto& [name, ground] : grounds)
-    for (const auto& [mount, shape] : ground.shapes) report_idle_shape(root, name, mount, mentioned);
+    for (const auto& [mount, shape] : ground.shapes) report_idle_shape(root, name, mount, in_file);
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
-  for (const auto& [element_name, ground_name, origin] : mentioned.stands_on) {
+  for (const auto& [element_name, ground_name, origin] : in_file.foundation_references) {
     const std::string subject = "elements." + element_name + ".foundation";
     const auto element = std::find_if(description.elements.begin(), description.elements.end(),
                                       [&, wanted = element_name](const model::Element& e) { return e.name == wanted; });
@@ -247,10 +248,10 @@ void read_foundations(TableReader& root, model::Description& description, Mentio
             .origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};
     } else if (!ground->second.directions.empty()) {
-      model::Element standing = *element;
-      stand_on_place(ground->second, standing, description);
+      model::Element placed = *element;
+      add_separate_ground_point(ground->second, placed, description);
       *std::find_if(description.elements.begin(), description.elements.end(),
-                    [&](const model::Element& e) { return e.name == standing.name; }) = standing;
+                    [&](const model::Element& e) { return e.name == placed.name; }) = placed;
     }
   }
 }

@@ -13,7 +13,7 @@
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/stiffness_column.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"

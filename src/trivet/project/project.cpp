@@ -23,8 +23,8 @@
 #include "trivet/project/text/document.h"
 #include "trivet/project/text/element_types.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/part_tables.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/project/text/thing_tables.h"
 #include "trivet/project/text/toml_text.h"
 #include "trivet/response/machinery/transmissibility.h"
 
@@ -44,7 +44,9 @@ bool is_known_format(TableReader& root) {
 }
 
 /// Part of a subject: "bodies.frame" of "bodies.frame.mass".
-std::string thing(const std::string& subject) { return subject.substr(0, subject.find('.', subject.find('.') + 1)); }
+std::string part_path(const std::string& subject) {
+  return subject.substr(0, subject.find('.', subject.find('.') + 1));
+}
 
 /// Problems of the checked model that are not consequences of reading errors.
 foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading,
@@ -53,14 +55,16 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   bool misplaced = !every_body_was_read;
   for (const auto& problem : reading.list()) {
     if (problem.severity != foundation::Severity::error) continue;
-    unread.insert(thing(problem.subject));
-    const std::string part = problem.subject.substr(std::min(problem.subject.size(), thing(problem.subject).size()));
+    unread.insert(part_path(problem.subject));
+    const std::string path_in_part =
+        problem.subject.substr(std::min(problem.subject.size(), part_path(problem.subject).size()));
     misplaced = misplaced ||
-        (problem.subject.starts_with("bodies.") && (part.starts_with(".position") || part.starts_with(".orientation")));
+        (problem.subject.starts_with("bodies.") &&
+         (path_in_part.starts_with(".position") || path_in_part.starts_with(".orientation")));
   }
   foundation::Problems result;
   for (const auto& problem : found.list()) {
-    if (unread.contains(thing(problem.subject))) continue;
+    if (unread.contains(part_path(problem.subject))) continue;
     if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
     if (!every_body_was_read && problem.subject == "bodies") continue;
     result.add(problem);
@@ -83,8 +87,8 @@ Node without_questions(Node document) {
 }
 
 /// First error that changes cause in addition to the known ones.
-std::optional<foundation::Problem> brought(Node model, const std::vector<Node>& changes,
-                                           const foundation::Problems& known, const KnownModel* read) {
+std::optional<foundation::Problem> first_new_error(Node model, const std::vector<Node>& changes,
+                                                   const foundation::Problems& known, const KnownModel* read) {
   foundation::Problems found;
   for (const Node& change : changes) apply_changes(model, change, "", found);
   std::string title;
@@ -108,23 +112,23 @@ void check_numbers_of_map(const Node& document, const MapRequest& map, const Kno
   };
   for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
     const std::string subject = std::string("analyses.map.") + key;
-    const auto told = [&](const std::string& of) {
+    const auto reported = [&](const std::string& of) {
       return std::any_of(problems.list().begin(), problems.list().end(),
                          [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); });
     };
-    if (path_keys(axis->parameter).empty() || told(key + std::string(".parameter"))) continue;
-    const bool has_range = !told(key);
+    if (path_keys(axis->parameter).empty() || reported(key + std::string(".parameter"))) continue;
+    const bool has_range = !reported(key);
     std::vector<std::vector<Node>> designs;
     if (has_range)
       for (const double value : {axis->from, axis->to, axis->at(0.5)}) designs.push_back({changed(*axis, value)});
     designs.push_back({changed(*axis, 1.0)});
-    if (has_range && !told(key == std::string("x") ? "y" : "x"))
+    if (has_range && !reported(key == std::string("x") ? "y" : "x"))
       for (const double a : {axis->from, axis->to})
         for (const double b : {other->from, other->to}) designs.push_back({changed(*axis, a), changed(*other, b)});
     std::optional<foundation::Problem> first;
     bool possible = false;
     for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
-      const auto problem = brought(model, designs[d], problems, known);
+      const auto problem = first_new_error(model, designs[d], problems, known);
       possible = !problem;
       if (!first) first = problem;
     }
@@ -147,23 +151,23 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   const Node& document = completed ? *completed : written;
   TableReader root(document, "", reading);
   model::Description description;
-  Mentioned mentioned;
+  NamesInFile in_file;
   if (!is_known_format(root)) return problems.add(reading), std::nullopt;
   title = root.text("title").value_or("");
   description.title = title;
   if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table)
-    mentioned.element_types = types->keys;
-  read_bodies(root, description, mentioned, known);
-  read_elements(root, description, mentioned, known);
-  read_foundations(root, description, mentioned);
-  read_system_damping(root, description, mentioned);
-  read_excitations(root, description, mentioned);
-  for (const auto& adjust : mentioned.adjustments) adjust(description);
-  Analyses analyses = read_analyses(root, mentioned);
+    in_file.element_types = types->keys;
+  read_bodies(root, description, in_file, known);
+  read_elements(root, description, in_file, known);
+  read_foundations(root, description, in_file);
+  read_system_damping(root, description, in_file);
+  read_excitations(root, description, in_file);
+  for (const auto& adjust : in_file.adjustments) adjust(description);
+  Analyses analyses = read_analyses(root, in_file);
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
-  const bool every_body_was_read = !mentioned.bodies_unknown && description.bodies.size() == mentioned.bodies.size();
+  const bool every_body_was_read = !in_file.bodies_unknown && description.bodies.size() == in_file.bodies.size();
   const std::vector<model::Body> bodies = description.bodies;
   auto system = model::System::checked(std::move(description));
   foundation::Problems all = reading;
@@ -176,11 +180,11 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   all.add(physical);
   name_element_types(written, all);
   gather_columns(all);
-  all = without_unwanted(all, questions, name, analyses);
+  all = without_unrequested(all, questions, name, analyses);
   if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
     const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;
     check_numbers_of_map(written, *analyses.map, known_here ? &*known_here : nullptr, all);
-    all = without_unwanted(all, questions, name, analyses);
+    all = without_unrequested(all, questions, name, analyses);
   }
   const bool good = !all.has_errors();
   all.sort_by_origin();
@@ -214,7 +218,7 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
 }
 
 /// Number of bodies, elements and excitations in all cases together; each case has a separate model.
-std::size_t things_of_cases(const Node& document) {
+std::size_t parts_of_cases(const Node& document) {
   const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
   return count("cases") * (count("bodies") + count("elements") + count("excitations"));
 }
@@ -348,13 +352,13 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
   const Node* cases = document.find("cases");
-  if (const std::size_t things = things_of_cases(document); things > most_things_of_cases) {
+  if (const std::size_t parts = parts_of_cases(document); parts > most_parts_of_cases) {
     problems
-        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", things),
-               fmt::format("at most {} are allowed", most_things_of_cases), "split the file")
+        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", parts),
+               fmt::format("at most {} are allowed", most_parts_of_cases), "split the file")
         .origin = cases->origin;
   } else if (cases && cases->kind != Node::Kind::table) {
-    problems.error("cases", words(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
+    problems.error("cases", kind_name(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
   } else if (cases && cases->keys.size() > most_cases) {
     problems
         .error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases),
@@ -368,8 +372,8 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       const std::string& name = cases->keys[i];
       if (change.kind != Node::Kind::table || name.empty()) {
         problems
-            .error("cases." + name, name.empty() ? "name \"\"" : words(change.kind), "a case is a table with a name",
-                   "write [cases.NAME] and the changed numbers below")
+            .error("cases." + name, name.empty() ? "name \"\"" : kind_name(change.kind),
+                   "a case is a table with a name", "write [cases.NAME] and the changed numbers below")
             .origin = change.origin;
         continue;
       }
@@ -388,8 +392,8 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
       project.cases.push_back(std::move(*variant_case));
     }
   }
-  if (!questions.wanted && !problems.has_errors()) {
-    problems.add(book.unneeded(!settings.changes.empty()));
+  if (!questions.requested && !problems.has_errors()) {
+    problems.add(book.unused_acceptances(!settings.changes.empty()));
     const foundation::Problems unused = unused_parts(project.cases);
     problems.add(unused);
     project.cases.front().warnings.add(unused);

@@ -39,63 +39,63 @@ std::string question_of(const std::string& subject) {
   return subject.substr(from, subject.find('.', from) - from);
 }
 
-bool is_wanted(const std::string& question, const Questions& questions, const std::string& of_case) {
+bool is_requested(const std::string& question, const Questions& questions, const std::string& of_case) {
   if (question.empty()) return true;  // the model
   if (questions.of_case && *questions.of_case != of_case) return false;
-  if (!questions.wanted) return true;
-  const std::vector<std::string>& wanted = *questions.wanted;
-  if (std::find(wanted.begin(), wanted.end(), question) != wanted.end()) return true;
+  if (!questions.requested) return true;
+  const std::vector<std::string>& requested = *questions.requested;
+  if (std::find(requested.begin(), requested.end(), question) != requested.end()) return true;
   const bool known =
       std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
       std::any_of(question_readers().begin(), question_readers().end(),
                   [&](const QuestionReader& one) { return one.name == question; });
   // A misspelt name may be any question, so it concerns each of them.
-  return !known && !is_outside_analysis(question) && !wanted.empty();
+  return !known && !is_outside_analysis(question) && !requested.empty();
 }
 
 /// Names of the excitations that the questions use, and whether any question takes excitations.
-struct Asked {
-  std::set<std::string> excitations;
-  bool anything = false;
+struct UsedExcitations {
+  std::set<std::string> names;
+  bool any_question = false;
 };
 
-class Asking {
+class UsedExcitationCollector {
  public:
-  Asking(const Case& variant, Asked& asked) : variant_(variant), asked_(asked) {}
+  UsedExcitationCollector(const Case& variant, UsedExcitations& used) : variant_(variant), used_(used) {}
 
-  void note() {
+  void collect() {
     const Analyses& a = variant_.analyses;
-    const auto of_wanted = [&](const auto& request, const auto& drives) {
-      if (request) excitations(request->wanted.excitations, drives);
+    const auto add_request = [&](const auto& request, const auto& drives) {
+      if (request) add_excitations(request->selection.excitations, drives);
     };
-    of_wanted(a.response, harmonic);
-    of_wanted(a.peaks, harmonic);
+    add_request(a.response, harmonic);
+    add_request(a.peaks, harmonic);
     for (const QuestionReader& reader : question_readers())
-      if (const Question* question = a.find<Question>(reader.name)) of_question(*question, reader.drive);
+      if (const Question* question = a.find<Question>(reader.name)) add_question(*question, reader.drive);
     if (a.static_of)
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
-        asked_.excitations.insert(force.name);
-    if (a.map) excitations(a.map->excitations, harmonic);
+        used_.names.insert(force.name);
+    if (a.map) add_excitations(a.map->excitations, harmonic);
   }
 
  private:
-  void of_question(const Question& question, Drive drive) {
-    const std::vector<std::string>& selected = question.wanted.excitations;
+  void add_question(const Question& question, Drive drive) {
+    const std::vector<std::string>& selected = question.selection.excitations;
     switch (drive) {
       case Drive::none:
-        asked_.excitations.insert(selected.begin(), selected.end());
+        used_.names.insert(selected.begin(), selected.end());
         break;
       case Drive::harmonic:
-        excitations(selected, harmonic);
+        add_excitations(selected, harmonic);
         break;
       case Drive::random:
-        excitations(selected, random);
+        add_excitations(selected, random);
         break;
       case Drive::time:
-        excitations(selected, in_time);
+        add_excitations(selected, in_time);
         break;
       case Drive::orders:
-        excitations(selected, by_orders);
+        add_excitations(selected, by_orders);
         break;
     }
   }
@@ -109,27 +109,27 @@ class Asking {
   }
 
   template <typename Drives>
-  void excitations(const std::vector<std::string>& selected, const Drives& drives) {
-    asked_.anything = true;
-    asked_.excitations.insert(selected.begin(), selected.end());
+  void add_excitations(const std::vector<std::string>& selected, const Drives& drives) {
+    used_.any_question = true;
+    used_.names.insert(selected.begin(), selected.end());
     if (!selected.empty()) return;
     for (const model::Excitation& excitation : variant_.system.description().excitations)
-      if (drives(excitation.course)) asked_.excitations.insert(excitation.name);
+      if (drives(excitation.course)) used_.names.insert(excitation.name);
   }
 
   const Case& variant_;
-  Asked& asked_;
+  UsedExcitations& used_;
 };
 
 }  // namespace
 
-foundation::Problems without_unwanted(const foundation::Problems& found, const Questions& questions,
-                                      const std::string& of_case, Analyses& analyses) {
-  if (!questions.wanted && !questions.of_case) return found;
+foundation::Problems without_unrequested(const foundation::Problems& found, const Questions& questions,
+                                         const std::string& of_case, Analyses& analyses) {
+  if (!questions.requested && !questions.of_case) return found;
   std::set<std::string> broken;
   for (const foundation::Problem& problem : found.list()) {
     const std::string question = question_of(problem.subject);
-    if (problem.severity == foundation::Severity::error && !is_wanted(question, questions, of_case))
+    if (problem.severity == foundation::Severity::error && !is_requested(question, questions, of_case))
       broken.insert(question);
   }
   foundation::Problems kept;
@@ -149,15 +149,15 @@ bool has_broken_curves(const Case& variant) {
 
 foundation::Problems unused_parts(const std::vector<Case>& cases) {
   foundation::Problems found;
-  Asked asked;
-  for (const Case& variant : cases) Asking(variant, asked).note();
-  if (!asked.anything || cases.empty()) return found;
+  UsedExcitations used;
+  for (const Case& variant : cases) UsedExcitationCollector(variant, used).collect();
+  if (!used.any_question || cases.empty()) return found;
   const Case& base = cases.front();
   std::vector<std::string> names;
   for (const model::Excitation& excitation : base.system.description().excitations) names.push_back(excitation.name);
   for (const model::ConstantForce& force : base.system.description().constant_forces) names.push_back(force.name);
   for (const std::string& name : names)
-    if (!asked.excitations.contains(name))
+    if (!used.names.contains(name))
       found
           .warning("excitations." + name, "no analysis of this file uses it",
                    "an excitation acts only in requested analyses that select it",

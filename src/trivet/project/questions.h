@@ -13,11 +13,11 @@ namespace trivet::project {
 
 /// Questions that must have no errors. An error in another question does not stop the command.
 struct Questions {
-  std::optional<std::vector<std::string>> wanted = {};  ///< none: all
-  std::optional<std::string> of_case = {};              ///< only those of this case ("" the base model); none: of all
+  std::optional<std::vector<std::string>> requested = {};  ///< none: all
+  std::optional<std::string> of_case = {};  ///< only those of this case ("" the base model); none: of all
 };
 
-/// As `read_project`, but unwanted questions with errors are removed from the analyses of their case.
+/// As `read_project`, but questions with errors that were not requested are removed from the analyses of their case.
 [[nodiscard]] foundation::Expected<Project> read_project_for(const Questions& questions,
                                                              const std::filesystem::path& path,
                                                              const std::vector<std::string>& settings = {});
@@ -25,9 +25,10 @@ struct Questions {
 /// True if the file asks for a response or for peaks that were removed from a case because of errors.
 [[nodiscard]] bool has_broken_curves(const Case& variant);
 
-/// Problems of the model and of the wanted questions. Removes unwanted questions with errors from `analyses`.
-[[nodiscard]] foundation::Problems without_unwanted(const foundation::Problems& found, const Questions& questions,
-                                                    const std::string& of_case, Analyses& analyses);
+/// Problems of the model and of the requested questions. Removes questions with errors that were not requested from
+/// `analyses`.
+[[nodiscard]] foundation::Problems without_unrequested(const foundation::Problems& found, const Questions& questions,
+                                                       const std::string& of_case, Analyses& analyses);
 
 /// Warnings of excitations that no question of the file uses in any case. None if no question takes excitations (modes
 /// only, for example), because then the commands add the questions.

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/file_name.h"
 #include "trivet/solids/rigid_solid.h"
 
@@ -97,7 +97,7 @@ Part read_part(TableReader& reader, const std::string& name) {
 bool read_solids(TableReader& body, model::Body& result) {
   const Node* list = body.node("solids");
   if (list->kind != Node::Kind::array || list->items.empty()) {
-    body.error("solids", list->kind == Node::Kind::array ? "no solid" : words(list->kind), "it is a list of solids",
+    body.error("solids", list->kind == Node::Kind::array ? "no solid" : kind_name(list->kind), "it is a list of solids",
                "write solids = [{box = [1, 0.5, 0.2], density = 7850}]");
     return false;
   }
@@ -106,7 +106,7 @@ bool read_solids(TableReader& body, model::Body& result) {
   for (std::size_t i = 0; i < list->items.size(); ++i) {
     const std::string name = fmt::format("solids[{}]", i);
     if (list->items[i].kind != Node::Kind::table) {
-      body.error("solids", words(list->items[i].kind), "a solid is a table", shapes_known);
+      body.error("solids", kind_name(list->items[i].kind), "a solid is a table", shapes_known);
       continue;
     }
     TableReader reader(list->items[i], body.path() + "." + name, body.problems());

@@ -9,7 +9,7 @@
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/transient_question.h"
 #include "trivet/project/elements/catalogue.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {
@@ -18,8 +18,8 @@ namespace {
 constexpr std::string_view catalogue_type = "catalogue:";
 
 const Node* find(const Node& document, const std::string& group, const std::string& name) {
-  const Node* things = document.find(group);
-  return things ? things->find(name) : nullptr;
+  const Node* parts = document.find(group);
+  return parts ? parts->find(name) : nullptr;
 }
 
 bool is_about_pole(const Node& document, const std::string& body) {
@@ -102,12 +102,12 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   if (asked.response) add("response", asked.response->band);
   for (const QuestionReader& reader : question_readers())
     if (const auto* question = asked.find<BandQuestion>(reader.name)) add(reader.name, question->band);
-  const assembly::Quantity quantity =
-      asked.response ? asked.response->wanted.quantity : assembly::Quantity::displacement;
+  const assembly::MotionQuantity quantity =
+      asked.response ? asked.response->selection.quantity : assembly::MotionQuantity::displacement;
   for (const Limit& limit : asked.limits)
-    if (is_translation(limit.name) && quantity != assembly::Quantity::acceleration)
+    if (is_translation(limit.name) && quantity != assembly::MotionQuantity::acceleration)
       stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name,
-                                        limit.amplitude, quantity == assembly::Quantity::velocity});
+                                        limit.amplitude, quantity == assembly::MotionQuantity::velocity});
   for (const LimitLineRequest& request : asked.limit_lines)
     if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
@@ -123,7 +123,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
       stated.windows.push_back(
           {"excitations." + excitation.name + ".psd", random->spectrum.from(), random->spectrum.to(), true});
   if (const auto* in_time = asked.find<TransientQuestion>("transient"))
-    stated.transient = plausibility::TimeQuestion{in_time->to, in_time->wanted.excitations};
+    stated.transient = plausibility::TimeQuestion{in_time->to, in_time->selection.excitations};
 }
 
 /// Renames a subject to the foundation of the file: the impedance of a ground point has the name of its element.

@@ -49,14 +49,14 @@ std::string random_table(const study::Answers& answers) {
   if (has_remarks) headings.push_back({"remark"});
   std::vector<std::vector<Cell>> rows;
   for (const response::RandomAnswer& a : random.response.answers) {
-    const auto given = [&](const std::optional<double>& value, bool infinite, const std::string& unit) {
+    const auto bounded_cell = [&](const std::optional<double>& value, bool infinite, const std::string& unit) {
       return value ? quantity_cell(*value, unit) : right(infinite ? "∞" : "–");
     };
     std::vector<Cell> row = {{a.name},
-                             given(a.rms, a.infinite_rms, a.unit),
-                             given(a.three_sigma, a.infinite_rms, a.unit),
+                             bounded_cell(a.rms, a.infinite_rms, a.unit),
+                             bounded_cell(a.three_sigma, a.infinite_rms, a.unit),
                              a.zero_crossings ? number_cell(*a.zero_crossings) : right("–")};
-    if (has_weights) row.push_back(given(a.weighted_rms, a.infinite_weighted_rms, acceleration_unit(a.unit)));
+    if (has_weights) row.push_back(bounded_cell(a.weighted_rms, a.infinite_weighted_rms, acceleration_unit(a.unit)));
     if (has_shares)
       for (std::size_t i = 0; i < random.inputs.size(); ++i)
         row.push_back(i < a.variance_share.size() && !a.vanishes ? percent_cell(a.variance_share[i]) : right("–"));

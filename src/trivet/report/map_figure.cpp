@@ -41,11 +41,11 @@ void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, co
           picture.rings(regions[rank].*side),
           fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
   };
-  paint(&MapRegion::broken);
+  paint(&MapRegion::infeasible);
   const auto outline = picture.rings(picture.map.feasible.rings);
   if (outline.empty()) return;
   picture.canvas.begin_clip(outline, "feasible of " + heading);
-  paint(&MapRegion::kept);
+  paint(&MapRegion::feasible);
   picture.canvas.end_clip();
   picture.canvas.area(outline, lighter);
   for (const design::MapLine& line : picture.map.feasible.lines)
@@ -61,30 +61,31 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
   MapRegion others;
   for (std::size_t rank = 0; rank < regions.size(); ++rank) {
     const MapRegion& region = regions[rank];
-    const bool broken = !region.broken.empty(), kept = !region.kept.empty();
+    const bool infeasible = !region.infeasible.empty(), feasible = !region.feasible.empty();
     if (!region.known()) break;
     if (rank >= rule_colours.size()) {
       others.designs += region.designs;
-      if (broken) others.broken = region.broken;
-      if (kept) others.kept = region.kept;
+      if (infeasible) others.infeasible = region.infeasible;
+      if (feasible) others.feasible = region.feasible;
     } else {
-      key.region(rule_colours[rank], broken, kept,
+      key.region(rule_colours[rank], infeasible, feasible,
                  region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map)
                                                           : map.rules[region.governing].words,
                  share(region.designs));
     }
   }
   if (others.designs > 0)
-    key.region(other_colour, !others.broken.empty(), !others.kept.empty(), "other rules", share(others.designs));
+    key.region(other_colour, !others.infeasible.empty(), !others.feasible.empty(), "other rules",
+               share(others.designs));
   if (map.unknown > 0)
     key.region(unknown_colour, true, false, "not computed: unphysical body, or no model", share(map.unknown));
 }
 
 void explain_feasible(const study::DesignMap& map, Key& key) {
   key.heading("Feasible region");
-  if (map.feasible.rings.empty()) return key.words("no design of this map is feasible", "");
+  if (map.feasible.rings.empty()) return key.add_text("no design of this map is feasible", "");
   key.patch("fill=\"white\" stroke=\"#000\" stroke-width=\"2\"", "every rule is met (lighter)",
-            fmt::format("{} of {} designs", map.kept, map.outcomes.size()));
+            fmt::format("{} of {} designs", map.feasible_designs, map.outcomes.size()));
   key.stroke("stroke=\"#000\" stroke-width=\"2.4\"", "margin 1: value at its limit");
 }
 

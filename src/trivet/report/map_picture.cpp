@@ -47,23 +47,23 @@ void Key::heading(const std::string& text) {
 
 void Key::patch(const std::string& style, const std::string& text, const std::string& second) {
   canvas_.rectangle({at_.x, at_.y - 9}, 22, 13, style);
-  words(text, second);
+  add_text(text, second);
 }
 
-void Key::region(const std::string& colour, bool broken, bool kept, const std::string& text,
+void Key::region(const std::string& colour, bool infeasible, bool feasible, const std::string& text,
                  const std::string& second) {
   const PixelPoint corner{at_.x, at_.y - 9};
   canvas_.rectangle(corner, 22, 13, fmt::format("fill=\"{}\"", colour));
-  if (kept) canvas_.rectangle({corner.x + (broken ? 11 : 0), corner.y}, broken ? 11 : 22, 13, lighter);
+  if (feasible) canvas_.rectangle({corner.x + (infeasible ? 11 : 0), corner.y}, infeasible ? 11 : 22, 13, lighter);
   patch("fill=\"none\" stroke=\"#777\"", text, second);
 }
 
 void Key::stroke(const std::string& style, const std::string& text) {
   canvas_.line({at_.x, at_.y - 3}, {at_.x + 22, at_.y - 3}, style);
-  words(text, "");
+  add_text(text, "");
 }
 
-void Key::words(const std::string& text, const std::string& second) {
+void Key::add_text(const std::string& text, const std::string& second) {
   const double size = std::clamp(11 * 225 / width_of(text), 7.0, 11.0);
   canvas_.text({at_.x + 30, at_.y + 1}, text, fmt::format("font-size=\"{:.1f}\"", size));
   if (!second.empty()) canvas_.text({at_.x + 30, at_.y + 14}, second, "fill=\"#555\" font-size=\"10\"");

@@ -50,11 +50,12 @@ class Key {
   void heading(const std::string& text);
   void patch(const std::string& style, const std::string& text, const std::string& second = "");
   /// A sample of a colour as in the picture: full, lighter, or half and half.
-  void region(const std::string& colour, bool broken, bool kept, const std::string& text, const std::string& second);
+  void region(const std::string& colour, bool infeasible, bool feasible, const std::string& text,
+              const std::string& second);
   void stroke(const std::string& style, const std::string& text);
   /// Position of a sample of another kind.
   [[nodiscard]] PixelPoint sample() const { return {at_.x + 11, at_.y - 3}; }
-  void words(const std::string& text, const std::string& second);
+  void add_text(const std::string& text, const std::string& second);
 
  private:
   SvgCanvas& canvas_;

@@ -13,20 +13,20 @@
 namespace trivet::report {
 namespace {
 
-void draw_mark(SvgCanvas& canvas, PixelPoint p, bool kept) {
+void draw_mark(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.circle(p, 4.5,
-                kept ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\""
-                     : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
-  if (kept) return;
+                feasible ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\""
+                         : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
+  if (feasible) return;
   canvas.line({p.x - 2, p.y - 2}, {p.x + 2, p.y + 2}, "stroke=\"black\" stroke-width=\"1.3\"");
   canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
 }
 
 /// Draws the best design, filled if it is feasible.
-void draw_best(SvgCanvas& canvas, PixelPoint p, bool kept) {
+void draw_best(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
-              kept ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\""
-                   : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
+              feasible ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\""
+                       : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
 }
 
 /// Does a line of margin 1 run through a box?
@@ -89,17 +89,18 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
   const study::DesignMap& map = picture.map;
   const design::DesignOutcome& best = map.outcomes[*map.best];
   const design::DesignPoint p = map.point(*map.best);
-  draw_best(canvas, key.sample(), best.kept());
+  draw_best(canvas, key.sample(), best.feasible());
   const std::size_t ends = results::best_ends(map).size();
   const std::string where =
       fmt::format("{}, {}{}", results::axis_value(p.x, map.request.x), results::axis_value(p.y, map.request.y),
                   ends == 0       ? ""
                       : ends == 1 ? ": an axis ends there"
                                   : ": both axes end there");
-  if (std::isinf(best.margin)) key.words("middle of the designs without bound", where);
-  else if (best.margin == 0) key.words("middle of equals: every margin is 0", where);
+  if (std::isinf(best.margin)) key.add_text("middle of the designs without bound", where);
+  else if (best.margin == 0) key.add_text("middle of equals: every margin is 0", where);
   else
-    key.words(fmt::format("{} {:.3g}", best.kept() ? "largest margin:" : "nearest design: margin", best.margin), where);
+    key.add_text(fmt::format("{} {:.3g}", best.feasible() ? "largest margin:" : "nearest design: margin", best.margin),
+                 where);
 }
 
 PixelPoint best_point(const MapPicture& picture) {
@@ -119,32 +120,34 @@ std::vector<PlacedMark> placed_marks(const MapPicture& picture) {
     const auto same = std::find_if(placed.begin(), placed.end(), [&](const PlacedMark& m) {
       return std::hypot(m.point.x - p.x, m.point.y - p.y) < 1;
     });
-    if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.kept()});
+    if (same == placed.end()) placed.push_back({p, name, mark.judged->governing.feasible()});
     else same->names += ", " + name;
   }
   return placed;
 }
 
 void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
-  const auto around = [&](PixelPoint p, double room) {
+  const auto occupy = [&](PixelPoint p, double room) {
     picture.taken.push_back({p.x - room, p.y - room, p.x + room, p.y + room});
   };
-  for (const PlacedMark& mark : placed) around(mark.point, 6);
-  if (picture.map.best) around(best_point(picture), 8);
+  for (const PlacedMark& mark : placed) occupy(mark.point, 6);
+  if (picture.map.best) occupy(best_point(picture), 8);
 }
 
 void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
-  if (picture.map.best) draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].kept());
+  if (picture.map.best)
+    draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].feasible());
   for (const PlacedMark& mark : placed) {
-    draw_mark(picture.canvas, mark.point, mark.kept);
+    draw_mark(picture.canvas, mark.point, mark.feasible);
     place_label(picture, mark.point, mark.names);
   }
   if (placed.empty() && !picture.map.best) return;
   key.heading("Points");
-  for (const bool kept : {true, false}) {
-    if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.kept == kept; })) continue;
-    draw_mark(picture.canvas, key.sample(), kept);
-    key.words(kept ? "case that meets every rule" : "case that violates a rule", "");
+  for (const bool feasible : {true, false}) {
+    if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.feasible == feasible; }))
+      continue;
+    draw_mark(picture.canvas, key.sample(), feasible);
+    key.add_text(feasible ? "case that meets every rule" : "case that violates a rule", "");
   }
   if (picture.map.best) explain_best(picture, picture.canvas, key);
 }

@@ -11,7 +11,7 @@ namespace trivet::report {
 struct PlacedMark {
   PixelPoint point;
   std::string names;
-  bool kept = false;
+  bool feasible = false;
 };
 
 /// Cases of this model inside the frame; cases at one place share a label.

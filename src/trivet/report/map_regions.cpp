@@ -47,7 +47,7 @@ void add_parts(const std::array<design::MapPlace, 4>& corner, const Labels& labe
 /// One side of the boundary: the feasible designs, or the others.
 class Side {
  public:
-  Side(const study::DesignMap& map, bool kept) : map_(map), kept_(kept) {}
+  Side(const study::DesignMap& map, bool feasible) : map_(map), feasible_(feasible) {}
 
   [[nodiscard]] Parts parts() const {
     const std::size_t columns = map_.drawn.columns.size(), rows = map_.drawn.rows.size();
@@ -76,7 +76,7 @@ class Side {
   }
   [[nodiscard]] std::optional<std::uint8_t> label(int column, int row) const {
     const design::DesignOutcome& outcome = map_.outcomes[map_.grid.index(column, row)];
-    return outcome.kept() == kept_ ? std::optional(label_of(outcome)) : std::nullopt;
+    return outcome.feasible() == feasible_ ? std::optional(label_of(outcome)) : std::nullopt;
   }
 
   /// Labels of a drawn cell; a corner beyond the boundary gets that of the nearest corner on this side. None if the
@@ -106,15 +106,15 @@ class Side {
   }
 
   const study::DesignMap& map_;
-  bool kept_;
+  bool feasible_;
 };
 
 }  // namespace
 
 std::vector<MapRegion> map_regions(const study::DesignMap& map) {
   std::map<std::uint8_t, MapRegion> regions;
-  for (auto& [label, parts] : Side(map, false).parts()) regions[label].broken = std::move(parts);
-  for (auto& [label, parts] : Side(map, true).parts()) regions[label].kept = std::move(parts);
+  for (auto& [label, parts] : Side(map, false).parts()) regions[label].infeasible = std::move(parts);
+  for (auto& [label, parts] : Side(map, true).parts()) regions[label].feasible = std::move(parts);
   for (const design::DesignOutcome& outcome : map.outcomes)
     if (const auto region = regions.find(label_of(outcome)); region != regions.end()) ++region->second.designs;
   std::vector<MapRegion> result;

@@ -14,8 +14,8 @@ struct MapRegion {
   static constexpr std::uint8_t unlimited = design::DesignOutcome::not_computed - 1;
   std::uint8_t governing = 0;  ///< `unlimited` if no rule limits the designs: no motion or no peak
   std::size_t designs = 0;     ///< of the grid
-  std::vector<design::MapLine> broken,
-      kept;  ///< adjacent pieces on each side of the boundary; they extend beyond it
+  std::vector<design::MapLine> infeasible,
+      feasible;  ///< adjacent pieces on each side of the boundary; they extend beyond it
 
   [[nodiscard]] bool known() const { return governing <= unlimited; }
 };

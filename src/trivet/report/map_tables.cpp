@@ -23,11 +23,12 @@ std::string rules_table(const study::DesignMap& map) {
   };
   std::size_t limited = 0;
   for (const std::size_t r : results::governing_rules(map)) {
-    rows.push_back({{map.rules[r].words}, share(map.shares[r].broken), share(map.shares[r].kept)});
-    limited += map.shares[r].kept;
+    rows.push_back({{map.rules[r].words}, share(map.shares[r].infeasible), share(map.shares[r].feasible)});
+    limited += map.shares[r].feasible;
   }
-  if (map.kept > limited)
-    rows.push_back({{"no rule limits them: " + results::unlimited_words(map)}, right(""), share(map.kept - limited)});
+  if (map.feasible_designs > limited)
+    rows.push_back(
+        {{"no rule limits them: " + results::unlimited_words(map)}, right(""), share(map.feasible_designs - limited)});
   return html_table({{"rule"}, right("governs, infeasible"), right("governs, feasible")}, rows);
 }
 
@@ -37,11 +38,11 @@ std::string marks_table(const study::DesignMap& map) {
     std::string words;
     for (const std::string& sentence : results::verdict_words(map, mark))
       words += (words.empty() ? "" : "; ") + sentence;
-    const bool kept = mark.judged && mark.judged->governing.kept();
+    const bool feasible = mark.judged && mark.judged->governing.feasible();
     rows.push_back({{mark.name.empty() ? "base model" : mark.name},
                     right(value_or_dash(mark.x, map.request.x)),
                     right(value_or_dash(mark.y, map.request.y)),
-                    {kept ? "meets every rule" : "violates a rule", false, !kept},
+                    {feasible ? "meets every rule" : "violates a rule", false, !feasible},
                     {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
   return rows.empty() ? ""
@@ -63,7 +64,8 @@ std::string map_tables(const study::Answers& answers) {
   for (const design::MissingReason& reason : map.report.missing)
     text += fmt::format(" {} designs not computed, for instance: {}.", reason.designs, reason.words);
   for (const std::string& doubt : doubts(map)) text += " " + doubt;
-  return rules_table(map) + hint(text + " " + map.report.words() + ".") + folded("Cases on the map", marks_table(map));
+  return rules_table(map) + hint(text + " " + map.report.summary() + ".") +
+      folded("Cases on the map", marks_table(map));
 }
 
 }  // namespace trivet::report

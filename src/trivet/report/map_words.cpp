@@ -57,7 +57,7 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
       failed.push_back(name);
       continue;
     }
-    const char* verdict = mark.judged->governing.kept() ? "meets every rule" : "violates a rule";
+    const char* verdict = mark.judged->governing.feasible() ? "meets every rule" : "violates a rule";
     if (!mark.placed() || !mark.of_this_model) another.push_back(fmt::format("{} ({})", name, verdict));
     else
       outside.push_back(fmt::format("{} ({}, {}: {})", name, results::axis_value(*mark.x, map.request.x),

@@ -30,7 +30,7 @@ std::size_t lines(std::size_t outlier_count) {
   return std::min(outlier_count, most_named) + (outlier_count > most_named ? 1 : 0);
 }
 
-double reach(const std::vector<model::Residual>& residuals) {
+double axis_limit(const std::vector<model::Residual>& residuals) {
   double largest = 3;
   for (const model::Residual& r : residuals)
     if (std::isfinite(r.standardised)) largest = std::max(largest, std::abs(r.standardised));
@@ -44,7 +44,7 @@ double residual_plot_height(const std::vector<model::Residual>& residuals) {
 }
 
 void draw_residuals(SvgCanvas& canvas, PixelPoint corner, const std::vector<model::Residual>& residuals) {
-  const double top = reach(residuals), count = static_cast<double>(residuals.size());
+  const double top = axis_limit(residuals), count = static_cast<double>(residuals.size());
   const PlotPanel panel{{corner.x + 86, corner.y + above},
                         860,
                         plot_height,

@@ -68,13 +68,13 @@ Skeleton skeleton(const response::DeflectionShape& shape, double phase, double s
 }
 
 /// The place with the largest excursion, and its phase ωt.
-struct Farthest {
+struct FarthestPlace {
   std::string name;
   double phase = 0, excursion = 0;
 };
 
-Farthest farthest(const response::DeflectionShape& shape) {
-  Farthest best;
+FarthestPlace farthest_place(const response::DeflectionShape& shape) {
+  FarthestPlace best;
   for (const Places* places : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
     for (const response::MovingPlace& place : *places) {
       const Eigen::Vector3cd u = place.motion.head<3>();
@@ -162,7 +162,7 @@ std::string three_digits(double value) {
 
 Figure shape_figure(const study::Answers& answers, const response::DeflectionShape& shape) {
   const Frame size = frame(shape);
-  const Farthest most = farthest(shape);
+  const FarthestPlace most = farthest_place(shape);
   const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
   const std::string title =
       case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / two_pi), answers);

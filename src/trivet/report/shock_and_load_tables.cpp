@@ -18,9 +18,9 @@ std::string shock_table(const study::Answers& answers) {
   std::vector<std::vector<Cell>> rows;
   for (const study::ShockSpectrumResult& s : *spectra) {
     if (s.spectrum.empty()) continue;
-    const auto most = [&](const auto& of) {
+    const auto most = [&](const auto& value_of) {
       return *std::max_element(s.spectrum.begin(), s.spectrum.end(),
-                               [&](const auto& a, const auto& b) { return of(a) < of(b); });
+                               [&](const auto& a, const auto& b) { return value_of(a) < value_of(b); });
     };
     const auto up = most([](const auto& r) { return r.largest(); }),
                down = most([](const auto& r) { return -r.smallest(); });
@@ -84,7 +84,7 @@ std::string limit_line_table(const study::Answers& answers) {
                     number_cell(response::margin_level(c.least_margin)),
                     hertz_cell(c.least_margin_at),
                     {bands.empty() ? "–" : bands},
-                    {c.kept() ? "✓ met" : "✗ EXCEEDED", false, !c.kept()}});
+                    {c.met() ? "✓ met" : "✗ EXCEEDED", false, !c.met()}});
   }
   return html_table({{"answer"},
                      {"limit line"},

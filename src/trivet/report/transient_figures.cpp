@@ -40,18 +40,18 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
   for (const double t : transient.time) time.push_back(t * second.factor);
   for (std::size_t i = 0; i < series.size(); ++i) {
     const response::TimeCurve& c = transient.curves[series[i].curve];
-    const bool still = is_round_off(transient, c);
+    const bool is_zero = is_round_off(transient, c);
     PanelCurve curve{{series[i].label + ", " + extreme_words("max", c.largest, unit, second),
                       extreme_words("min", c.smallest, unit, second)},
                      time,
                      {},
                      series_stroke(i)};
-    if (still) curve.key = {series[i].label + ": ≈ 0"};
+    if (is_zero) curve.key = {series[i].label + ": ≈ 0"};
     for (const double value : c.values) curve.y.push_back(value * unit.factor);
     row.curves.push_back(std::move(curve));
     const bool above = c.largest.value >= -c.smallest.value;
     for (const auto* extreme : {&c.largest, &c.smallest})
-      if (!still)
+      if (!is_zero)
         row.marks.push_back({extreme->time * second.factor, extreme->value * unit.factor, series_colour(i),
                              &c == tallest && above == (extreme == &c.largest)
                                  ? fmt::format("{:.4g} {}", extreme->value * unit.factor, unit.unit)

@@ -61,15 +61,15 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
   TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
   for (const response::ModalShare& m : e.modes)
-    modes.add({shown(hertz(m.angular_frequency), 5), shown(m.damping_ratio, 3), shown(m.effective_mass, 5),
-               shown(m.spectral_acceleration, 5)});
+    modes.add({number_text(hertz(m.angular_frequency), 5), number_text(m.damping_ratio, 3),
+               number_text(m.effective_mass, 5), number_text(m.spectral_acceleration, 5)});
   TextTable table({"answer", "CQC", "SRSS", "unit"});
   std::map<std::string, double> largest;  // by unit
   for (const response::CombinedAnswer& a : e.answers)
     largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
   for (const response::CombinedAnswer& a : e.answers)
-    table.add({a.name, shown(without_round_off(a.complete_quadratic, largest[a.unit])),
-               shown(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
+    table.add({a.name, number_text(without_round_off(a.complete_quadratic, largest[a.unit])),
+               number_text(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
   return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() +
       table.text() +
       fmt::format("  the spectrum covers modes with {} of the effective mass\n", percent(e.effective_mass_share));

@@ -19,7 +19,7 @@ namespace {
 
 using json::Json;
 
-Json character_json(const elements::Character& c) {
+Json stiffness_properties_json(const elements::StiffnessProperties& c) {
   return {{"principal_stiffnesses", json::list(c.principal_stiffnesses)},
           {"principal_axes", json::rows(c.principal_axes.transpose())},
           {"elastic_center_from_k", json::list(c.elastic_centre)},
@@ -74,7 +74,7 @@ Json simplification_json(const study::Simplification& simple) {
                      {"angular_frequency", json::optional(mode.full)},
                      {"simplified_angular_frequency", json::optional(mode.simplified)},
                      {"relative_difference", json::optional(study::relative_difference(mode.full, mode.simplified))},
-                     {"likeness", json::number(mode.likeness)}});
+                     {"likeness", json::number(mode.similarity)}});
   for (const study::PeakComparison& peak : simple.peaks)
     peaks.push_back({{"name", peak.name},
                      {"unit", peak.unit},
@@ -108,7 +108,7 @@ std::string element_json(const project::Case& variant, std::size_t index, const 
       {"massless_up_to", json::number(element.massless_up_to)},
       {"preload", law.preload ? json::list(*law.preload) : Json(nullptr)},
       {"rigid_motion_residual", json::rows(summary.verdict.residual)},
-      {"character", character_json(summary.character)},
+      {"character", stiffness_properties_json(summary.stiffness_properties)},
       {"modes", modes_json(summary)},
       {"uncertainty", uncertainty_json(element)},
       {"residuals", residuals_json(element)},

@@ -9,9 +9,9 @@ namespace {
 
 /// The excitations that the case selects for a question; empty: all.
 std::vector<std::string> selected(const project::Analyses& asked, const std::string& question) {
-  if (question == "peaks" && asked.peaks) return asked.peaks->wanted.excitations;
-  if (const auto* own = asked.find<project::Question>(question)) return own->wanted.excitations;
-  return (question == "peaks" || question == "response") && asked.response ? asked.response->wanted.excitations
+  if (question == "peaks" && asked.peaks) return asked.peaks->selection.excitations;
+  if (const auto* own = asked.find<project::Question>(question)) return own->selection.excitations;
+  return (question == "peaks" || question == "response") && asked.response ? asked.response->selection.excitations
                                                                            : std::vector<std::string>();
 }
 

@@ -23,7 +23,7 @@ Json limit_lines(const study::Answers& answers) {
                       {"least_margin_db", number(response::margin_level(l.comparison.least_margin))},
                       {"at", l.comparison.least_margin_at},
                       {"exceeded", std::move(exceeded)},
-                      {"kept", l.comparison.kept()}});
+                      {"kept", l.comparison.met()}});
   }
   return result;
 }
@@ -40,9 +40,9 @@ std::string limit_lines_text(const study::Answers& answers) {
       bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
     table.add({l.line.name, l.of,
                fmt::format("{:.4g} … {:.4g}", hertz(l.comparison.compared.from), hertz(l.comparison.compared.to)),
-               shown(response::margin_level(l.comparison.least_margin), 4),
-               shown(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
-               l.comparison.kept() ? "met" : "EXCEEDED"});
+               number_text(response::margin_level(l.comparison.least_margin), 4),
+               number_text(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
+               l.comparison.met() ? "met" : "EXCEEDED"});
   }
   return "Limit lines\n" + table.text();
 }
@@ -61,7 +61,7 @@ std::string limit_lines_csv(const project::Case&, const study::Answers& answers)
                         csv_field(l.line.unit), l.line.rms ? "rms" : "zero_to_peak", hertz(l.comparison.compared.from),
                         hertz(l.comparison.compared.to), csv_number(l.comparison.least_margin),
                         csv_number(response::margin_level(l.comparison.least_margin)),
-                        csv_number(l.comparison.least_margin_at), csv_field(bands), l.comparison.kept() ? "yes" : "no");
+                        csv_number(l.comparison.least_margin_at), csv_field(bands), l.comparison.met() ? "yes" : "no");
   }
   return text;
 }

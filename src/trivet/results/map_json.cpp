@@ -38,8 +38,8 @@ Json rules(const study::DesignMap& map) {
                     {"unit", rule.unit},
                     {"allowed", rule.allowed},
                     {"words", rule.words},
-                    {"governs_kept", map.shares[r].kept},
-                    {"governs_broken", map.shares[r].broken}});
+                    {"governs_kept", map.shares[r].feasible},
+                    {"governs_broken", map.shares[r].infeasible}});
   }
   return list;
 }
@@ -106,7 +106,7 @@ Json mark(const study::DesignMap& map, const study::MapMark& m) {
               {"has_own_rules", m.has_own_rules},
               {"words", verdict_words(map, m)}};
   if (!m.judged) return result;
-  result["kept"] = m.judged->governing.kept();
+  result["kept"] = m.judged->governing.feasible();
   result["margin"] = json::number(m.judged->governing.margin);
   result["governing"] = governing(m.judged->governing.margin, m.judged->governing.rule);
   result["rules"] = Json::array();
@@ -135,7 +135,7 @@ Json without_grid(const study::DesignMap& map) {
   result["band"] = map.request.band ? Json{map.request.band->from, map.request.band->to} : Json(nullptr);
   result["rules"] = rules(map);
   result["designs"] = map.outcomes.size();
-  result["kept"] = map.kept;
+  result["kept"] = map.feasible_designs;
   result["without_answer"] = map.unknown;
   result["feasible"] = {{"share", map.feasible.area},
                         {"tolerance", map.boundary_tolerance},
@@ -149,14 +149,14 @@ Json without_grid(const study::DesignMap& map) {
                       {"y", p.y},
                       {"margin", json::number(outcome.margin)},
                       {"governing", governing(outcome.margin, outcome.governing)},
-                      {"kept", outcome.kept()},
+                      {"kept", outcome.feasible()},
                       {"without_bound", map.without_bound}};
   }
   result["marks"] = Json::array();
   for (const study::MapMark& m : map.marks) result["marks"].push_back(mark(map, m));
-  result["way"] = map.report.words();
+  result["way"] = map.report.summary();
   result["evaluation"] = {
-      {"proven", map.report.proven}, {"redone", map.report.redone}, {"one_by_one", map.report.one_by_one}};
+      {"proven", map.report.proven}, {"redone", map.report.fallback}, {"one_by_one", map.report.assembled_separately}};
   result["missing"] = Json::array();
   for (const design::MissingReason& reason : map.report.missing) {
     const design::DesignPoint p = map.point(reason.first);
@@ -182,7 +182,7 @@ Json json::map_marks(const study::DesignMap& map) {
   Json marks = Json::array();
   for (const study::MapMark& m : map.marks) {
     marks.push_back({{"case", m.name}});
-    if (m.judged) marks.back()["kept"] = m.judged->governing.kept();
+    if (m.judged) marks.back()["kept"] = m.judged->governing.feasible();
   }
   return {{"marks", std::move(marks)}};
 }
@@ -214,7 +214,7 @@ void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
     fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
     if (o.known())
       fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin,
-                     std::isinf(o.margin) ? "none" : words[o.governing], o.kept() ? "yes" : "no");
+                     std::isinf(o.margin) ? "none" : words[o.governing], o.feasible() ? "yes" : "no");
     else text += o.governing == design::DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
   pieces.hand_on();

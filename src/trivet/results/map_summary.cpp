@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "trivet/results/axis_words.h"
-#include "trivet/results/shown_apart.h"
+#include "trivet/results/distinct_texts.h"
 #include "trivet/study/map_warnings.h"
 
 namespace trivet::results {
@@ -23,7 +23,7 @@ bool has(const study::DesignMap& map, RuleKind kind) {
 
 std::string band_words(const std::optional<response::Band>& band) {
   if (!band) return "amplitudes over all frequencies";
-  const auto [from, to] = shown_apart(band->from, band->to, 6);
+  const auto [from, to] = distinct_texts(band->from, band->to, 6);
   return fmt::format("amplitudes over {} … {} rad/s", from, to);
 }
 
@@ -42,9 +42,10 @@ std::string asked_words(const study::DesignMap& map) {
 
 std::string feasible_words(const study::DesignMap& map) {
   const std::string share = fmt::format("{:.2f} %", 100 * map.feasible.area);
-  const bool rounded_up = share == "100.00 %" && (map.kept < map.outcomes.size() || map.passages.pairs > 0);
+  const bool rounded_up =
+      share == "100.00 %" && (map.feasible_designs < map.outcomes.size() || map.band_crossings.pairs > 0);
   std::string text = fmt::format("Feasible: {} of the map, {} of {} designs", rounded_up ? "less than 100 %" : share,
-                                 map.kept, map.outcomes.size());
+                                 map.feasible_designs, map.outcomes.size());
   if (map.steep > 0)
     text += fmt::format(
         "; between {} of neighbours governed by amplitude limits the margin changes more than tenfold: a design "
@@ -72,7 +73,7 @@ std::string best_words(const study::DesignMap& map) {
   if (best.margin == 0)
     return fmt::format("No design is feasible and all have margin 0 ({}); the middle one: {}", rule, place);
   std::string text = fmt::format(
-      "{}: {}; margin {:.4g} ({}{})", best.kept() ? "Best design" : "No design is feasible; the nearest", place,
+      "{}: {}; margin {:.4g} ({}{})", best.feasible() ? "Best design" : "No design is feasible; the nearest", place,
       best.margin, rule, map.equals > 1 ? fmt::format("; the middle one of {} equally good designs", map.equals) : "");
   const std::vector<std::string> ends = best_ends(map);
   for (std::size_t k = 0; k < ends.size(); ++k) text += (k == 0 ? "; at " : " and ") + ends[k];
@@ -94,7 +95,7 @@ std::vector<std::string> best_ends(const study::DesignMap& map) {
 }
 
 std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
-  const auto designs = [&](std::size_t rule) { return map.shares[rule].broken + map.shares[rule].kept; };
+  const auto designs = [&](std::size_t rule) { return map.shares[rule].infeasible + map.shares[rule].feasible; };
   std::vector<std::size_t> order(map.rules.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return designs(a) > designs(b); });

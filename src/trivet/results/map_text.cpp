@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "trivet/results/axis_words.h"
+#include "trivet/results/distinct_texts.h"
 #include "trivet/results/map_summary.h"
 #include "trivet/results/map_verdicts.h"
-#include "trivet/results/shown_apart.h"
 #include "trivet/results/text_table.h"
 
 namespace trivet::results {
@@ -22,7 +22,7 @@ std::string point_words(const study::DesignMap& map, const design::DesignPoint& 
 std::string axis_words(const project::MapAxis& axis) {
   const std::string name = axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")",
                     unit = axis_unit(axis);
-  const auto [from, to] = shown_apart(axis.from, axis.to, 6);
+  const auto [from, to] = distinct_texts(axis.from, axis.to, 6);
   return fmt::format("{}{} {} … {}{}, {} points{}", name, path, from, to, unit.empty() ? "" : " " + unit, axis.points,
                      axis.logarithmic ? ", logarithmic" : "");
 }
@@ -45,10 +45,11 @@ std::string shares_text(const study::DesignMap& map) {
   const std::vector<std::size_t> governing = governing_rules(map);
   std::size_t limited = 0;
   for (const std::size_t r : governing) {
-    table.add({map.rules[r].words, percent(map.shares[r].broken), percent(map.shares[r].kept)});
-    limited += map.shares[r].kept;
+    table.add({map.rules[r].words, percent(map.shares[r].infeasible), percent(map.shares[r].feasible)});
+    limited += map.shares[r].feasible;
   }
-  if (map.kept > limited) table.add({"no rule limits them: " + unlimited_words(map), "", percent(map.kept - limited)});
+  if (map.feasible_designs > limited)
+    table.add({"no rule limits them: " + unlimited_words(map), "", percent(map.feasible_designs - limited)});
   const std::size_t silent = map.rules.size() - governing.size();
   return table.text() +
       (silent > 0 ? fmt::format("  {} of {} rules govern no design\n", silent, map.rules.size()) : "");
@@ -60,9 +61,9 @@ std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
   };
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name,
                                  place(mark.x, map.request.x), place(mark.y, map.request.y),
-                                 !mark.judged                        ? "NOT COMPUTED"
-                                     : mark.judged->governing.kept() ? "meets every rule"
-                                                                     : "VIOLATES the rules");
+                                 !mark.judged                            ? "NOT COMPUTED"
+                                     : mark.judged->governing.feasible() ? "meets every rule"
+                                                                         : "VIOLATES the rules");
   if (!mark.of_this_model) text += "; its model differs by more than the two numbers";
   text += "\n";
   for (const std::string& words : verdict_words(map, mark)) text += "      " + words + "\n";
@@ -85,7 +86,7 @@ std::string map_text(const study::DesignMap& map) {
                     reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)), reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
-  return text + "  " + map.report.words() + "\n";
+  return text + "  " + map.report.summary() + "\n";
 }
 
 }  // namespace trivet::results

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/results/shown_apart.h"
+#include "trivet/results/distinct_texts.h"
 
 namespace trivet::results {
 namespace {
@@ -32,14 +32,14 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
-    if (rule.kind != design::DesignRule::Kind::amplitude || design::keeps_limit(value, rule.allowed)) continue;
+    if (rule.kind != design::DesignRule::Kind::amplitude || design::meets_limit(value, rule.allowed)) continue;
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
       words.push_back(
           fmt::format("{} is unbounded {}, allowed {:.4g} {}", rule.answer, where, rule.allowed, rule.unit));
       continue;
     }
-    const auto [reached, allowed] = shown_apart(value, rule.allowed, 4);
+    const auto [reached, allowed] = distinct_texts(value, rule.allowed, 4);
     words.push_back(fmt::format("{} reaches {} {} {}, allowed {}", rule.answer, reached, rule.unit, where, allowed));
   }
   const design::DesignRule no_peak{design::DesignRule::Kind::no_peak, 0, map.request.peak_tolerance};
@@ -60,7 +60,7 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
       }
       if (!list.empty()) words.push_back(fmt::format("{} {} at {}", name, peak_words(counted, tallest), list));
     }
-  if (judged.governing.kept())
+  if (judged.governing.feasible())
     words.push_back(
         std::isinf(judged.governing.margin)
             ? "no rule limits it"

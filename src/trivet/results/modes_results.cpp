@@ -103,8 +103,8 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
   TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
   for (const modal::Mode& mode : answers.modes.list) {
     const double omega = mode.angular_frequency.value_or(nothing);
-    table.add({std::to_string(mode.number), shown(omega, 9), shown(omega / two_pi, 7),
-               shown(mode.eigenvalue_squared, 9), strain_words(variant, mode),
+    table.add({std::to_string(mode.number), number_text(omega, 9), number_text(omega / two_pi, 7),
+               number_text(mode.eigenvalue_squared, 9), strain_words(variant, mode),
                mode.name + (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : "")});
   }
   return "Undamped modes\n" + table.text();

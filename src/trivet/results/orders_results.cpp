@@ -111,8 +111,9 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"speed [rpm]", "order", "f [Hz]", "answer", "amplitude", "unit", "of its highest", "nearest mode"});
   for (std::size_t i = 0; i < std::min(most_rows, tall.size()); ++i) {
     const response::CriticalSpeed& c = tall[i];
-    table.add({shown(rpm(c.speed)), shown(c.order, 4), shown(hertz(c.angular_frequency)), run.overall[c.curve].name,
-               shown(c.amplitude), run.overall[c.curve].unit, percent(c.relative_height), mode_words(c.nearest_mode)});
+    table.add({number_text(rpm(c.speed)), number_text(c.order, 4), number_text(hertz(c.angular_frequency)),
+               run.overall[c.curve].name, number_text(c.amplitude), run.overall[c.curve].unit,
+               percent(c.relative_height), mode_words(c.nearest_mode)});
   }
   std::string text = "Critical speeds (peaks of single orders above 1 % of the highest peak of the same answer)\n" +
       (tall.empty() ? std::string("  none in the range\n") : table.text());
@@ -120,11 +121,12 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
     text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
   TextTable overall({"answer", "highest rms of all orders", "at [rpm]", "unit"});
   for (const response::Overall& o : run.overall)
-    overall.add({o.name, shown(o.highest_rms), shown(rpm(o.highest_rms_at)), o.unit});
+    overall.add({o.name, number_text(o.highest_rms), number_text(rpm(o.highest_rms_at)), o.unit});
   TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});
   for (const response::Interference& p : answers.find<study::OrdersResult>("orders")->campbell.points)
-    points.add({shown(rpm(p.speed)), shown(p.order, 4), shown(hertz(p.angular_frequency)), mode_words(p.mode),
-                p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
+    points.add({number_text(rpm(p.speed)), number_text(p.order, 4), number_text(hertz(p.angular_frequency)),
+                mode_words(p.mode), p.modal_force_share ? percent(*p.modal_force_share) : "–",
+                p.excited ? "yes" : "no"});
   return text + overall.text() +
       (answers.find<study::OrdersResult>("orders")->campbell.points.empty()
            ? ""

@@ -74,32 +74,33 @@ std::string peaks_table(const project::Case&, const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
   TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
   for (const response::Peak& peak : found.list)
-    table.add({found.curves[peak.curve].name, shown(peak.angular_frequency, 9), shown(peak.angular_frequency / two_pi),
-               shown(peak.amplitude, 9), found.curves[peak.curve].unit,
-               shown(peak.ratio_to_static.value_or(nothing), 4),
+    table.add({found.curves[peak.curve].name, number_text(peak.angular_frequency, 9),
+               number_text(peak.angular_frequency / two_pi), number_text(peak.amplitude, 9),
+               found.curves[peak.curve].unit, number_text(peak.ratio_to_static.value_or(nothing), 4),
                std::isinf(response::relative_prominence(peak))
                    ? "∞"
                    : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)),
                peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
-  std::string text =
-      (std::isfinite(found.searched_to) ? fmt::format("Resonance peaks up to {} rad/s\n", shown(found.searched_to, 4))
-                                        : std::string("Resonance peaks, 0 < ω < ∞\n")) +
+  std::string text = (std::isfinite(found.searched_to)
+                          ? fmt::format("Resonance peaks up to {} rad/s\n", number_text(found.searched_to, 4))
+                          : std::string("Resonance peaks, 0 < ω < ∞\n")) +
       (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
     if (curve.vanishes) text += fmt::format("  {}: zero except for round-off\n", curve.name);
     else if (curve.peaks == 0)
       text += fmt::format(
           "  {}: no resonance peak (prominence above {:g} of its maximum); the maximum is {} {} at ω = {} rad/s\n",
-          curve.name, answers.peaks->min_prominence, shown(curve.highest), curve.unit, shown(curve.highest_at));
+          curve.name, answers.peaks->min_prominence, number_text(curve.highest), curve.unit,
+          number_text(curve.highest_at));
   }
   if (std::isfinite(found.searched_to))
     text += fmt::format(
         "  searched from ω = {} to {} rad/s: with frequency-dependent elements or delays there is no last resonance; a "
         "`response.band` with a higher end extends the search, up to the end of the tables\n",
-        shown(found.searched_from, 3), shown(found.searched_to, 4));
+        number_text(found.searched_from, 3), number_text(found.searched_to, 4));
   else if (found.searched_from > 0)
     text += fmt::format("  searched from ω = {} rad/s: below it the rigid-body mode dominates\n",
-                        shown(found.searched_from, 3));
+                        number_text(found.searched_from, 3));
   return text;
 }
 

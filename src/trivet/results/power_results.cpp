@@ -62,8 +62,8 @@ std::string power_text(const project::Case& variant, const study::Answers& answe
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double highest = without_round_off(power.maxCoeff(&at), most);
-    table.add({name, shown(highest),
-               highest == 0 ? "–" : shown(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
+    table.add({name, number_text(highest),
+               highest == 0 ? "–" : number_text(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
   };
   for (std::size_t m = 0; m < p.mounts.size(); ++m)
     add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());

@@ -22,7 +22,7 @@ std::string damping_words(const elements::Damping& damping) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
     return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");
   if (const auto* l = std::get_if<elements::LossFactor>(&damping)) return fmt::format("loss factor {:.6g}", l->value);
-  if (const auto* v = std::get_if<elements::Viscoelastic>(&damping)) return elements::words(*v);
+  if (const auto* v = std::get_if<elements::Viscoelastic>(&damping)) return elements::law_description(*v);
   return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
 }
 
@@ -144,7 +144,7 @@ Json case_json(const project::Case& variant, const study::Answers& answers, Read
                       {"in_band", json::number(limit.in_band)},
                       {"in_band_at", limit.in_band_at},
                       {"anywhere", json::number(limit.anywhere)},
-                      {"kept", limit.kept}});
+                      {"kept", limit.met}});
   Json result{{"name", answers.case_name},
               {"changes", answers.changes},
               {"warnings", json::warnings(answers.warnings)},

@@ -134,10 +134,10 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
   TextTable table(header);
   std::string reasons;
   for (const response::RandomAnswer& a : list) {
-    std::vector<std::string> row = {a.name, shown(bounded_number(a.rms, a.infinite_rms)),
-                                    shown(bounded_number(a.three_sigma, a.infinite_rms)), a.unit,
-                                    shown(a.zero_crossings.value_or(nothing), 4)};
-    if (weighted) row.push_back(shown(bounded_number(a.weighted_rms, a.infinite_weighted_rms)));
+    std::vector<std::string> row = {a.name, number_text(bounded_number(a.rms, a.infinite_rms)),
+                                    number_text(bounded_number(a.three_sigma, a.infinite_rms)), a.unit,
+                                    number_text(a.zero_crossings.value_or(nothing), 4)};
+    if (weighted) row.push_back(number_text(bounded_number(a.weighted_rms, a.infinite_weighted_rms)));
     for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i)
       row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
     table.add(row);
@@ -145,9 +145,9 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
   }
   for (const study::TotalValue& total : random.total_values)
     reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s², of {}\n", total.name,
-                           shown(total.value, 4), fmt::join(total.axes, ", "));
-  return fmt::format("Random response, {} to {} Hz\n", shown(hertz(random.response.from), 4),
-                     shown(hertz(random.response.to), 4)) +
+                           number_text(total.value, 4), fmt::join(total.axes, ", "));
+  return fmt::format("Random response, {} to {} Hz\n", number_text(hertz(random.response.from), 4),
+                     number_text(hertz(random.response.to), 4)) +
       table.text() + reasons + accuracy_text(random.response);
 }
 

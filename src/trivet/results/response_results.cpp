@@ -105,8 +105,8 @@ std::string limits_text(const study::Answers& answers) {
   if (answers.limits.empty()) return "";
   TextTable table({"limit on", "allowed", "largest in band", "at ω [rad/s]", "largest at any ω", "unit", "verdict"});
   for (const study::LimitAnswer& limit : answers.limits)
-    table.add({limit.name, shown(limit.limit), shown(limit.in_band), shown(limit.in_band_at), shown(limit.anywhere),
-               limit.unit, limit.kept ? "met" : "EXCEEDED"});
+    table.add({limit.name, number_text(limit.limit), number_text(limit.in_band), number_text(limit.in_band_at),
+               number_text(limit.anywhere), limit.unit, limit.met ? "met" : "EXCEEDED"});
   return "Limits\n" + table.text();
 }
 
@@ -146,9 +146,9 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
   const std::size_t count = answer.curves.angular_frequency.size();
   const std::size_t step = (count + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < count; i += step) {
-    std::vector<std::string> row = {shown(answer.curves.angular_frequency[i])};
+    std::vector<std::string> row = {number_text(answer.curves.angular_frequency[i])};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
-      row.push_back(shown(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
+      row.push_back(number_text(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
       const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / foundation::two_pi;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
@@ -167,7 +167,7 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
         "{:.1e} at the tested frequencies\n",
         answer.curves.solves, answer.curves.interpolation_error);
   for (const double omega : answer.curves.check.undefined_at)
-    text += fmt::format("  ω = {} rad/s: no steady state exists (shown as –); {}\n", shown(omega, 9),
+    text += fmt::format("  ω = {} rad/s: no steady state exists (shown as –); {}\n", number_text(omega, 9),
                         omega > 0 ? "it is an undamped resonance"
                                   : "a body is free to move, or the motion of the ground is given by its velocity or "
                                     "acceleration and unbounded");

@@ -50,7 +50,7 @@ fs::path absolute_target(const fs::path& given) {
 /// replace the folder
 ResultManifest earlier_result(const foundation::FolderHandle& folder, const fs::path& target) {
   if (!folder.is_open()) refuse(target, fmt::format("cannot be read ({})", std::strerror(errno)));
-  if (const auto manifest = ResultManifest::of(folder)) return *manifest;
+  if (const auto manifest = ResultManifest::read(folder)) return *manifest;
   const std::vector<std::string> names = folder.names();
   if (std::all_of(names.begin(), names.end(),
                   [](const std::string& name) { return name.starts_with(foundation::temporary_name_start); }))
@@ -127,17 +127,17 @@ void ResultFolder::check(const foundation::FolderHandle& parent, const std::vect
   const Kind kind = kind_at(parent, target_);
   if (kind == Kind::none) return;
   if (kind == Kind::link) refuse(target_, "is a symbolic link, which is neither followed nor replaced");
-  if (kind != Kind::folder) refuse(target_, fmt::format("is {}, not a folder", words(kind)));
+  if (kind != Kind::folder) refuse(target_, fmt::format("is {}, not a folder", kind_name(kind)));
   const foundation::FolderHandle current = parent.folder(target_.filename().string());
   const ResultManifest ours = earlier_result(current, target_);
   for (const char* name : {"results.json", "report.html", manifest_name}) {
     const Kind found = current.kind(name);
     if (found != Kind::none && (found != Kind::file || !ours.names(name)))
-      refuse(target_ / name, fmt::format("is {} not written by trivet, and its name is needed", words(found)));
+      refuse(target_ / name, fmt::format("is {} not written by trivet, and its name is needed", kind_name(found)));
   }
   for (const std::string& name : folders)
     if (const Kind found = current.kind(name); found != Kind::none && found != Kind::folder)
-      refuse(target_ / name, fmt::format("is {}, but the result needs a folder of this name", words(found)));
+      refuse(target_ / name, fmt::format("is {}, but the result needs a folder of this name", kind_name(found)));
   one_by_one_ = is_mount_point(current, parent);
 }
 
@@ -164,7 +164,7 @@ std::vector<std::string> ResultFolder::publish() {
   if (kind == Kind::none && renameat(temporary.descriptor(), new_result, parent.descriptor(), name.c_str()) != 0)
     throw std::runtime_error(fmt::format("cannot create {}: {}", target_.string(), std::strerror(errno)));
   if (kind != Kind::none) {
-    if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", words(kind)));
+    if (kind != Kind::folder) refuse(target_, fmt::format("has become {}", kind_name(kind)));
     const foundation::FolderHandle current = parent.folder(name);
     const ResultManifest ours = earlier_result(current, target_);
     const ResultExchange exchange{current, ours, working_, manifest_};

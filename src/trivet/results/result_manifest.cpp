@@ -25,7 +25,7 @@ bool stays_inside(const std::string& path) {
 
 }  // namespace
 
-std::optional<ResultManifest> ResultManifest::of(const foundation::FolderHandle& folder) {
+std::optional<ResultManifest> ResultManifest::read(const foundation::FolderHandle& folder) {
   const auto text = folder.content(manifest_name, largest_manifest);
   if (!text) return std::nullopt;
   const nlohmann::json json = nlohmann::json::parse(*text, nullptr, false);

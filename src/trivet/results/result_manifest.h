@@ -17,7 +17,7 @@ inline constexpr const char* manifest_name = "manifest.json";
 class ResultManifest {
  public:
   /// Manifest of a folder; empty if there is none or it cannot be read.
-  [[nodiscard]] static std::optional<ResultManifest> of(const foundation::FolderHandle& folder);
+  [[nodiscard]] static std::optional<ResultManifest> read(const foundation::FolderHandle& folder);
 
   /// @param path  "00-base/modes.csv", relative to the folder
   void add(const std::string& path, const std::string& content);

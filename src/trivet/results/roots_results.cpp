@@ -50,9 +50,10 @@ std::string roots_csv(const project::Case&, const study::Answers& answers) {
 std::string roots_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"Re λ [1/s]", "Im λ [rad/s]", "kind", "|λ| [rad/s]", "damping ratio", "nearest mode"});
   for (const modal::Root& root : answers.roots.list)
-    table.add({shown(root.eigenvalue.real(), 8), shown(root.eigenvalue.imag(), 8),
+    table.add({number_text(root.eigenvalue.real(), 8), number_text(root.eigenvalue.imag(), 8),
                std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"),
-               shown(root.angular_frequency.value_or(nothing), 8), shown(root.damping_ratio.value_or(nothing)),
+               number_text(root.angular_frequency.value_or(nothing), 8),
+               number_text(root.damping_ratio.value_or(nothing)),
                root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
   return "Damped roots λ, motion ~ exp(λt)\n" + table.text();
 }

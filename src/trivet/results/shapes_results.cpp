@@ -62,14 +62,14 @@ std::string shapes_text(const project::Case& variant, const study::Answers& answ
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
         std::vector<std::string> row = {p.name};
-        for (int j = 0; j < 3; ++j) row.push_back(shown(std::abs(p.motion(j))));
+        for (int j = 0; j < 3; ++j) row.push_back(number_text(std::abs(p.motion(j))));
         for (int j = 0; j < 3; ++j)
           row.push_back(
               std::abs(p.motion(j)) > 0 ? fmt::format("{:.1f}°", std::arg(p.motion(j)) * 180 / std::numbers::pi) : "–");
         table.add(row);
       }
     text += fmt::format("Operating deflection shape at {} Hz, largest excursion {} m\n",
-                        shown(hertz(shape.angular_frequency)), shown(shape.largest_excursion)) +
+                        number_text(hertz(shape.angular_frequency)), number_text(shape.largest_excursion)) +
         table.text();
   }
   return text;

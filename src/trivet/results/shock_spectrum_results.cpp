@@ -63,8 +63,8 @@ std::string shock_spectrum_text(const project::Case&, const study::Answers& answ
     const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
     for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
       const excitation::ShockResponse& r = spectrum.spectrum[i];
-      table.add({shown(hertz(r.angular_frequency), 5), shown(r.largest()), shown(r.smallest()),
-                 shown(r.pseudo_velocity()), shown(r.relative_displacement)});
+      table.add({number_text(hertz(r.angular_frequency), 5), number_text(r.largest()), number_text(r.smallest()),
+                 number_text(r.pseudo_velocity()), number_text(r.relative_displacement)});
     }
     text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n",
                         spectrum.excitation, spectrum.damping_ratio) +

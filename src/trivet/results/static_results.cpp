@@ -53,15 +53,15 @@ std::string load_sharing_csv(const project::Case&, const study::Answers& answers
 std::string load_sharing_text(const study::Answers& answers) {
   TextTable table({"mount", "load [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
   for (const response::MountLoad& m : answers.load_sharing->mounts)
-    table.add({m.element, shown(m.bearing), percent(m.share), shown(m.deflection(0), 4), shown(m.deflection(1), 4),
-               shown(m.deflection(2), 4)});
+    table.add({m.element, number_text(m.bearing), percent(m.share), number_text(m.deflection(0), 4),
+               number_text(m.deflection(1), 4), number_text(m.deflection(2), 4)});
   return "Load sharing (deflection of end K relative to N in the element's axes)\n" + table.text();
 }
 
 std::string static_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"result", "value", "unit"});
   for (const response::StaticValue& value : answers.statics->values)
-    table.add({value.name, shown(value.value, 9), value.unit});
+    table.add({value.name, number_text(value.value, 9), value.unit});
   return "Static displacements and forces\n" + table.text() +
       (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }

@@ -13,7 +13,7 @@ using json::Json;
 
 Json elastic_json(const modal::BodySuspension& body) {
   if (!body.elastic) return nullptr;
-  const elements::Character& c = *body.elastic;
+  const elements::StiffnessProperties& c = *body.elastic;
   return {{"center", json::list(c.elastic_centre)},
           {"center_is_unique", c.centre_is_unique},
           {"distance_to_center_of_mass", json::number(body.centre_distance)},

@@ -38,7 +38,7 @@ std::string line(const std::vector<std::string>& row, std::size_t first, std::si
 
 }  // namespace
 
-std::string shown(double value, int digits) {
+std::string number_text(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value > 0 ? "∞" : "-∞";
   return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits);

@@ -25,7 +25,7 @@ class TextTable {
 };
 
 /// A number with six significant digits, or a dash for NaN.
-[[nodiscard]] std::string shown(double value, int digits = 6);
+[[nodiscard]] std::string number_text(double value, int digits = 6);
 
 /// A cell without a number.
 inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();

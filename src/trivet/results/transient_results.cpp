@@ -48,12 +48,12 @@ std::string transient_text(const project::Case& variant, const study::Answers& a
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
   for (const response::TimeCurve& c : found.curves)
-    table.add({c.name, shown(c.largest.value), shown(c.largest.time, 5), shown(c.smallest.value),
-               shown(c.smallest.time, 5), shown(c.rms), c.unit});
+    table.add({c.name, number_text(c.largest.value), number_text(c.largest.time, 5), number_text(c.smallest.value),
+               number_text(c.smallest.time, 5), number_text(c.rms), c.unit});
   const Eigen::Index n = found.time.size();
   return excited_at_once(variant, "transient") +
-      fmt::format("Motion in time, {} to {} s in {} points\n", shown(found.time(0), 4), shown(found.time(n - 1), 4),
-                  n) +
+      fmt::format("Motion in time, {} to {} s in {} points\n", number_text(found.time(0), 4),
+                  number_text(found.time(n - 1), 4), n) +
       table.text();
 }
 

@@ -70,11 +70,12 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
     const response::CurveSummary& summary = t.peaks.curves[i];
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
-    table.add({summary.name, shown(summary.highest), shown(hertz(summary.highest_at), 5),
-               shown(response::transmissibility_level(summary.highest), 4),
-               t.crossovers[i].angular_frequency && !t.is_share(i) ? shown(hertz(*t.crossovers[i].angular_frequency), 5)
-                                                                   : "–",
-               shown(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
+    table.add({summary.name, number_text(summary.highest), number_text(hertz(summary.highest_at), 5),
+               number_text(response::transmissibility_level(summary.highest), 4),
+               t.crossovers[i].angular_frequency && !t.is_share(i)
+                   ? number_text(hertz(*t.crossovers[i].angular_frequency), 5)
+                   : "–",
+               number_text(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
   const std::string shares = t.is_share(1)
       ? "  the force of a single mount is only a share; isolation is that of the total force on the ground\n"

@@ -16,7 +16,7 @@ using foundation::Problems;
 
 constexpr double flat = 1e-7;  // binary coordinates: 6e-8 of the extent at best; volume ≤ flat·area·extent counts as 0
 constexpr double degenerate = 1e-12;  // area over squared longest edge
-constexpr std::size_t holes_told = 5;
+constexpr std::size_t most_listed_holes = 5;
 
 /// Sets of connected vertices.
 class Connected {
@@ -25,13 +25,13 @@ class Connected {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
   int root(int i) {
-    while (of(i) != i) i = of(i) = of(of(i));
+    while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  void join(int a, int b) { of(std::max(root(a), root(b))) = std::min(root(a), root(b)); }
+  void join(int a, int b) { parent(std::max(root(a), root(b))) = std::min(root(a), root(b)); }
 
  private:
-  int& of(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
   std::vector<int> parent_;
 };
 
@@ -89,7 +89,7 @@ void check_edges(const TriangleSurface& surface, Problems& problems) {
     (edge.up + edge.down == 2 ? turned : open).push_back(edge);
   }
   const auto holes = groups(surface, open);
-  for (std::size_t i = 0; i < std::min(holes.size(), holes_told); ++i)
+  for (std::size_t i = 0; i < std::min(holes.size(), most_listed_holes); ++i)
     problems.error("file",
                    fmt::format("hole {} of {}: {} open edges {} in the file's units", i + 1, holes.size(),
                                holes[i].size(), place(surface, holes[i])),

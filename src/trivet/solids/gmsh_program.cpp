@@ -21,7 +21,7 @@ namespace {
 using foundation::Problems;
 
 constexpr std::size_t step_header_bytes = 4096;  // blanks and comments may precede the first word of a STEP file
-constexpr std::size_t words_told = 300;
+constexpr std::size_t most_shown_characters = 300;
 constexpr const char* gmsh_time_limit = "TRIVET_GMSH_SECONDS";
 constexpr double longest_time = 604800;  // [s] a week
 
@@ -55,7 +55,7 @@ std::string complaints(const std::string& output) {
     else if (output[i] == '\n') text += ' ';
     else if (output[i] != '*' && !(output[i] == ' ' && text.ends_with(' '))) text += output[i];
   }
-  return text.size() > words_told ? "…" + text.substr(text.size() - words_told) : text;
+  return text.size() > most_shown_characters ? "…" + text.substr(text.size() - most_shown_characters) : text;
 }
 
 /// Writes the script, and a link to the STEP file so that the user's path never enters the script.

@@ -67,29 +67,29 @@ VolumeIntegrals symmetric(double volume, double xx, double yy, double zz) {
   return {volume, Eigen::Vector3d::Zero(), Eigen::Vector3d(xx, yy, zz).asDiagonal()};
 }
 
-VolumeIntegrals of(const Box& b) {
+VolumeIntegrals integrals_of(const Box& b) {
   const double v = b.length_x * b.length_y * b.length_z;
   return symmetric(v, v * b.length_x * b.length_x / 12, v * b.length_y * b.length_y / 12,
                    v * b.length_z * b.length_z / 12);
 }
 
-VolumeIntegrals of(const Tube& t) {
+VolumeIntegrals integrals_of(const Tube& t) {
   const double outer = t.outer_diameter / 2, inner = t.inner_diameter / 2;
   const double v = pi * (outer - inner) * (outer + inner) * t.length;
   const double across = v * (outer * outer + inner * inner) / 4;
   return symmetric(v, across, across, v * t.length * t.length / 12);
 }
 
-VolumeIntegrals of(const Cylinder& c) { return of(Tube{c.diameter, 0, c.length}); }
+VolumeIntegrals integrals_of(const Cylinder& c) { return integrals_of(Tube{c.diameter, 0, c.length}); }
 
-VolumeIntegrals of(const Sphere& s) {
+VolumeIntegrals integrals_of(const Sphere& s) {
   const double r = s.diameter / 2, v = 4 * pi / 3 * r * r * r;
   return symmetric(v, v * r * r / 5, v * r * r / 5, v * r * r / 5);
 }
 
 /// With r(z) = m + d·z/L over −L/2 … L/2, m the mean and d the difference of the end radii: V = π L (m² + d²/12),
 /// ∫z dV = π L² m d/6, ∫z² dV = π L³ (m²/12 + d²/80), ∫x² dV = π L (m⁴ + m²d²/2 + d⁴/80)/4.
-VolumeIntegrals of(const Cone& c) {
+VolumeIntegrals integrals_of(const Cone& c) {
   const double m = (c.start_diameter + c.end_diameter) / 4, d = (c.end_diameter - c.start_diameter) / 2, l = c.length;
   VolumeIntegrals cone;
   cone.volume = pi * l * (m * m + d * d / 12);
@@ -111,7 +111,7 @@ Problems problems(const Primitive& primitive) {
 VolumeIntegrals integrals(const Primitive& primitive) {
   const Problems found = problems(primitive);
   if (found.has_errors()) throw foundation::InvalidInput(message(found.list().front()));
-  return std::visit([](const auto& shape) { return of(shape); }, primitive);
+  return std::visit([](const auto& shape) { return integrals_of(shape); }, primitive);
 }
 
 }  // namespace trivet::solids

@@ -37,9 +37,9 @@ PrincipalInertia principal_inertia(const MassProperties& p) {
   return {eigen.values, eigen.vectors};
 }
 
-std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
-  std::vector<BrokenBound> broken;
-  if (!(p.mass > 0)) broken.push_back({fmt::format("mass = {:.6g} kg", p.mass), "a mass must be > 0"});
+std::vector<ViolatedBound> violated_bounds(const MassProperties& p) {
+  std::vector<ViolatedBound> violated;
+  if (!(p.mass > 0)) violated.push_back({fmt::format("mass = {:.6g} kg", p.mass), "a mass must be > 0"});
 
   const Eigen::Matrix3d about_pole = inertia_about_pole(p);
   const Eigen::Vector3d c = p.centre;
@@ -49,7 +49,7 @@ std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
   for (int i = 0; i < 3; ++i) {
     const double offset = p.mass * (c.squaredNorm() - c(i) * c(i));
     if (about_pole(i, i) < offset - rounding)
-      broken.push_back(
+      violated.push_back(
           {fmt::format("J{0} = {1:.6g} kg m² about the pole, {2:.6g} kg m² about the centre of mass", axis[i],
                        about_pole(i, i), p.inertia_about_centre(i, i)),
            fmt::format("J{0} about the pole cannot be below {1:.6g} kg m², the mass times the squared distance of the "
@@ -62,18 +62,18 @@ std::vector<BrokenBound> broken_bounds(const MassProperties& p) {
   if (moments(0) <= rounding) {
     const Vector6 mass = numerics::symmetric_eigenvalues(mass_matrix(p));
     const auto negative = (mass.array() < 0).count();
-    broken.push_back(
+    violated.push_back(
         {found,
          fmt::format("all three must be > 0, otherwise some motion has negative kinetic energy (the 6×6 mass "
                      "matrix has {} positive and {} negative eigenvalues, the lowest {:.6g})",
                      6 - negative, negative, mass(0))});
   }
   if (moments(0) + moments(1) < moments(2) - rounding)
-    broken.push_back(
+    violated.push_back(
         {found,
          fmt::format("no moment may exceed the sum of the other two (triangle inequality); it does by {:.6g} kg m²",
                      moments(2) - moments(0) - moments(1))});
-  return broken;
+  return violated;
 }
 
 }  // namespace trivet::spatial

@@ -34,7 +34,7 @@ struct PrincipalInertia {
 [[nodiscard]] PrincipalInertia principal_inertia(const MassProperties& properties);
 
 /// One violated bound of real bodies.
-struct BrokenBound {
+struct ViolatedBound {
   std::string finding;
   std::string rule;
 };
@@ -42,6 +42,6 @@ struct BrokenBound {
 /// Bounds of a real body that these numbers violate: m > 0, positive definite J_C, triangle inequality of its principal
 /// moments, each with its amount. Tolerance for rounding: 64 ε of the inertia about the pole, from which J_C is
 /// computed as a difference.
-[[nodiscard]] std::vector<BrokenBound> broken_bounds(const MassProperties& properties);
+[[nodiscard]] std::vector<ViolatedBound> violated_bounds(const MassProperties& properties);
 
 }  // namespace trivet::spatial

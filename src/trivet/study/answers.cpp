@@ -30,17 +30,18 @@ bool is_driven(const model::System& system) {
 }
 
 /// Channels and load of a question about harmonic forces.
-struct Loaded {
+struct DrivenChannels {
   std::vector<assembly::Channel> channels;
   assembly::Loading load;
 };
 
-Loaded loaded(const model::System& system, const assembly::Assembled& assembled, const project::Wanted& wanted) {
+DrivenChannels driven_channels(const model::System& system, const assembly::Assembled& assembled,
+                               const project::AnswerSelection& selection) {
   if (!is_driven(system))
     throw foundation::NotComputable(
         "response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
-  return {assembly::channels(system, assembled, wanted.of, wanted.quantity),
-          assembly::harmonic_loading(system, assembled, wanted.excitations)};
+  return {assembly::channels(system, assembled, selection.of, selection.quantity),
+          assembly::harmonic_loading(system, assembled, selection.excitations)};
 }
 
 double lowest_defined(const assembly::Assembled& assembled) {
@@ -49,7 +50,7 @@ double lowest_defined(const assembly::Assembled& assembled) {
   return lowest;
 }
 
-std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const Loaded& asked,
+std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const DrivenChannels& driven,
                                     const response::FrequencyResponse& response, const modal::Roots& roots,
                                     const response::Peaks& peaks, bool continuous,
                                     const foundation::Progress& progress) {
@@ -62,7 +63,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   // Whole turns are counted from ω = 0 along a grid fine enough to miss none, for any requested points.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  const response::CurveModel model = response::curve_model(assembled, asked.channels, asked.load, roots.poles, peaks,
+  const response::CurveModel model = response::curve_model(assembled, driven.channels, driven.load, roots.poles, peaks,
                                                            {lowest_defined(assembled), top}, {}, progress);
   std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
@@ -86,7 +87,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
 }
 
 /// At most `most` of the numbers, first and last included.
-std::vector<double> spread(const std::vector<double>& all, int most) {
+std::vector<double> subsample(const std::vector<double>& all, int most) {
   const std::size_t count = std::min(all.size(), static_cast<std::size_t>(most));
   if (count < 2) return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
   std::vector<double> some;
@@ -105,10 +106,10 @@ class CaseStudy {
 
   /// Warns of excitations without effect: a force along a guide, an unbalance that turns about the only free direction
   /// …
-  void note_idle(const project::Analyses& analyses, foundation::Problems& warnings) const {
+  void warn_of_vanishing_load(const project::Analyses& analyses, foundation::Problems& warnings) const {
     for (const std::vector<std::string>* selected :
-         {analyses.response ? &analyses.response->wanted.excitations : nullptr,
-          analyses.peaks ? &analyses.peaks->wanted.excitations : nullptr,
+         {analyses.response ? &analyses.response->selection.excitations : nullptr,
+          analyses.peaks ? &analyses.peaks->selection.excitations : nullptr,
           analyses.map ? &analyses.map->excitations : nullptr})
       if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
         warnings.warning("excitations", "they act on no free coordinate", "all answers are 0",
@@ -130,12 +131,12 @@ class CaseStudy {
     result.warnings.add(modes_.warnings);
     result.warnings.add(roots_.warnings);
     if (analyses.roots) result.warnings.add(roots_.remarks);
-    note_relaxation(result.warnings);
-    note_stiffening(analyses, result.warnings);
-    note_guides(analyses, result.warnings);
-    note_guided_questions(analyses, result.warnings);
-    note_idle(analyses, result.warnings);
-    note_missing_mass(result.warnings);
+    warn_of_frequency_dependence(result.warnings);
+    warn_of_stiffening(analyses, result.warnings);
+    warn_of_guide_forces(analyses, result.warnings);
+    warn_of_guided_motions(analyses, result.warnings);
+    warn_of_vanishing_load(analyses, result.warnings);
+    warn_of_massless_springs(result.warnings);
     const auto refuse = [&](const std::exception& reason) {
       result.failures.emplace_back(reason.what());
       result.warnings.warning(reason.what(), "not computed", "", "");
@@ -154,14 +155,14 @@ class CaseStudy {
         refuse(reason);
       }
     };
-    if (analyses.peaks) attempt([&] { result.peaks = peaks_asked(*analyses.peaks); });
+    if (analyses.peaks) attempt([&] { result.peaks = peaks_answer(*analyses.peaks); });
     if (analyses.response) attempt([&] { result.response = response_of(*analyses.response); });
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
         result.statics = response::static_response(
             system_, assembled_,
-            assembly::channels(system_, assembled_, *analyses.static_of, assembly::Quantity::displacement));
+            assembly::channels(system_, assembled_, *analyses.static_of, assembly::MotionQuantity::displacement));
       });
     answer_questions(analyses, attempt_question, result);
     return result;
@@ -186,22 +187,22 @@ class CaseStudy {
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] {
         result.limit_lines =
-            limit_line_answer(c, analyses.limit_lines, analyses.response->wanted, result.response->band);
+            limit_line_answer(c, analyses.limit_lines, analyses.response->selection, result.response->band);
       });
   }
 
   /// Warns that totals on the ground are forces of elements, without the forces that guides carry.
-  void note_guides(const project::Analyses& analyses, foundation::Problems& warnings) const {
+  void warn_of_guide_forces(const project::Analyses& analyses, foundation::Problems& warnings) const {
     std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
     if (analyses.response)
-      of.insert(of.end(), analyses.response->wanted.of.begin(), analyses.response->wanted.of.end());
-    if (analyses.peaks) of.insert(of.end(), analyses.peaks->wanted.of.begin(), analyses.peaks->wanted.of.end());
+      of.insert(of.end(), analyses.response->selection.of.begin(), analyses.response->selection.of.end());
+    if (analyses.peaks) of.insert(of.end(), analyses.peaks->selection.of.begin(), analyses.peaks->selection.of.end());
     if (analyses.map) {
       of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
       for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
     }
     for (const auto& [name, question] : analyses.questions)
-      of.insert(of.end(), question->wanted.of.begin(), question->wanted.of.end());
+      of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());
     if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
     for (const model::Body& body : system_.bodies())
       if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
@@ -211,7 +212,7 @@ class CaseStudy {
   }
 
   /// Warns of ground motions implied by a question that the guides of a body do not follow.
-  void note_guided_questions(const project::Analyses& analyses, foundation::Problems& warnings) const {
+  void warn_of_guided_motions(const project::Analyses& analyses, foundation::Problems& warnings) const {
     const auto warn = [&](const char* question, const response::Direction& direction) {
       model::Action::Amplitude motion = model::Action::Amplitude::Zero();
       (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
@@ -227,7 +228,7 @@ class CaseStudy {
   }
 
   /// Warns of frequency-dependent elements: undamped modes use one stiffness, the static one.
-  void note_relaxation(foundation::Problems& warnings) const {
+  void warn_of_frequency_dependence(foundation::Problems& warnings) const {
     constexpr double noticeable = 0.2;
     for (const model::Element& element : system_.elements()) {
       if (element.is_foundation && element.law.frequency_dependence)
@@ -254,7 +255,7 @@ class CaseStudy {
   }
 
   /// Warns that static answers also use one stiffness, the dynamic one.
-  void note_stiffening(const project::Analyses& analyses, foundation::Problems& warnings) const {
+  void warn_of_stiffening(const project::Analyses& analyses, foundation::Problems& warnings) const {
     if (!analyses.static_of) return;
     for (const model::Element& element : system_.elements())
       if (element.stiffening != 1)
@@ -264,7 +265,7 @@ class CaseStudy {
   }
 
   /// Warns of massless springs: they are valid only well below their own first natural frequency.
-  void note_missing_mass(foundation::Problems& warnings) const {
+  void warn_of_massless_springs(foundation::Problems& warnings) const {
     constexpr double safe = 0.3;
     double top = search_to_;
     for (const modal::Mode& mode : modes_.list) top = std::max(top, mode.angular_frequency.value_or(0));
@@ -282,32 +283,32 @@ class CaseStudy {
 
   /// Peaks of a set of curves. The automatic grid, the peaks and the limits use the same curves: each set is searched
   /// once.
-  const response::Peaks& peaks_of(const project::Wanted& wanted,
+  const response::Peaks& peaks_of(const project::AnswerSelection& selection,
                                   double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
-      if (earlier.wanted == wanted && earlier.min_prominence == min_prominence) return earlier.peaks;
-    const Loaded asked = loaded(system_, assembled_, wanted);
-    searched_.push_back({wanted, min_prominence,
-                         response::peaks(assembled_, asked.channels, asked.load, modes_, roots_,
+      if (earlier.selection == selection && earlier.min_prominence == min_prominence) return earlier.peaks;
+    const DrivenChannels driven = driven_channels(system_, assembled_, selection);
+    searched_.push_back({selection, min_prominence,
+                         response::peaks(assembled_, driven.channels, driven.load, modes_, roots_,
                                          {min_prominence, search_to_}, progress_)});
     return searched_.back().peaks;
   }
 
-  PeaksAnswer peaks_asked(const project::PeaksRequest& request) {
-    PeaksAnswer result{peaks_of(request.wanted, request.min_prominence), request.min_prominence,
+  PeaksAnswer peaks_answer(const project::PeaksRequest& request) {
+    PeaksAnswer result{peaks_of(request.selection, request.min_prominence), request.min_prominence,
                        request.peak_tolerance};
-    const Loaded asked = loaded(system_, assembled_, request.wanted);
-    response::set_nearest_modes(assembled_, asked.channels, asked.load, modes_, result.peaks);
+    const DrivenChannels driven = driven_channels(system_, assembled_, request.selection);
+    response::set_nearest_modes(assembled_, driven.channels, driven.load, modes_, result.peaks);
     return result;
   }
 
   ResponseAnswer response_of(const project::ResponseRequest& request) {
-    const Loaded asked = loaded(system_, assembled_, request.wanted);
+    const DrivenChannels driven = driven_channels(system_, assembled_, request.selection);
     ResponseAnswer result;
-    result.quantity = request.wanted.quantity;
+    result.quantity = request.selection.quantity;
     const bool needs_peaks =
         request.continuous_phase || (request.at.empty() && request.spacing == response::Spacing::automatic);
-    const response::Peaks peaks = needs_peaks ? peaks_of(request.wanted) : response::Peaks{};
+    const response::Peaks peaks = needs_peaks ? peaks_of(request.selection) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
       result.band = request.band ? *request.band : default_band(context());
@@ -316,7 +317,7 @@ class CaseStudy {
             "response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic) {
-        result.model = response::curve_model(assembled_, asked.channels, asked.load, roots_.poles, peaks, result.band,
+        result.model = response::curve_model(assembled_, driven.channels, driven.load, roots_.poles, peaks, result.band,
                                              {}, progress_);
         result.extrema = response::extrema(peaks, result.band);
         grid = response::drawing_grid(*result.model, peaks);
@@ -332,16 +333,16 @@ class CaseStudy {
     // With constant matrices solving costs less than evaluating the curve model; with exact springs or tables it costs
     // more.
     result.curves = result.model && assembled_.frequency_dependent()
-        ? response::interpolated(*result.model, asked.channels, peaks, grid)
-        : response::frequency_response(assembled_, asked.channels, asked.load, grid);
+        ? response::interpolated(*result.model, driven.channels, peaks, grid)
+        : response::frequency_response(assembled_, driven.channels, driven.load, grid);
     result.continuous_phase = request.continuous_phase;
-    result.phase = phases(assembled_, asked, result.curves, roots_, peaks, request.continuous_phase, progress_);
+    result.phase = phases(assembled_, driven, result.curves, roots_, peaks, request.continuous_phase, progress_);
     foundation::report_progress(progress_, "check by a second solver", 0.8);
     const int checked = project::deep_check_frequencies(assembled_.matrices.A.rows());
     const std::vector<double> samples = request.at.empty()
         ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
-        : spread(grid, checked);
-    result.deep = response::deep_check(system_, assembled_, asked.load, samples, request.wanted.excitations);
+        : subsample(grid, checked);
+    result.deep = response::deep_check(system_, assembled_, driven.load, samples, request.selection.excitations);
     return result;
   }
 
@@ -349,43 +350,44 @@ class CaseStudy {
     std::vector<LimitAnswer> result;
     response_ = &response;
     for (const project::Limit& limit : analyses.limits) {
-      project::Wanted wanted = analyses.response->wanted;
+      project::AnswerSelection selection = analyses.response->selection;
       const auto& curves = response.curves.curves;
       const bool among_curves =
           std::any_of(curves.begin(), curves.end(), [&](const response::Curve& c) { return c.name == limit.name; });
-      if (!among_curves) wanted.of = {limit.name};
-      result.push_back(judged(limit, wanted, response.band));
+      if (!among_curves) selection.of = {limit.name};
+      result.push_back(limit_answer(limit, selection, response.band));
     }
     return result;
   }
 
   /// Is the amplitude unbounded as ω → 0 (an absolute motion under a ground given by its acceleration)? The search for
   /// peaks begins above 0 and does not show it.
-  bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const Loaded& asked) const {
+  bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const DrivenChannels& driven) const {
     constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // a curve ∝ ω⁻¹ grows by 4
     const response::CurveSummary& summary = found.curves[curve];
     const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(),
                                          [](const assembly::ElementMap& map) { return map.defined_from > 0; });
     if (from_tables) return false;  // unknown below the tables
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
-    const auto still =
-        response::frequency_response(assembled_, asked.channels, asked.load, {nearer * found.searched_from});
-    return std::abs(still.curves[curve].value(0)) > growth * summary.highest;
+    const auto near_rest =
+        response::frequency_response(assembled_, driven.channels, driven.load, {nearer * found.searched_from});
+    return std::abs(near_rest.curves[curve].value(0)) > growth * summary.highest;
   }
 
   /// Compares a limit with the largest amplitude of its curve in a band: at an end of the band or at a peak inside it.
-  LimitAnswer judged(const project::Limit& limit, const project::Wanted& wanted, const response::Band& band) {
-    const response::Peaks& found = peaks_of(wanted);
+  LimitAnswer limit_answer(const project::Limit& limit, const project::AnswerSelection& selection,
+                           const response::Band& band) {
+    const response::Peaks& found = peaks_of(selection);
     const auto curve =
         static_cast<std::size_t>(std::find_if(found.curves.begin(), found.curves.end(),
                                               [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
                                  found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest,
                        true};
-    const Loaded asked = loaded(system_, assembled_, wanted);
-    if (grows_toward_rest(found, curve, asked)) answer.anywhere = std::numeric_limits<double>::infinity();
+    const DrivenChannels driven = driven_channels(system_, assembled_, selection);
+    if (grows_toward_rest(found, curve, driven)) answer.anywhere = std::numeric_limits<double>::infinity();
     const design::LargestAmplitude largest =
-        design::largest_in_band(assembled_, asked.channels, asked.load, found, curve, band);
+        design::largest_in_band(assembled_, driven.channels, driven.load, found, curve, band);
     answer.in_band = largest.amplitude;
     answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
@@ -393,7 +395,7 @@ class CaseStudy {
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
           if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
             answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
-    answer.kept = design::keeps_limit(answer.in_band, answer.limit);
+    answer.met = design::meets_limit(answer.in_band, answer.limit);
     return answer;
   }
 
@@ -404,7 +406,7 @@ class CaseStudy {
   modal::Roots roots_;
 
   struct Searched {
-    project::Wanted wanted;
+    project::AnswerSelection selection;
     double min_prominence;
     response::Peaks peaks;
   };

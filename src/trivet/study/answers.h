@@ -27,7 +27,7 @@ struct ResponseAnswer {
   std::vector<Eigen::VectorXd> phase;  ///< per curve [rad]
   response::DeepCheck deep;
   response::Band band;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   /// Without given frequencies: a model of the curves between those of the table, their extrema, and whether phases are
   /// continuous.
   std::optional<response::CurveModel> model;
@@ -49,7 +49,7 @@ struct LimitAnswer {
   double in_band = 0;
   double in_band_at = 0;  ///< [rad/s]
   double anywhere = 0;
-  bool kept = true;  ///< in_band ≤ limit, see response::on_the_limit
+  bool met = true;  ///< in_band ≤ limit, see response::on_the_limit
 };
 
 struct LimitLineResult {

@@ -50,7 +50,8 @@ Analyses peaks_of(const Case& variant) {
   require_excitation("peaks", variant);
   const Analyses& file = variant.analyses;
   Analyses asked;
-  asked.peaks = file.peaks.value_or(project::PeaksRequest{file.response ? file.response->wanted : project::Wanted{}});
+  asked.peaks =
+      file.peaks.value_or(project::PeaksRequest{file.response ? file.response->selection : project::AnswerSelection{}});
   return asked;
 }
 

@@ -27,8 +27,8 @@ bool selected(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::Wanted& wanted) {
-  return assembly::channels(c.system, c.assembled, wanted.of, wanted.quantity);
+std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::AnswerSelection& selection) {
+  return assembly::channels(c.system, c.assembled, selection.of, selection.quantity);
 }
 
 std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::Channel>& channels,

@@ -21,7 +21,8 @@ struct CaseContext {
 /// Is an excitation of this name selected? An empty list selects all.
 [[nodiscard]] bool selected(const std::vector<std::string>& names, const std::string& name);
 
-[[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context, const project::Wanted& wanted);
+[[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context,
+                                                         const project::AnswerSelection& selection);
 
 /// Frequencies in a band that resolve the curves and their peaks.
 [[nodiscard]] std::vector<double> grid_over(const CaseContext& context, const std::vector<assembly::Channel>& channels,
@@ -35,6 +36,7 @@ void require_rigid_ground(const CaseContext& context, const std::string& questio
 /// @throws foundation::NotComputable with the reason if there is no answer
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
                                                              const std::vector<project::LimitLineRequest>& requests,
-                                                             const project::Wanted& wanted, const response::Band& band);
+                                                             const project::AnswerSelection& selection,
+                                                             const response::Band& band);
 
 }  // namespace trivet::study

@@ -30,9 +30,9 @@ void count(DesignMap& map) {
       ++map.unknown;
       continue;
     }
-    map.kept += outcome.kept();
+    map.feasible_designs += outcome.feasible();
     if (std::isfinite(outcome.margin))
-      ++(outcome.kept() ? map.shares[outcome.governing].kept : map.shares[outcome.governing].broken);
+      ++(outcome.feasible() ? map.shares[outcome.governing].feasible : map.shares[outcome.governing].infeasible);
   }
   if (const auto best = design::best_design(map.drawn, map.outcomes)) {
     map.best = best->design;
@@ -68,8 +68,8 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
     throw foundation::NotComputable(
         fmt::format("map: none of the {} designs could be computed; the first: {}", map.outcomes.size(),
                     map.report.missing.empty() ? "no reason was given" : map.report.missing.front().words));
-  const std::function<bool(std::size_t)> kept = [&](std::size_t k) { return map.outcomes[k].kept(); };
-  const std::vector<design::CrossedEdge> edges = design::crossed_edges(map.grid, kept);
+  const std::function<bool(std::size_t)> feasible = [&](std::size_t k) { return map.outcomes[k].feasible(); };
+  const std::vector<design::CrossedEdge> edges = design::crossed_edges(map.grid, feasible);
   const design::JudgePlaces judge = [&](const std::vector<design::MapPlace>& places,
                                         const foundation::Progress& of_boundary) {
     return evaluation.evaluate(
@@ -83,8 +83,8 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
       sum += design::boundary_level(map.outcomes[k]);
     return sum >= 0;
   };
-  map.passages = design::band_passages(map.grid, map.outcomes, judge, progress);
-  map.feasible = design::contours(map.grid, kept, edges, crossing, connected);
+  map.band_crossings = design::band_crossings(map.grid, map.outcomes, judge, progress);
+  map.feasible = design::contours(map.grid, feasible, edges, crossing, connected);
   map.boundary_tolerance = design::boundary_tolerance;
   if (map.best)
     map.margin_lines =

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/design/band_passages.h"
+#include "trivet/design/band_crossings.h"
 #include "trivet/design/design_outcome.h"
 #include "trivet/design/drawn_grid.h"
 #include "trivet/design/margin_lines.h"
@@ -16,8 +16,8 @@ namespace trivet::study {
 
 /// Numbers of designs that one rule governs.
 struct RuleShare {
-  std::size_t kept = 0;    ///< feasible designs with the least margin from this rule
-  std::size_t broken = 0;  ///< the same for infeasible designs
+  std::size_t feasible = 0;    ///< feasible designs with the least margin from this rule
+  std::size_t infeasible = 0;  ///< the same for infeasible designs
 };
 
 struct DesignMap {
@@ -25,18 +25,18 @@ struct DesignMap {
   project::MapRequest request;
   design::MapGrid grid;
   std::vector<design::MapRule> rules;
-  std::vector<design::DesignOutcome> outcomes;   ///< at the nodes, row by row
-  std::vector<RuleShare> shares;                 ///< per rule
-  std::size_t kept = 0, unknown = 0;             ///< numbers of designs
-  design::MapContours feasible;                  ///< margin ≥ 1, crossings searched on the exact peaks
-  double boundary_tolerance = 0;                 ///< of the crossings, as a share of each axis
-  design::DrawnGrid drawn;                       ///< the designs that pictures show
-  std::vector<design::MarginLine> margin_lines;  ///< straight between drawn designs
-  std::optional<std::size_t> best;               ///< see best_design
-  std::size_t without_bound = 0;                 ///< number of designs that no rule limits
-  std::size_t equals = 0;                        ///< number of designs as good as the best
-  std::size_t steep = 0;                         ///< see steep_neighbours
-  design::BandPassages passages;                 ///< infeasible designs between feasible ones
+  std::vector<design::DesignOutcome> outcomes;    ///< at the nodes, row by row
+  std::vector<RuleShare> shares;                  ///< per rule
+  std::size_t feasible_designs = 0, unknown = 0;  ///< numbers of designs
+  design::MapContours feasible;                   ///< margin ≥ 1, crossings searched on the exact peaks
+  double boundary_tolerance = 0;                  ///< of the crossings, as a share of each axis
+  design::DrawnGrid drawn;                        ///< the designs that pictures show
+  std::vector<design::MarginLine> margin_lines;   ///< straight between drawn designs
+  std::optional<std::size_t> best;                ///< see best_design
+  std::size_t without_bound = 0;                  ///< number of designs that no rule limits
+  std::size_t equals = 0;                         ///< number of designs as good as the best
+  std::size_t steep = 0;                          ///< see steep_neighbours
+  design::BandCrossings band_crossings;           ///< infeasible designs between feasible ones
   std::vector<MapMark> marks;
   design::EvaluationReport report;
   foundation::Problems warnings;  ///< see map_warnings

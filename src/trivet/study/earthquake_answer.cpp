@@ -13,7 +13,7 @@ response::EarthquakeResponse answer_earthquake(const CaseContext& c, const proje
   spatial::Vector6 direction = spatial::Vector6::Zero();
   direction.head<3>() = asked.direction;
   response::EarthquakeResponse result =
-      response::earthquake_response(c.assembled, channels_of(c, asked.wanted), asked.spectrum, direction);
+      response::earthquake_response(c.assembled, channels_of(c, asked.selection), asked.spectrum, direction);
   warnings.add(result.warnings);
   if (!(result.effective_mass_share > 0))
     throw foundation::NotComputable(

@@ -39,7 +39,7 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
   ElementSummary summary;
   summary.stiffness = elements::stiffness(element.law);
   summary.verdict = matrix_verdict(variant, element, summary.stiffness);
-  summary.character = elements::character(summary.stiffness);
+  summary.stiffness_properties = elements::stiffness_properties(summary.stiffness);
   for (const modal::Mode& mode : modal::modes(variant.system).list)
     if (mode.strain_energy_share)
       summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,

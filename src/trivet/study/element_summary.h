@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "trivet/elements/character.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/elements/stiffness_properties.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
@@ -24,7 +24,7 @@ struct ElementInMode {
 struct ElementSummary {
   elements::Matrix12 stiffness;
   elements::MatrixVerdict verdict;  ///< of the stiffness
-  elements::Character character;
+  elements::StiffnessProperties stiffness_properties;
   std::vector<ElementInMode> modes;  ///< modes with strain energy
   foundation::Problems warnings;     ///< of this element only
 };

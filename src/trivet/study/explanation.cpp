@@ -18,19 +18,21 @@ namespace {
 
 using response::Sensitivity;
 
-project::Wanted wanted_of(const project::Case& variant, const ExplainRequest& request) {
+project::AnswerSelection selection_of(const project::Case& variant, const ExplainRequest& request) {
   const project::Analyses& file = variant.analyses;
-  project::Wanted wanted = file.peaks ? file.peaks->wanted : file.response ? file.response->wanted : project::Wanted{};
-  if (!request.of.empty()) wanted.of = request.of;
-  return wanted;
+  project::AnswerSelection selection = file.peaks ? file.peaks->selection
+      : file.response                             ? file.response->selection
+                                                  : project::AnswerSelection{};
+  if (!request.of.empty()) selection.of = request.of;
+  return selection;
 }
 
-response::Question question_of(const project::Wanted& wanted, const response::Peaks& peaks) {
+response::Question question_of(const project::AnswerSelection& selection, const response::Peaks& peaks) {
   response::Question question;
   for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
-  question.quantity = wanted.quantity;
-  question.load = [excitations = wanted.excitations](const model::System& system,
-                                                     const assembly::Assembled& assembled) {
+  question.quantity = selection.quantity;
+  question.load = [excitations = selection.excitations](const model::System& system,
+                                                        const assembly::Assembled& assembled) {
     return assembly::harmonic_loading(system, assembled, excitations);
   };
   return question;
@@ -220,13 +222,13 @@ void try_more(const project::Case& variant, const response::Question& question,
 
 Explanation explanation(const project::Case& variant, const ExplainRequest& request,
                         const foundation::Progress& progress) {
-  const project::Wanted wanted = wanted_of(variant, request);
+  const project::AnswerSelection selection = selection_of(variant, request);
   project::Analyses analyses;
-  analyses.peaks = project::PeaksRequest{wanted};
+  analyses.peaks = project::PeaksRequest{selection};
   const Answers found = answers(variant, analyses, progress);
   if (!found.failures.empty()) throw foundation::NotComputable(found.failures.front());
   const response::Peaks& peaks = found.peaks->peaks;
-  const response::Question question = question_of(wanted, peaks);
+  const response::Question question = question_of(selection, peaks);
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   Explanation result;
   result.modes = found.modes;

@@ -6,14 +6,14 @@ namespace trivet::study {
 
 std::vector<LimitLineResult> limit_line_answer(const CaseContext& c,
                                                const std::vector<project::LimitLineRequest>& requests,
-                                               const project::Wanted& wanted, const response::Band& band) {
-  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, wanted.excitations);
+                                               const project::AnswerSelection& selection, const response::Band& band) {
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, selection.excitations);
   std::vector<LimitLineResult> results;
   for (const project::LimitLineRequest& request : requests) {
     const std::string& unit = request.line.unit;
-    const auto quantity = unit == "m/s" || unit == "rad/s" ? assembly::Quantity::velocity
-        : unit == "m/s²" || unit == "rad/s²"               ? assembly::Quantity::acceleration
-                                                           : assembly::Quantity::displacement;
+    const auto quantity = unit == "m/s" || unit == "rad/s" ? assembly::MotionQuantity::velocity
+        : unit == "m/s²" || unit == "rad/s²"               ? assembly::MotionQuantity::acceleration
+                                                           : assembly::MotionQuantity::displacement;
     const std::vector<assembly::Channel> channel = assembly::channels(c.system, c.assembled, {request.of}, quantity);
     const response::Peaks peaks = response::peaks(c.assembled, channel, loading, c.modes, c.roots,
                                                   {response::PeakOptions{}.min_prominence, band.to}, c.progress);

@@ -6,14 +6,14 @@
 
 #include "trivet/design/design_evaluation.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/project/model_number.h"
 
 namespace trivet::study {
 namespace {
 
 /// Reason why `work` failed; empty if it succeeded.
-std::string why_not(const std::function<void()>& work) {
+std::string failure_reason(const std::function<void()>& work) {
   try {
     work();
   } catch (const foundation::NotComputable& reason) {
@@ -25,10 +25,10 @@ std::string why_not(const std::function<void()>& work) {
 }
 
 void judge(const project::Case& variant, const design::DesignEvaluation& evaluation, MapMark& mark) {
-  mark.failure = why_not([&] { mark.judged = evaluation.judged(variant.system); });
+  mark.failure = failure_reason([&] { mark.judged = evaluation.judged_design(variant.system); });
   // If the comparison fails, the case does not count as a design of this map.
-  static_cast<void>(
-      why_not([&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
+  static_cast<void>(failure_reason(
+      [&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
 }
 
 /// Does the map of this case differ, apart from grids and lists of cases?
@@ -58,8 +58,8 @@ std::vector<MapMark> map_marks(const project::Project& project, const project::M
     all.push_back(std::move(mark));
     cases.push_back(&c);
   }
-  foundation::for_each_piece(all.size(), {1, threads, progress, "cases"},
-                             [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
+  foundation::parallel_for(all.size(), {1, threads, progress, "cases"},
+                           [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
   return all;
 }
 

@@ -9,7 +9,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/project/model_number.h"
 #include "trivet/spatial/mass_properties.h"
-#include "trivet/study/influence.h"
+#include "trivet/study/axis_effects.h"
 
 namespace trivet::study {
 namespace {
@@ -26,15 +26,15 @@ void warn_of_contradictions(const DesignMap& map, foundation::Problems& warnings
   for (const MapMark& mark : map.marks)
     if (contradicts(map, mark))
       warnings.warning("map: " + (mark.name.empty() ? std::string("base model") : mark.name),
-                       mark.judged->governing.kept()
+                       mark.judged->governing.feasible()
                            ? "meets every rule, but all designs of the grid around it violate one"
                            : "violates a rule that all designs of the grid around it meet",
                        "the map is too coarse there, and its feasible share is unreliable",
                        "use more points, or narrower ranges around it");
 }
 
-void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
-  const design::BandPassages& found = map.passages;
+void warn_of_band_crossings(const DesignMap& map, foundation::Problems& warnings) {
+  const design::BandCrossings& found = map.band_crossings;
   if (found.pairs == 0) return;
   std::string points;
   for (const auto& [axis, needed] : {std::pair{&map.request.x, found.points[0]}, {&map.request.y, found.points[1]}})
@@ -48,14 +48,14 @@ void warn_of_passages(const DesignMap& map, foundation::Problems& warnings) {
 }
 
 void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
-  const Influence found = influence(variant, map.request, map.rules);
-  for (const std::string& name : found.still)
+  const AxisEffects found = axis_effects(variant, map.request, map.rules);
+  for (const std::string& name : found.zero_answers)
     warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
                      "check the directions of forces and guides, or remove the rules");
-  const bool all_still = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
-    return std::find(found.still.begin(), found.still.end(), rule.answer) != found.still.end();
+  const bool all_zero = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
+    return std::find(found.zero_answers.begin(), found.zero_answers.end(), rule.answer) != found.zero_answers.end();
   });
-  if (all_still) return;
+  if (all_zero) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes)
       warnings.warning("map: " + axis->name, "the axis changes no answer",
@@ -103,7 +103,7 @@ void warn_of_drift(const project::Case& variant, const DesignMap& map, foundatio
 
 void warn_of_unphysical(const project::Case& variant, foundation::Problems& warnings) {
   for (const model::Body& body : variant.system.bodies())
-    if (body.allow_unphysical && !spatial::broken_bounds(body.mass).empty())
+    if (body.allow_unphysical && !spatial::violated_bounds(body.mass).empty())
       warnings.warning("map: bodies." + body.name, "no real body has these numbers (allow_unphysical is set)",
                        "every design is doubtful", "correct mass and inertia before the map is used");
 }
@@ -114,11 +114,11 @@ bool contradicts(const DesignMap& map, const MapMark& mark) {
   if (!mark.placed() || !mark.of_this_model || !mark.judged) return false;
   const double x = map.request.x.share(*mark.x), y = map.request.y.share(*mark.y);
   if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1)) return false;
-  const bool kept = mark.judged->governing.kept();
+  const bool feasible = mark.judged->governing.feasible();
   for (const int j : lines_around(y, map.grid.ny))
     for (const int i : lines_around(x, map.grid.nx)) {
       const design::DesignOutcome& design = map.outcomes[map.grid.index(i, j)];
-      if (!design.known() || design.kept() == kept) return false;
+      if (!design.known() || design.feasible() == feasible) return false;
     }
   return true;
 }
@@ -127,7 +127,7 @@ foundation::Problems map_warnings(const project::Case& variant, const DesignMap&
   foundation::Problems warnings;
   warn_of_unphysical(variant, warnings);
   warn_of_contradictions(map, warnings);
-  warn_of_passages(map, warnings);
+  warn_of_band_crossings(map, warnings);
   warn_of_another_scale(variant, map, warnings);
   warn_of_idle(variant, map, warnings);
   warn_of_drift(variant, map, warnings);

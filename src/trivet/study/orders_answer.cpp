@@ -10,15 +10,15 @@ namespace {
 
 OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& asked, foundation::Problems&) {
   const std::vector<response::OrderLoading> orders =
-      response::order_loadings(c.system, c.assembled, asked.wanted.excitations);
+      response::order_loadings(c.system, c.assembled, asked.selection.excitations);
   if (orders.empty())
     throw foundation::NotComputable(
         "orders: the model has no excitation by a rotating shaft; add [excitations.NAME] with type = \"orders\" or "
         "\"unbalance\"");
   response::RunUpOptions options;
   options.speed = asked.speed;
-  return {response::run_up(c.assembled, channels_of(c, asked.wanted), orders, c.modes, c.roots, options, c.progress),
-          response::campbell(orders, c.modes, c.roots, asked.speed), asked.wanted.quantity};
+  return {response::run_up(c.assembled, channels_of(c, asked.selection), orders, c.modes, c.roots, options, c.progress),
+          response::campbell(orders, c.modes, c.roots, asked.speed), asked.selection.quantity};
 }
 
 }  // namespace

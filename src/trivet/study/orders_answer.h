@@ -9,7 +9,7 @@ namespace trivet::study {
 struct OrdersResult {
   response::RunUp run_up;
   response::Campbell campbell;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };
 
 }  // namespace trivet::study

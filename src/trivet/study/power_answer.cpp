@@ -9,10 +9,10 @@ namespace trivet::study {
 namespace {
 
 response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
-  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.wanted.excitations);
+  const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
   if (loading.vanishes()) throw foundation::NotComputable("power: the model has no harmonic excitation");
   const std::vector<assembly::Channel> channels =
-      assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::Quantity::velocity);
+      assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
   const response::Band band = asked.band ? *asked.band : default_band(c);
   const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots,
                                                 {response::PeakOptions{}.min_prominence, band.to}, c.progress);

@@ -52,8 +52,8 @@ std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& chann
 }
 
 RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& asked, foundation::Problems&) {
-  const std::vector<assembly::Channel> channels = channels_of(c, asked.wanted);
-  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, asked.wanted.excitations);
+  const std::vector<assembly::Channel> channels = channels_of(c, asked.selection);
+  const response::RandomLoading loading = response::random_loading(c.system, c.assembled, asked.selection.excitations);
   if (loading.inputs.empty())
     throw foundation::NotComputable(
         "random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
@@ -64,7 +64,7 @@ RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& 
     if (const auto axis = axis_of(channels[i]))
       options.weighted.push_back({i, asked.contact ? axes[*axis].weighting : *asked.weighting});
   RandomResult result;
-  result.quantity = asked.wanted.quantity;
+  result.quantity = asked.selection.quantity;
   for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);
   result.response = response::random_response(c.assembled, channels, loading, options, c.progress);
   if (asked.contact) result.total_values = total_values(channels, result.response, axes);

@@ -21,7 +21,7 @@ struct RandomResult {
   response::RandomCurves curves;         ///< densities [unit²/(rad/s)]
   std::vector<std::string> inputs;       ///< inputs of the variance shares
   std::vector<TotalValue> total_values;  ///< if a contact with people is given
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };
 
 }  // namespace trivet::study

@@ -24,12 +24,12 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
   std::vector<ShockSpectrumResult> results;
   for (const model::Excitation& excitation : c.system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
-    if (!history || !selected(asked.wanted.excitations, excitation.name)) continue;
+    if (!history || !selected(asked.selection.excitations, excitation.name)) continue;
     const model::Action& action = excitation.action;
     if (action.body || action.derivative != 2 || !action.amplitude.tail<3>().isZero(0)) {
       const std::string reason =
           "shock_spectrum: \"" + excitation.name + "\" is not a translation of the ground given by its acceleration";
-      if (!asked.wanted.excitations.empty()) throw foundation::NotComputable(reason);
+      if (!asked.selection.excitations.empty()) throw foundation::NotComputable(reason);
       warnings.warning(reason, "ignored", "", "");
       continue;
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers.h"
@@ -79,7 +79,7 @@ std::vector<Group> groups(const modal::Modes& modes) {
   return result;
 }
 
-double likeness(const model::System& system, const Mode& mode, const Group& group) {
+double similarity(const model::System& system, const Mode& mode, const Group& group) {
   double sum = 0;
   const double own = mass_product(system, mode.shape_at_centre, mode.shape_at_centre);
   for (const Mode* other : group.modes) {
@@ -97,24 +97,24 @@ std::vector<ModeComparison> paired(const model::System& system, const modal::Mod
   std::vector<Group> partners = groups(simplified);
   struct Candidate {
     std::size_t row, partner;
-    double likeness;
+    double similarity;
   };
   std::vector<Candidate> candidates;
   for (const Mode& mode : full.list) {
     if (is_inner(mode)) continue;
     for (std::size_t g = 0; g < partners.size(); ++g)
-      candidates.push_back({result.size(), g, likeness(system, mode, partners[g])});
+      candidates.push_back({result.size(), g, similarity(system, mode, partners[g])});
     result.push_back({mode.number, mode.name, mode.angular_frequency, std::nullopt, 0});
   }
   std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.likeness > b.likeness; });
+                   [](const Candidate& a, const Candidate& b) { return a.similarity > b.similarity; });
   std::vector<bool> done(result.size(), false);
   for (const Candidate& candidate : candidates) {
     Group& partner = partners[candidate.partner];
     if (done[candidate.row] || partner.taken == partner.modes.size()) continue;
     done[candidate.row] = true;
     result[candidate.row].simplified = partner.modes[partner.taken++]->angular_frequency;
-    result[candidate.row].likeness = candidate.likeness;
+    result[candidate.row].similarity = candidate.similarity;
   }
   return result;
 }
@@ -139,11 +139,11 @@ std::vector<PeakComparison> compared(const response::Peaks& full, const response
 /// Adds the highest peaks of both models, or the reason why there are none.
 void compare_peaks(const project::Case& full, const project::Case& simple, const foundation::Progress& progress,
                    Simplification& result) {
-  project::Analyses wanted;
-  wanted.peaks = full.analyses.peaks.value_or(
-      project::PeaksRequest{full.analyses.response ? full.analyses.response->wanted : project::Wanted{}});
+  project::Analyses asked;
+  asked.peaks = full.analyses.peaks.value_or(
+      project::PeaksRequest{full.analyses.response ? full.analyses.response->selection : project::AnswerSelection{}});
   try {
-    const Answers of_full = answers(full, wanted, progress), of_simple = answers(simple, wanted, progress);
+    const Answers of_full = answers(full, asked, progress), of_simple = answers(simple, asked, progress);
     if (of_full.peaks && of_simple.peaks) result.peaks = compared(of_full.peaks->peaks, of_simple.peaks->peaks);
     else
       result.no_peaks = of_full.peaks ? "with three springs: " + of_simple.failures.front() : of_full.failures.front();

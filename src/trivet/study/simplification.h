@@ -18,7 +18,7 @@ struct ModeComparison {
   std::string name;
   std::optional<double> full;        ///< angular frequency [rad/s]; 0 for a rigid-body mode, none if unstable
   std::optional<double> simplified;  ///< the same; also none if no mode is left to compare with
-  double likeness =
+  double similarity =
       0;  ///< squared cosine between the shapes of the bodies, mass-weighted: 1 for equal shapes, 0 for orthogonal ones
 };
 

@@ -30,7 +30,7 @@ std::optional<response::InitialState> initial_state(const CaseContext& c, const 
 TransientResult answer_transient(const CaseContext& c, const project::TransientQuestion& asked,
                                  foundation::Problems& warnings) {
   const std::vector<response::TimeInput> inputs =
-      response::time_inputs(c.system, c.assembled, asked.wanted.excitations);
+      response::time_inputs(c.system, c.assembled, asked.selection.excitations);
   response::TransientOptions options;
   options.from = asked.from;
   options.to = asked.to;
@@ -42,8 +42,8 @@ TransientResult answer_transient(const CaseContext& c, const project::TransientQ
         "transient: the model has no time excitation and no initial values; add [excitations.NAME] with type = "
         "\"time\", or initial values");
   TransientResult result{
-      response::transient_response(c.system, c.assembled, channels_of(c, asked.wanted), inputs, options, c.progress),
-      asked.wanted.quantity};
+      response::transient_response(c.system, c.assembled, channels_of(c, asked.selection), inputs, options, c.progress),
+      asked.selection.quantity};
   warnings.add(result.response.warnings);
   if (asked.nearest_linear_system && !c.assembled.frequency_dependent())
     warnings.warning("analyses.transient.nearest_linear_system", "true", "no element needs it, so it has no effect",

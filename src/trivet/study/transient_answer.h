@@ -7,7 +7,7 @@ namespace trivet::study {
 
 struct TransientResult {
   response::TransientResponse response;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };
 
 }  // namespace trivet::study

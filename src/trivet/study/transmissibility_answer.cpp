@@ -27,7 +27,7 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
   if (!force) require_rigid_ground(c, "transmissibility");
   const response::Transmission transmission = force
       ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force))
-      : response::displacement_transmission(c.system, c.assembled, asked.wanted.of, asked.direction);
+      : response::displacement_transmission(c.system, c.assembled, asked.selection.of, asked.direction);
   TransmissibilityResult result;
   result.of_force = force;
   result.words = force ? "force on the ground over \"" + asked.force + "\""

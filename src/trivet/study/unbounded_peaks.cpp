@@ -11,7 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
 #include "trivet/project/model_number.h"
-#include "trivet/response/steady/curve_ends.h"
+#include "trivet/response/steady/vanishing_ends.h"
 
 namespace trivet::study {
 namespace {
@@ -30,7 +30,7 @@ std::vector<std::string> unbounded(const model::System& system, const project::M
 }
 
 /// The base model may have a symmetry that the designs do not have. Without a model in the middle all names remain.
-void keep_those_of_the_middle(const project::Case& variant, const project::MapRequest& request,
+void keep_unbounded_at_middle(const project::Case& variant, const project::MapRequest& request,
                               std::vector<std::string>& names) {
   constexpr double middle = 0.47;  // of both axes; avoids a symmetric design
   const auto system = project::changed_system(variant,
@@ -46,10 +46,10 @@ void keep_those_of_the_middle(const project::Case& variant, const project::MapRe
   }
 }
 
-const char* name_of(assembly::Quantity quantity) {
-  return quantity == assembly::Quantity::velocity    ? "velocity of "
-      : quantity == assembly::Quantity::acceleration ? "acceleration of "
-                                                     : "";
+const char* name_of(assembly::MotionQuantity quantity) {
+  return quantity == assembly::MotionQuantity::velocity    ? "velocity of "
+      : quantity == assembly::MotionQuantity::acceleration ? "acceleration of "
+                                                           : "";
 }
 
 }  // namespace
@@ -57,15 +57,15 @@ const char* name_of(assembly::Quantity quantity) {
 void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request) {
   if (request.no_peak.empty()) return;
   std::vector<std::string> names = unbounded(variant.system, request);
-  if (!names.empty()) keep_those_of_the_middle(variant, request, names);
+  if (!names.empty()) keep_unbounded_at_middle(variant, request, names);
   if (names.empty()) return;
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  throw foundation::NotComputable(
-      fmt::format("map: no_peak of {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
-                  "design; name other answers in no_peak, and limit the amplitude of {}{}",
-                  name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
-                  request.quantity == assembly::Quantity::displacement ? "" : ", or set quantity = \"displacement\""));
+  throw foundation::NotComputable(fmt::format(
+      "map: no_peak of {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
+      "design; name other answers in no_peak, and limit the amplitude of {}{}",
+      name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
+      request.quantity == assembly::MotionQuantity::displacement ? "" : ", or set quantity = \"displacement\""));
 }
 
 }  // namespace trivet::study

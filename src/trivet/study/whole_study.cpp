@@ -75,7 +75,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     const Eigen::VectorXd a = numerics::symmetric_eigenvalues(Eigen::MatrixXd(spatial::mass_matrix(body.mass)));
     lines.push_back({subject, "principal central moments are those of a real body",
                      fmt::format("{:.6g}, {:.6g}, {:.6g} kg m²", j(0), j(1), j(2)),
-                     spatial::broken_bounds(body.mass).empty()});
+                     spatial::violated_bounds(body.mass).empty()});
     lines.push_back(
         {subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
   }

@@ -10,7 +10,7 @@
 
 #include <memory>
 
-#include "trivet/numerics/batch/axis_walk-inl.h"
+#include "trivet/numerics/batch/axis_scan-inl.h"
 #include "trivet/numerics/batch/peak_question.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,11 +20,11 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// remains. In u = 1/x a curve has the same form, with poles 1/z, and one panel extends from there to u = 0.
 /// @param complete  reduced to the lanes in which this is proven
 template <typename Size>
-HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
-                                    const PeakQuestion& question, const WalkOptions& options, LaneMask& complete) {
+HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels,
+                                    const PeakQuestion& question, const ScanOptions& options, LaneMask& complete) {
   constexpr int most_doublings = 40;
   const SquarePoles<Size>& poles = pack.poles;
-  WalkedPack<Size> inverted;
+  ScannedPack<Size> inverted;
   inverted.poles = poles;
   inverted.asked = pack.asked;
   Pack begins = hn::Add(pack.from, pack.from);
@@ -35,9 +35,9 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
     weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
   }
   place(inverted.poles);
-  const std::unique_ptr<WalkedCurve[]> inverted_curves(new WalkedCurve[static_cast<std::size_t>(channels)]);
+  const std::unique_ptr<ScannedCurve[]> inverted_curves(new ScannedCurve[static_cast<std::size_t>(channels)]);
   for (int c = 0; c < channels; ++c) {
-    WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+    ScannedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
     curve.f = curves[c].f;
     curve.best = curves[c].best;
     curve.sign = curves[c].sign;
@@ -57,8 +57,8 @@ HWY_NOINLINE Pack beginning_of_tail(const WalkedPack<Size>& pack, WalkedCurve* c
     form_powers(inverted.poles, half, half, powers);
     LaneMask all_settled = hn::Eq(half, half);
     for (int c = 0; c < channels; ++c) {
-      WalkedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
-      LaneMask own = settle(inverted, powers, half, half, options, settled, curve);
+      ScannedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+      LaneMask own = bound_slope(inverted, powers, half, half, options, settled, curve);
       // Slopes that vanish at u = 0 keep their sign while they are monotonic.
       const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
       const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;

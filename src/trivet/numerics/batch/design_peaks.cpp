@@ -8,7 +8,7 @@
 #include <string>
 
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/system_roots.h"
@@ -91,7 +91,7 @@ class Piece {
   }
   DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
 
-  void note(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
+  void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
     const auto c = static_cast<Eigen::Index>(channel);
     result_.highest(d, c) = answer.highest;
     result_.highest_at(d, c) = answer.highest_at;
@@ -101,10 +101,10 @@ class Piece {
   }
 
   /// Takes the results of one lane of a table if their proof is complete.
-  bool take(Eigen::Index d, int lane, DesignStatus as) {
+  bool accept(Eigen::Index d, int lane, DesignStatus as) {
     if (!answers_.complete[lane]) return false;
     for (std::size_t c = 0; c < question_.rows.size(); ++c)
-      note(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
+      store(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
     status(d) = as;
     return true;
   }
@@ -115,7 +115,7 @@ class Piece {
       roots_of_designs(designs_, first, table_);
       peaks_from_roots(table_, question_, answers_);
       for (int lane = 0; lane < table_lanes && first + lane < last; ++lane)
-        if (table_.definite[lane] && !(table_.good[lane] && take(first + lane, lane, DesignStatus::proven)))
+        if (table_.definite[lane] && !(table_.good[lane] && accept(first + lane, lane, DesignStatus::proven)))
           open.push_back(first + lane);
     }
     return open;
@@ -131,7 +131,7 @@ class Piece {
                             static_cast<int>(i));
       peaks_from_roots(table_, question_, answers_);
       for (std::size_t i = 0; i < count; ++i)
-        if (!(table_.good[i] && take(designs[first + i], static_cast<int>(i), DesignStatus::redone)))
+        if (!(table_.good[i] && accept(designs[first + i], static_cast<int>(i), DesignStatus::fallback)))
           open.push_back(designs[first + i]);
     }
     return open;
@@ -156,9 +156,9 @@ class Piece {
       status(d) = DesignStatus::undecided;
       return;
     }
-    status(d) = DesignStatus::redone;
+    status(d) = DesignStatus::fallback;
     for (std::size_t c = 0; c < search.curves.size(); ++c) {
-      note(d, c, peaks_of_curve(search.curves[c], search, question_));
+      store(d, c, peaks_of_curve(search.curves[c], search, question_));
       if (!search.curves[c].complete) status(d) = DesignStatus::undecided;
     }
   }
@@ -187,12 +187,12 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::for_each_piece(static_cast<std::size_t>(count),
-                             {designs_per_piece, options.threads, options.progress, "peaks of designs"},
-                             [&](std::size_t first, std::size_t last) {
-                               Piece(designs, question, result)
-                                   .work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
-                             });
+  foundation::parallel_for(static_cast<std::size_t>(count),
+                           {designs_per_piece, options.threads, options.progress, "peaks of designs"},
+                           [&](std::size_t first, std::size_t last) {
+                             Piece(designs, question, result)
+                                 .work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
+                           });
   return result;
 }
 

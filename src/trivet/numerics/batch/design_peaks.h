@@ -12,10 +12,10 @@ namespace trivet::numerics {
 
 /// How the highest amplitude and the peaks of one design were found.
 enum class DesignStatus : unsigned char {
-  proven,  ///< from poles and residues; bounds prove that there is no higher value and no further peak, and sums that
-           ///< no digits were lost
-  redone,  ///< recomputed because the poles of the lanes were not good enough: the same bounds with poles of an
-           ///< eigensolver, or Taylor series on discs free of poles, complete to their truncation
+  proven,    ///< from poles and residues; bounds prove that there is no higher value and no further peak, and sums that
+             ///< no digits were lost
+  fallback,  ///< recomputed because the poles of the lanes were not good enough: the same bounds with poles of an
+             ///< eigensolver, or Taylor series on discs free of poles, complete to their truncation
   undecided,  ///< neither was possible: the values are the largest ones found and may be too small
   impossible  ///< A is not positive definite, or a matrix or the load is not finite; no values
 };

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "trivet/numerics/batch/coupling-inl.h"
+#include "trivet/numerics/batch/curve_residues-inl.h"
 #include "trivet/numerics/batch/maxima_from_roots.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -34,13 +34,13 @@ void maxima_of(Size n, const RootTable& table, const std::vector<double>& omega,
   }
   for (const double at : omega) {
     const Pack w = all(at), x = hn::Mul(w, w);
-    PairPack reaches[Size::most];
-    each(n, [&](int k) TRIVET_LANES { reaches[k] = reach(poles, k, x); });
+    PairPack inverse_distances[Size::most];
+    each(n, [&](int k) TRIVET_LANES { inverse_distances[k] = inverse_distance(poles, k, x); });
     each(n, [&](int j) TRIVET_LANES {
       Pack one = hn::Zero(Lanes()), other = one;
       each(n, [&](int k) TRIVET_LANES {
-        one = hn::MulAdd(f[j].C[k].first, reaches[k].first, one);
-        other = hn::MulAdd(f[j].C[k].second, reaches[k].second, other);
+        one = hn::MulAdd(f[j].C[k].first, inverse_distances[k].first, one);
+        other = hn::MulAdd(f[j].C[k].second, inverse_distances[k].second, other);
       });
       const Pack value = hn::Add(one, other);
       where[j] = hn::IfThenElse(hn::Gt(value, best[j]), w, where[j]);

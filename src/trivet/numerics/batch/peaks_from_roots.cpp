@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "trivet/numerics/batch/axis_tail-inl.h"
-#include "trivet/numerics/batch/certain_top-inl.h"
-#include "trivet/numerics/batch/coupling-inl.h"
+#include "trivet/numerics/batch/curve_residues-inl.h"
+#include "trivet/numerics/batch/highest_maximum-inl.h"
 #include "trivet/numerics/batch/peak_question.h"
 #include "trivet/numerics/batch/refined_extrema-inl.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -21,10 +21,10 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 /// Values of all curves at x; updates their best values.
 template <typename Size>
-HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, WalkedCurve* curves, int channels,
-                             Pack* values) {
+HWY_NOINLINE void update_maxima(const ScannedPack<Size>& pack, const Pack& x, ScannedCurve* curves, int channels,
+                                Pack* values) {
   PairPack w[Size::most];
-  each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = reach(pack.poles, k, x); });
+  each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = inverse_distance(pack.poles, k, x); });
   for (int c = 0; c < channels; ++c) {
     values[c] = hn::MulAdd(curves[c].f.slope, x, curves[c].f.constant);
     each(pack.poles.count, [&](int k) TRIVET_LANES { values[c] = sum_of(curves[c].f.C[k], w[k], values[c]); });
@@ -34,13 +34,13 @@ HWY_NOINLINE void see_values(const WalkedPack<Size>& pack, const Pack& x, Walked
 
 /// Signs of the slopes at the start of the scan; 0 if round-off hides them.
 template <typename Size>
-HWY_NOINLINE void first_signs(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels,
+HWY_NOINLINE void first_signs(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels,
                               const PeakQuestion& question) {
   PanelPowers powers[Size::most];
   form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
-  const WalkOptions options{false, 0};
+  const ScanOptions options{false, 0};
   for (int c = 0; c < channels; ++c) {
-    settle(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
+    bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
     curves[c].sign = curves[c].after;
     // |y|² starts like x^derivative at rest.
     if (question.from == 0 && question.rows[static_cast<std::size_t>(c)].derivative > 0) curves[c].sign = all(1.0);
@@ -70,7 +70,7 @@ class PackOfCurves {
       : question_(question),
         lane_(lane),
         channels_(static_cast<int>(question.rows.size())),
-        curves_(new WalkedCurve[question.rows.size()]),
+        curves_(new ScannedCurve[question.rows.size()]),
         values_(new Pack[(3 + static_cast<std::size_t>(n)) * question.rows.size()]),
         tops_(new Top[question.count_peaks ? 0 : question.rows.size()]) {
     form(n, table);
@@ -78,25 +78,25 @@ class PackOfCurves {
 
   void search() {
     const SquarePoles<Size>& poles = pack_.poles;
-    see_values(pack_, pack_.from, curves_.get(), channels_, at_start());
+    update_maxima(pack_, pack_.from, curves_.get(), channels_, at_start());
     for (int c = 0; c < channels_ && question_.from == 0; ++c)
       if (question_.rows[static_cast<std::size_t>(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // exactly
     for (int k = 0; k < poles.count; ++k) {
       const Pack above =
           hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
-      see_values(pack_, above, curves_.get(), channels_, at_poles() + k * channels_);
+      update_maxima(pack_, above, curves_.get(), channels_, at_poles() + k * channels_);
     }
-    see_end();
+    evaluate_end();
     if (!question_.count_peaks) find_tops();
     else first_signs(pack_, curves_.get(), channels_, question_);
-    complete_ = hn::And(complete_, walk(pack_, curves_.get(), channels_, options(), found_));
+    complete_ = hn::And(complete_, scan(pack_, curves_.get(), channels_, options(), found_));
     // Rejects a slope that changed sign unseen by the scan and that keeps the new sign up to x = ∞.
     for (int c = 0; c < channels_; ++c)
       complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
     refine(LaneStore<Size>(poles, curves_.get(), channels_, question_.rows, round_off_), found_);
   }
 
-  void tell(TablePeaks& peaks) const {
+  void write_answers(TablePeaks& peaks) const {
     const int lanes = lane_count();
     alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
         start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
@@ -125,10 +125,10 @@ class PackOfCurves {
       for (int i = 0; i < lanes; ++i) {
         ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane_ + i)];
         answer = {amplitude(numbers[0][i]), question_.from, 0, 0};
-        const auto see = [&](double height, double at) {
+        const auto raise = [&](double height, double at) {
           if (height > answer.highest) answer.highest = height, answer.highest_at = at;
         };
-        if (!question_.count_peaks) see(amplitude(numbers[3][i]), std::sqrt(numbers[4][i]));
+        if (!question_.count_peaks) raise(amplitude(numbers[3][i]), std::sqrt(numbers[4][i]));
         double doubtful = 1e-6;  // round-off
         heights.assign(1, answer.highest);
         doubts.assign(1, start_doubts[i]);
@@ -141,11 +141,11 @@ class PackOfCurves {
           const bool hidden =
               std::sqrt(std::abs(e.value)) <= 2 * low_share * question_.min_prominence * std::sqrt(numbers[2][i]);
           doubts.push_back(std::max(share(e.missed, e.value), hidden ? 1.0 : 0.0));
-          if (e.maximum) see(heights.back(), std::sqrt(e.at));
+          if (e.maximum) raise(heights.back(), std::sqrt(e.at));
         }
         heights.push_back(amplitude(numbers[1][i]));
         doubts.push_back(end_doubts[i]);
-        see(heights.back(), question_.to);
+        raise(heights.back(), question_.to);
         highest[i] = answer.highest, highest_at[i] = answer.highest_at;
         // No value found during the search may be higher.
         if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
@@ -166,7 +166,7 @@ class PackOfCurves {
   }
 
  private:
-  [[nodiscard]] WalkOptions options() const { return {question_.count_peaks, question_.min_prominence}; }
+  [[nodiscard]] ScanOptions options() const { return {question_.count_peaks, question_.min_prominence}; }
   [[nodiscard]] Pack* at_start() const { return values_.get(); }
   [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
   [[nodiscard]] Pack* at_poles() const { return values_.get() + 2 * channels_; }  ///< [pole][channel]
@@ -210,7 +210,7 @@ class PackOfCurves {
       const ObservedRow& row = question_.rows[static_cast<std::size_t>(c)];
       PairPack r[most_pairs];
       complete_ = hn::And(complete_, residues_of(n, residues, roots, row, r));
-      WalkedCurve& curve = curves_[c];
+      ScannedCurve& curve = curves_[c];
       form_squared_response(roots, products, r, row.derivative, row.on_velocity.size() == 0, curve.f);
       curve.best = curve.sign = curve.tail = hn::Zero(Lanes());
       curve.covered_from = all(1.0);
@@ -218,9 +218,9 @@ class PackOfCurves {
     }
   }
 
-  void see_end() {
+  void evaluate_end() {
     if (std::isfinite(question_.to)) {
-      see_values(pack_, pack_.to, curves_.get(), channels_, at_end());
+      update_maxima(pack_, pack_.to, curves_.get(), channels_, at_end());
       return;
     }
     pack_.to = hn::Max(pack_.from, beginning_of_tail(pack_, curves_.get(), channels_, question_, options(), complete_));
@@ -250,8 +250,8 @@ class PackOfCurves {
 
   const PeakQuestion& question_;
   int lane_, channels_;
-  WalkedPack<Size> pack_;
-  std::unique_ptr<WalkedCurve[]> curves_;
+  ScannedPack<Size> pack_;
+  std::unique_ptr<ScannedCurve[]> curves_;
   std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and at each pole
   std::unique_ptr<Top[]> tops_;
   Pack round_off_;  ///< of sums over the roots, relative to their terms
@@ -263,7 +263,7 @@ template <typename Size>
 void answer(Size n, const RootTable& table, const PeakQuestion& question, int lane, TablePeaks& peaks) {
   PackOfCurves<Size> curves(n, table, question, lane);
   curves.search();
-  curves.tell(peaks);
+  curves.write_answers(peaks);
 }
 
 void peaks_in_lanes(const RootTable& table, const PeakQuestion& question, TablePeaks& peaks) {

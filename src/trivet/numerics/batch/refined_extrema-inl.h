@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "trivet/numerics/batch/axis_walk-inl.h"
+#include "trivet/numerics/batch/axis_scan-inl.h"
 #include "trivet/numerics/peaks/observed_curve.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -27,7 +27,7 @@ struct GatheredCurve {
 template <typename Size>
 class LaneStore {
  public:
-  LaneStore(const SquarePoles<Size>& poles, const WalkedCurve* curves, int channels,
+  LaneStore(const SquarePoles<Size>& poles, const ScannedCurve* curves, int channels,
             const std::vector<ObservedRow>& rows, const Pack& of_sums)
       : count_(poles.count),
         differentiated_(

@@ -41,7 +41,7 @@ HWY_INLINE void place(SquarePoles<Size>& poles) {
 
 /// 1/(x − z_k)
 template <typename Size>
-HWY_INLINE PairPack reach(const SquarePoles<Size>& poles, int k, const Pack& x) {
+HWY_INLINE PairPack inverse_distance(const SquarePoles<Size>& poles, int k, const Pack& x) {
   const Pack ahead = hn::Sub(x, poles.centre[k]), aside = poles.aside[k];
   Pack square = hn::MulAdd(ahead, ahead, hn::Mul(aside, aside));
   if (poles.any_real)
@@ -74,8 +74,9 @@ HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others)
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
-  each(poles.count,
-       [&](int k) TRIVET_LANES { sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(reach(poles, k, x)), sum); });
+  each(poles.count, [&](int k) TRIVET_LANES {
+    sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(inverse_distance(poles, k, x)), sum);
+  });
   return sum;
 }
 
@@ -88,7 +89,7 @@ template <typename Size>
 HWY_INLINE Slopes slopes_at(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
   Pack value = hn::MulAdd(f.slope, x, f.constant), s1 = hn::Zero(Lanes()), s2 = s1, s3 = s1;
   each(poles.count, [&](int k) TRIVET_LANES {
-    const PairPack w = reach(poles, k, x), C = f.C[k];
+    const PairPack w = inverse_distance(poles, k, x), C = f.C[k];
     const Pack turned = hn::Mul(poles.unit[k], w.second);
     const PairPack w2 = times_turned(w, w, turned), w3 = times_turned(w2, w, turned), w4 = times_turned(w3, w, turned);
     value = sum_of(C, w, value);

@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/maxima_from_roots.h"
 #include "trivet/numerics/sweep/sweep_workspace.h"
 
@@ -25,7 +25,7 @@ void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::ve
                  const SweepOptions& options, SweepMaxima& result, Eigen::Index row) {
   const int n = plan.size();
   std::vector<double> square(static_cast<std::size_t>(n), -1.0), where(static_cast<std::size_t>(n));
-  workspace.take(plan);
+  workspace.prepare(plan);
   for (std::size_t at = 0; at < omega.size(); at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
     const auto count = static_cast<long>(std::min(omega.size() - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
     const int singular = workspace.counts().singular;
@@ -99,7 +99,7 @@ SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omeg
       !options.every_backward_error && designs.coordinates() <= most_pairs && omega.size() >= least_for_poles;
   std::mutex adding;
   const int threads = sweep_threads(count * omega.size(), options.threads);
-  foundation::for_each_piece(
+  foundation::parallel_for(
       count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
         SweepWorkspace workspace;
         std::vector<Eigen::Index> open;

@@ -46,14 +46,14 @@ HWY_INLINE void shared_with(const Zones<Size>& zones, const Pack& x, const Pack&
 }
 
 /// Largest |a| and |b| of 1/(x − z_k) = a + b j at a distance of at least `away` from a conjugate pair.
-HWY_INLINE PairPack most_reach(const Pack& aside, const Pack& away) {
+HWY_INLINE PairPack most_inverse_distance(const Pack& aside, const Pack& away) {
   const Pack b = hn::Abs(aside), square = hn::Mul(b, b), further = hn::Max(away, b);
   return {hn::Mul(further, reciprocal(hn::MulAdd(further, further, square))),
           hn::Mul(b, reciprocal(hn::MulAdd(away, away, square)))};
 }
 
 /// The same from x upwards, above two real poles.
-HWY_INLINE PairPack most_reach_of_real(const Pack& first, const Pack& second, const Pack& x) {
+HWY_INLINE PairPack most_inverse_distance_of_real(const Pack& first, const Pack& second, const Pack& x) {
   const Pack scale = all(0.5);
   const Pack one = reciprocal(hn::Sub(x, first)), other = reciprocal(hn::Sub(x, second));
   return {hn::Mul(scale, hn::Add(one, other)), hn::Abs(hn::Mul(scale, hn::Sub(one, other)))};
@@ -63,9 +63,9 @@ HWY_INLINE PairPack most_reach_of_real(const Pack& first, const Pack& second, co
 template <typename Size>
 HWY_INLINE PairPack most_between(const SquarePoles<Size>& poles, int k, const Pack& from, const Pack& to) {
   const Pack c = poles.centre[k], away = hn::Max(hn::Max(hn::Sub(from, c), hn::Sub(c, to)), hn::Zero(Lanes()));
-  const PairPack most = most_reach(poles.aside[k], away);
+  const PairPack most = most_inverse_distance(poles.aside[k], away);
   if (!poles.any_real) return most;
-  const PairPack of_real = most_reach_of_real(poles.z[k].first, poles.z[k].second, from);
+  const PairPack of_real = most_inverse_distance_of_real(poles.z[k].first, poles.z[k].second, from);
   return {hn::IfThenElse(poles.real[k], of_real.first, most.first),
           hn::IfThenElse(poles.real[k], of_real.second, most.second)};
 }

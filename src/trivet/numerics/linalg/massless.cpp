@@ -32,7 +32,7 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   return result;
 }
 
-WithoutIdle without_idle(const DynamicMatrices& m) {
+ReducedSystem reduced_system(const DynamicMatrices& m) {
   std::vector<Eigen::Index> kept, idle;
   for (Eigen::Index i = 0; i < m.size(); ++i) {
     const bool moves_itself = !m.A.row(i).isZero(0) || !m.B.row(i).isZero(0) || !m.B.col(i).isZero(0);
@@ -47,10 +47,10 @@ WithoutIdle without_idle(const DynamicMatrices& m) {
         "a coordinate of a foundation or an element has neither mass nor damping nor stiffness");
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(k(idle, kept)));
   const Eigen::MatrixXcd condensed = k(kept, kept) + k(kept, idle) * follow;
-  WithoutIdle result{{m.A(kept, kept), m.B(kept, kept), condensed.real(),
-                      m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
-                     Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())),
-                     true};
+  ReducedSystem result{{m.A(kept, kept), m.B(kept, kept), condensed.real(),
+                        m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
+                       Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())),
+                       true};
   for (std::size_t j = 0; j < kept.size(); ++j) result.recovery(kept[j], static_cast<Eigen::Index>(j)) = 1;
   for (std::size_t i = 0; i < idle.size(); ++i) result.recovery.row(idle[i]) = follow.row(static_cast<Eigen::Index>(i));
   return result;

@@ -18,13 +18,13 @@ struct MassiveSystem {
 
 /// The system after condensation of the coordinates with neither mass nor damping: q = recovery · q_kept at every
 /// frequency.
-struct WithoutIdle {
+struct ReducedSystem {
   DynamicMatrices matrices;
   Eigen::MatrixXcd recovery;  ///< all × kept
   bool any = false;
 };
 
 /// @throws foundation::NotComputable if such a coordinate has no stiffness
-[[nodiscard]] WithoutIdle without_idle(const DynamicMatrices& matrices);
+[[nodiscard]] ReducedSystem reduced_system(const DynamicMatrices& matrices);
 
 }  // namespace trivet::numerics

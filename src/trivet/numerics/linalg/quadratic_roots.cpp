@@ -66,8 +66,9 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   Eigen::MatrixXcd vectors;
   if (s + m > 0) eigen(state, K_loss.size() == 0, values, vectors);
   const Eigen::Index drifting = n - s;  // each coordinate without stiffness has one zero root (constant displacement) …
-  const auto still = static_cast<Eigen::Index>(resting.size());  // … and, undamped, a second one (constant velocity)
-  result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + still);
+  const auto resting_count =
+      static_cast<Eigen::Index>(resting.size());  // … and, undamped, a second one (constant velocity)
+  result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + resting_count);
   result.vectors = Eigen::MatrixXcd::Zero(n, result.lambda.size());
   result.lambda.head(s + m) = values;
   const Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);

@@ -75,9 +75,9 @@ void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>
 }  // namespace
 
 SystemRoots system_roots(const DynamicMatrices& m) {
-  if (const WithoutIdle kept = without_idle(m); kept.any) {
-    SystemRoots result = system_roots(kept.matrices);
-    result.roots.vectors = (kept.recovery * result.roots.vectors).eval();
+  if (const ReducedSystem reduced = reduced_system(m); reduced.any) {
+    SystemRoots result = system_roots(reduced.matrices);
+    result.roots.vectors = (reduced.recovery * result.roots.vectors).eval();
     return result;
   }
   const MassiveSystem massive = massive_system(m);

@@ -98,9 +98,9 @@ double first_guess(const Eigen::VectorXcd& poles, double from) {
 }
 
 /// Searches along the axis, panel by panel.
-class Walk {
+class CircleScan {
  public:
-  Walk(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options)
+  CircleScan(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options)
       : sample_(sample),
         options_(options),
         seams_(options.seams),
@@ -223,7 +223,7 @@ class Walk {
 AxisSearch search_by_circles(const CurveSampler& sample, Eigen::Index curves, const CircleSearchOptions& options) {
   if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to)))
     throw foundation::InvalidInput("peaks by circles: the band must satisfy 0 < from < to < ∞");
-  return Walk(sample, curves, options).search();
+  return CircleScan(sample, curves, options).search();
 }
 
 }  // namespace trivet::numerics

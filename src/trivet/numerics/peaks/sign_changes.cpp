@@ -19,7 +19,7 @@ struct Local {
 };
 
 /// Horner's scheme for all derivatives at once: each update uses only values of the previous step.
-Local around(std::span<const double> c, double at, double reach) {
+Local local_expansion(std::span<const double> c, double at, double reach) {
   Local d;
   double most = 0, most_first = 0, most_second = 0, most_third = 0;
   for (std::size_t k = c.size(); k-- > 0;) {
@@ -49,19 +49,19 @@ class Search {
       throw foundation::NotComputable(
           "the extrema of a curve were not found: its slope changes sign too often for the search");
     const double middle = 0.5 * (lower + upper), half = 0.5 * (upper - lower);
-    const Local d = around(g_, middle, std::max(std::abs(lower), std::abs(upper)));
+    const Local d = local_expansion(g_, middle, std::max(std::abs(lower), std::abs(upper)));
     // Bounds on |g − g(middle)| and |g' − g'(middle)| on the interval, by Taylor's formula.
     const double second = std::abs(d.second), third = std::abs(d.third);
     const double change = half * (std::abs(d.first) + half * (second + half * (third + half * d.fourth)));
     const double change_of_slope = half * (2 * second + half * (3 * third + half * 4 * d.fourth));
     if (std::abs(d.g) > change + d.noise) {
-      settle(lower, d.g > 0 ? 1 : -1);
+      set_sign(lower, d.g > 0 ? 1 : -1);
     } else if (std::abs(d.first) > change_of_slope && half * std::abs(d.first) > 4 * d.noise) {
-      settle(lower, sign(polynomial_value(g_, lower), d.noise));
+      set_sign(lower, sign(polynomial_value(g_, lower), d.noise));
       const int after = sign(polynomial_value(g_, upper), d.noise);
       if (after == 0) return open(upper - half * 1e-3);
       if (sign_ != 0 && after != sign_) close_in(lower, upper, middle - d.g / d.first, d.noise / std::abs(d.first));
-      settle(upper, after);
+      set_sign(upper, after);
     } else if (std::abs(d.g) + change <= 4 * d.noise || half < 1e-13) {
       open(lower);
     } else {
@@ -74,7 +74,7 @@ class Search {
   static int sign(double value, double noise) { return value > noise ? 1 : value < -noise ? -1 : 0; }
 
   /// The sign is known again from `from` on; if it differs from the last known one, it changed in the unclear interval.
-  void settle(double from, int now) {
+  void set_sign(double from, int now) {
     if (now == 0) return open(from);
     if (sign_ != 0 && now != sign_) {
       const double since = unclear_ ? unclear_since_ : from;

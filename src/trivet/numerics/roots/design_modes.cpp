@@ -90,7 +90,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/dispatch.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 
@@ -100,7 +100,7 @@ TRIVET_VARIANTS(modes_of_designs);
 
 namespace {
 
-void one_by_one(const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
+void modes_without_lanes(const Designs& designs, Eigen::Index first, Eigen::Index last, DesignModes& result) {
   for (Eigen::Index design = first; design < last; ++design) {
     const Eigen::MatrixXd A = unpacked(designs.A, design), K = unpacked(designs.K, design);
     const bool definite = A.allFinite() && K.allFinite() && is_positive_definite(A);
@@ -134,16 +134,16 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
   result.shapes.resize(count, options.shapes ? n * n : 0);
   result.definite.resize(static_cast<std::size_t>(count));
   constexpr std::size_t designs_a_piece = 256;
-  foundation::for_each_piece(static_cast<std::size_t>(count),
-                             {designs_a_piece, options.threads, options.progress, "modes of the designs"},
-                             [&](std::size_t first, std::size_t last) {
-                               const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
-                               if (n > 12) return one_by_one(designs, from, to, result);
-                               TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
-                               for (Eigen::Index d = from; d < to; ++d)  // not converged in lanes
-                                 if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0)))
-                                   one_by_one(designs, d, d + 1, result);
-                             });
+  foundation::parallel_for(static_cast<std::size_t>(count),
+                           {designs_a_piece, options.threads, options.progress, "modes of the designs"},
+                           [&](std::size_t first, std::size_t last) {
+                             const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
+                             if (n > 12) return modes_without_lanes(designs, from, to, result);
+                             TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
+                             for (Eigen::Index d = from; d < to; ++d)  // not converged in lanes
+                               if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0)))
+                                 modes_without_lanes(designs, d, d + 1, result);
+                           });
 }
 
 }  // namespace trivet::numerics

@@ -254,16 +254,16 @@ HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, 
 }
 
 /// Order of the modes for the root of mode `own`: the others, then itself.
-HWY_INLINE int seen(int i, int own, int n) { return i == n - 1 ? own : i + (i >= own); }
+HWY_INLINE int mode_order(int i, int own, int n) { return i == n - 1 ? own : i + (i >= own); }
 
 template <typename Size>
-HWY_INLINE void arrange(Size n, const ModalPack<Size>& modal, int own, const Pack& centre, Pencil<Size>& m) {
+HWY_INLINE void permute_to_mode(Size n, const ModalPack<Size>& modal, int own, const Pack& centre, Pencil<Size>& m) {
   m.centre = centre;
   for (int i = 0; i < n; ++i) {
-    const int row = seen(i, own, n);
+    const int row = mode_order(i, own, n);
     m.below[i] = hn::Sub(centre, modal.omega[row]);
     m.above[i] = hn::Add(centre, modal.omega[row]);
-    for (int j = 0; j <= i; ++j) m.b[packed(i, j)] = modal.b[packed_of(row, seen(j, own, n))];
+    for (int j = 0; j <= i; ++j) m.b[packed(i, j)] = modal.b[packed_of(row, mode_order(j, own, n))];
   }
 }
 
@@ -287,7 +287,7 @@ HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const Modal
   if (modal.coupled) {
     each(n, [&](int j) TRIVET_LANES { residue[j] = zero(); });
     for (int i = 0; i < n; ++i) {
-      const int mode = seen(i, k, n);
+      const int mode = mode_order(i, k, n);
       participation = add_product(participation, modal.load[mode], at.v[i]);
       each(n, [&](int j) TRIVET_LANES { residue[j] = add_product(residue[j], modes.x[mode * n + j], at.v[i]); });
     }
@@ -305,7 +305,7 @@ HWY_INLINE void pole_of_mode(Size n, const PackOfModes<Size>& modes, const Modal
 
 /// Sets pole n + k to the conjugate of pole k in lanes without real poles.
 template <typename Size>
-HWY_INLINE void mirror(Size n, int k, PackOfPoles<Size>& result) {
+HWY_INLINE void add_conjugates(Size n, int k, PackOfPoles<Size>& result) {
   const LaneMask real = result.real[k];
   const auto partner = [&](ComplexPack* of_poles, int to, int from) TRIVET_LANES {
     if (hn::AllFalse(Lanes(), real)) of_poles[to] = conjugate(of_poles[from]);
@@ -343,7 +343,8 @@ HWY_INLINE LaneMask complete(Size n, const ModalPack<Size>& modal, const PackOfP
 
 /// Pole of mode k alone: the slower real one (or Im > 0), or its partner.
 template <typename Size>
-HWY_INLINE void alone(const ModalPack<Size>& modal, int k, bool partner, LaneMask& real, Pack& centre, Root<Size>& at) {
+HWY_INLINE void uncoupled_pole(const ModalPack<Size>& modal, int k, bool partner, LaneMask& real, Pack& centre,
+                               Root<Size>& at) {
   const Pack omega = modal.omega[k], damping = hn::Mul(all(0.5), modal.b[packed(k, k)]);
   const Pack difference = hn::Mul(hn::Sub(damping, omega), hn::Add(damping, omega)),
              radical = hn::Sqrt(hn::Abs(difference));
@@ -373,16 +374,16 @@ HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack
       Pencil<Size> pencil[together];
       Pack centre[together];
       for (int r = 0; r < together; ++r) {
-        alone(modal, k + r, partner == 1, result.real[k + r], centre[r], at[r]);
+        uncoupled_pole(modal, k + r, partner == 1, result.real[k + r], centre[r], at[r]);
         any_real = hn::Or(any_real, result.real[k + r]);
-        if (modal.coupled) arrange(n, modal, k + r, centre[r], pencil[r]);
+        if (modal.coupled) permute_to_mode(n, modal, k + r, centre[r], pencil[r]);
       }
       if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at, settled));
       for (int r = 0; r < together; ++r)
         pole_of_mode(n, modes, modal, k + r, centre[r], at[r], partner * n + k + r, result);
     }
   }
-  for (int k = 0; k < n; ++k) mirror(n, k, result);
+  for (int k = 0; k < n; ++k) add_conjugates(n, k, result);
   result.good = hn::And(result.good, complete(n, modal, result));
   result.condition = hn::Sqrt(result.condition);
 }

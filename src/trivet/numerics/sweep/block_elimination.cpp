@@ -24,7 +24,7 @@ std::vector<Eigen::Index> equal_blocks(Eigen::Index n, Eigen::Index size) {
 }
 
 /// Whether two rows have nine tenths of all their couplings in common.
-bool like(const std::vector<int>& a, const std::vector<int>& b) {
+bool has_similar_couplings(const std::vector<int>& a, const std::vector<int>& b) {
   std::size_t both = 0;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size(); a[i] < b[j] ? ++i : ++j)
     if (a[i] == b[j]) ++both;
@@ -36,7 +36,7 @@ std::vector<Eigen::Index> runs_of_like_rows(const Couplings& c) {
   std::vector<Eigen::Index> starts;
   for (std::size_t i = 0; i < c.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    const bool joins = !starts.empty() && row - starts.back() < largest_block && like(c[i], c[i - 1]);
+    const bool joins = !starts.empty() && row - starts.back() < largest_block && has_similar_couplings(c[i], c[i - 1]);
     if (!joins) starts.push_back(row);
   }
   return starts;
@@ -62,7 +62,7 @@ bool mostly_filled(const Couplings& c) {
 }
 
 /// First rows of the blocks, split if they are too large for a kernel.
-std::vector<Eigen::Index> cut(const std::vector<Eigen::Index>& starts, Eigen::Index n) {
+std::vector<Eigen::Index> split_starts(const std::vector<Eigen::Index>& starts, Eigen::Index n) {
   std::vector<Eigen::Index> result;
   for (std::size_t b = 0; b < starts.size(); ++b) {
     const Eigen::Index end = b + 1 < starts.size() ? starts[b + 1] : n;
@@ -181,7 +181,7 @@ double cost(const BlockElimination& e) {
 BlockElimination cheapest_block_elimination(const Couplings& c, const std::vector<Eigen::Index>& given,
                                             const std::vector<bool>& loaded) {
   const auto n = static_cast<Eigen::Index>(c.size());
-  if (!given.empty()) return block_elimination(c, cut(given, n), loaded);
+  if (!given.empty()) return block_elimination(c, split_starts(given, n), loaded);
   BlockElimination best = block_elimination(c, equal_blocks(n, body_coordinates), loaded);
   if (mostly_filled(c)) return best;
   for (const std::vector<Eigen::Index>& starts : {equal_blocks(n, planar_coordinates), runs_of_like_rows(c)}) {

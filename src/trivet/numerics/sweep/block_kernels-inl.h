@@ -28,8 +28,9 @@ struct Given {
 
   Given(const BlockPlan::Block& block, const double* values) {
     const double* next = values + block.values;
-    const auto take = [&](bool has) { return has ? std::exchange(next, next + block.entries()) : nullptr; };
-    K = take(block.has_K), loss = take(block.has_loss), B = take(block.has_B), A = take(block.has_A);
+    const auto next_block = [&](bool has) { return has ? std::exchange(next, next + block.entries()) : nullptr; };
+    K = next_block(block.has_K), loss = next_block(block.has_loss), B = next_block(block.has_B),
+    A = next_block(block.has_A);
   }
   [[nodiscard]] bool stiffness_and_damping() const {
     return K != nullptr && B != nullptr && loss == nullptr && A == nullptr;

@@ -39,27 +39,28 @@ inline Pack refused_pivots(const BlockPlan& plan, const Pass& p, const Pack& err
 }
 
 /// Backward error along one direction: |wᵀ(Zq − h)| divided by lower bounds of ‖Z‖∞ and ‖q‖∞.
-inline Pack seen_backward_error(const BlockPlan& plan, const Pass& p) {
-  ComplexPack seen{all(0.0), all(0.0)};
+inline Pack projected_backward_error(const BlockPlan& plan, const Pass& p) {
+  ComplexPack projected{all(0.0), all(0.0)};
   Pack square = all(0.0);
   for (std::size_t i = 0; i < plan.rows; ++i) {
     const ComplexPack z{hn::NegMulAdd(p.at.square, all(plan.weighted_A[i]), all(plan.weighted_K[i])),
                         hn::MulAdd(p.at.omega, all(plan.weighted_B[i]), all(plan.weighted_loss[i]))};
-    seen = add_product(seen, z, p.q[i]);
+    projected = add_product(projected, z, p.q[i]);
     square = hn::Max(square, squared_modulus(p.q[i]));
   }
   for (std::size_t k = 0; k < plan.free.size(); ++k) {
     const BlockPlan::Free& entry = plan.free[k];
     ComplexPack moved = all(plan.weight[entry.row]) * p.q[entry.column];
     if (entry.row != entry.column) moved = moved + all(plan.weight[entry.column]) * p.q[entry.row];
-    seen = add_product(seen, p.free[k], moved);
+    projected = add_product(projected, p.free[k], moved);
   }
   for (std::size_t i = 0; plan.given_load && i < plan.rows; ++i)
-    seen = subtract_product(seen, all(plan.weight[i]), p.load[i]);
+    projected = subtract_product(projected, all(plan.weight[i]), p.load[i]);
   for (std::size_t t = 0; t < plan.load.size(); ++t)
-    seen = subtract_product(seen, p.terms[t], {all(plan.load[t].weighted.real()), all(plan.load[t].weighted.imag())});
+    projected =
+        subtract_product(projected, p.terms[t], {all(plan.load[t].weighted.real()), all(plan.load[t].weighted.imag())});
   const Pack norm = norm_of_large_rows(plan, p);
-  return refused_pivots(plan, p, hn::Div(one_norm(seen), hn::Mul(norm, hn::Sqrt(square))), norm);
+  return refused_pivots(plan, p, hn::Div(one_norm(projected), hn::Mul(norm, hn::Sqrt(square))), norm);
 }
 
 /// Leaves h − Zq in `residual`. Returns ‖h‖∞.

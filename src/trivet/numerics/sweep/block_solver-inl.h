@@ -21,13 +21,15 @@ namespace trivet::numerics::HWY_NAMESPACE {
 struct Pass {
   /// Uses uninitialised memory for `plan.packs()` packs.
   Pass(const BlockPlan& plan, double* memory) {
-    const auto take = [&](std::size_t count) {
+    const auto allocate = [&](std::size_t count) {
       auto* packs = new (memory) ComplexPack[count];
       memory += count * BlockPlan::pack;
       return packs;
     };
-    factors = take(plan.factors), left = take(plan.widest), plain = take(plan.widest), residual = take(plan.rows);
-    terms = take(plan.load.size()), free = take(plan.free.size()), load = take(plan.given_load ? plan.rows : 0);
+    factors = allocate(plan.factors), left = allocate(plan.widest), plain = allocate(plan.widest),
+    residual = allocate(plan.rows);
+    terms = allocate(plan.load.size()), free = allocate(plan.free.size()),
+    load = allocate(plan.given_load ? plan.rows : 0);
   }
 
   ComplexPack *factors, *left, *plain, *residual, *terms, *free, *load;

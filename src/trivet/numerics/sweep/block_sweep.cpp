@@ -98,8 +98,8 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   }
   solver.solve();
   for (int i = 0; i < passes; ++i) {
-    error[i] =
-        batch.measure_all ? all(std::numeric_limits<double>::infinity()) : seen_backward_error(plan, solver.pass(i));
+    error[i] = batch.measure_all ? all(std::numeric_limits<double>::infinity())
+                                 : projected_backward_error(plan, solver.pass(i));
     const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled(i)));
     doubtful += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(certain(error[i]), present)));
   }

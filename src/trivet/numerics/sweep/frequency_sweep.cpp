@@ -5,7 +5,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
 #include "trivet/numerics/sweep/sweep_workspace.h"
 
@@ -14,15 +14,15 @@ namespace {
 
 constexpr std::size_t piece = 16 * static_cast<std::size_t>(SweepWorkspace::chunk);
 
-/// Solves all chunks; target(first) returns the destination of the solutions from `first` on, take(first, count,
+/// Solves all chunks; target(first) returns the destination of the solutions from `first` on, consume(first, count,
 /// planes, errors) receives them.
-template <typename Target, typename Take>
+template <typename Target, typename Consume>
 SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& omega, const SweepOptions& options,
-                           const Target& target, const Take& take) {
+                           const Target& target, const Consume& consume) {
   SweepCounts counts;
   std::mutex adding;
   const int threads = sweep_threads(plan.weight() * omega.size(), options.threads);
-  foundation::for_each_piece(
+  foundation::parallel_for(
       omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"},
       [&](std::size_t first, std::size_t last) {
         SweepWorkspace workspace(plan);
@@ -30,7 +30,7 @@ SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& ome
           const auto count = static_cast<long>(std::min(last - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
           const Planes q =
               workspace.solve(&omega[at], count, options.every_backward_error, target(static_cast<long>(at)));
-          take(static_cast<long>(at), count, q, workspace.backward_errors());
+          consume(static_cast<long>(at), count, q, workspace.backward_errors());
         }
         const std::lock_guard lock(adding);
         counts.add(workspace.counts());
@@ -46,10 +46,10 @@ constexpr std::size_t worth_poles = 2400;
 bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega,
                     SweepPlanes& result, const SweepOptions& options) {
   if (options.every_backward_error || omega.size() < worth_poles || !load.is_constant()) return false;
-  const std::optional<PoleSweep> poles = PoleSweep::of(matrices, load.at(0));
+  const std::optional<PoleSweep> poles = PoleSweep::try_build(matrices, load.at(0));
   if (!poles) return false;
   std::atomic<bool> good = true;
-  foundation::for_each_piece(
+  foundation::parallel_for(
       omega.size(), {piece, sweep_threads(omega.size(), options.threads), options.progress, "frequencies"},
       [&](std::size_t first, std::size_t last) {
         const auto at = static_cast<Eigen::Index>(first), taken = static_cast<Eigen::Index>(last - first);

@@ -83,7 +83,7 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
   const int n = static_cast<int>(modes.b.rows());
   RootsOfSystem roots;
   roots.n = n;
-  const auto seen = [&](int i, int own) { return i == n - 1 ? own : i + (i >= own); };
+  const auto mode_order = [&](int i, int own) { return i == n - 1 ? own : i + (i >= own); };
   for (int k = 0; k < n; ++k) {
     const double omega = static_cast<double>(modes.omega[k]), damping = 0.5 * modes.b(k, k);
     const double radical = std::sqrt(std::abs((damping - omega) * (damping + omega)));
@@ -96,10 +96,10 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
     roots.slope_re[k] = 2 * (roots.offset_re[k] + damping);
     roots.slope_im[k] = 2 * (roots.centre[k] + roots.offset_im[k]);
     for (int i = 0; i < n; ++i) {
-      const int mode = seen(i, k);
+      const int mode = mode_order(i, k);
       roots.below[i][k] = static_cast<double>(centre - modes.omega[mode]);
       roots.above[i][k] = static_cast<double>(centre + modes.omega[mode]);
-      for (int j = 0; j <= i; ++j) roots.b[i * (i + 1) / 2 + j][k] = modes.b(mode, seen(j, k));
+      for (int j = 0; j <= i; ++j) roots.b[i * (i + 1) / 2 + j][k] = modes.b(mode, mode_order(j, k));
       roots.v_re[i][k] = i == n - 1;
       roots.v_im[i][k] = 0;
     }
@@ -115,7 +115,7 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
     pole.lambda = {roots.offset_re[k], real ? Extended(0) : modes.omega[k] + roots.offset_im[k]};
     pole.slope = {roots.slope_re[k], roots.slope_im[k]};
     pole.v.resize(n);
-    for (int i = 0; i < n; ++i) pole.v(seen(i, k)) = {roots.v_re[i][k], roots.v_im[i][k]};
+    for (int i = 0; i < n; ++i) pole.v(mode_order(i, k)) = {roots.v_re[i][k], roots.v_im[i][k]};
     pole.shape.noalias() = modes.shapes * pole.v;
   }
   return true;
@@ -123,7 +123,7 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
 
 }  // namespace
 
-std::optional<PoleSweep> PoleSweep::of(const DynamicMatrices& matrices, const Eigen::VectorXcd& load) {
+std::optional<PoleSweep> PoleSweep::try_build(const DynamicMatrices& matrices, const Eigen::VectorXcd& load) {
   const int n = static_cast<int>(matrices.size());
   if (n < 1 || n > 12 || !matrices.symmetric || matrices.lossy()) return std::nullopt;
   PoleSweep result;

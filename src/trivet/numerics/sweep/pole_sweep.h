@@ -17,7 +17,8 @@ class PoleSweep {
   /// Empty unless A and K are positive definite, all matrices are symmetric without loss factor, n ≤ 12, and poles and
   /// residues are proven: each pole found once, none merging with another (|2λ| |v|²/|vᵀ(2λ + B̃)v| ≤ 1e4; 1 for
   /// well-separated modes), and a backward error ≤ 3e-15 at the frequencies of all poles and between them.
-  [[nodiscard]] static std::optional<PoleSweep> of(const DynamicMatrices& matrices, const Eigen::VectorXcd& load);
+  [[nodiscard]] static std::optional<PoleSweep> try_build(const DynamicMatrices& matrices,
+                                                          const Eigen::VectorXcd& load);
 
   /// q at these ω, count × n as real and imaginary parts, in memory that the caller keeps for further sweeps. One in 64
   /// frequencies is checked in Z q = h; returns false if a backward error exceeds 1e-14: then all must be solved

@@ -8,17 +8,17 @@
 namespace trivet::numerics {
 
 /// Recomputes the marked frequencies and those with a backward error that is not accepted.
-void SweepWorkspace::redo_missed(std::vector<char> marked, long count, const Planes& q) {
+void SweepWorkspace::recompute_rejected(std::vector<char> marked, long count, const Planes& q) {
   for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
     if (!(error_.data()[f] <= accepted_backward_error)) {
       marked.resize(static_cast<std::size_t>(count));
       marked[f] = 1;
     }
-  if (!marked.empty()) redo(marked, q);
+  if (!marked.empty()) recompute(marked, q);
 }
 
 /// Recomputes the marked frequencies by LU with partial pivoting in lanes, and those still not accepted one at a time.
-void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
+void SweepWorkspace::recompute(const std::vector<char>& marked, const Planes& q) {
   std::vector<long> which;
   for (std::size_t f = 0; f < marked.size(); ++f)
     if (marked[f]) which.push_back(static_cast<long>(f));
@@ -59,7 +59,7 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
     }
   }
   for (std::size_t k = 0; k < settled.size(); ++k)
-    if (!settled[k]) redo_alone(which[k], q);
+    if (!settled[k]) recompute_one(which[k], q);
   for (long f = static_cast<long>(marked.size()); f < padded_; ++f)
     for (Eigen::Index i = 0; i < n; ++i) {
       const long last = i * q.stride + static_cast<long>(marked.size()) - 1;
@@ -70,7 +70,7 @@ void SweepWorkspace::redo(const std::vector<char>& marked, const Planes& q) {
 /// h of one frequency of the chunk in scaled coordinates.
 Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
   if (plan_->solver() == SweepSolver::aimed || plan_->solver() == SweepSolver::blocks ||
-      plan_->solver() == SweepSolver::alone)
+      plan_->solver() == SweepSolver::one_frequency)
     return plan_->load_.at(omega_.data()[f]);
   Eigen::VectorXcd h(plan_->size());
   const Planes load = planes_in(load_);
@@ -81,18 +81,18 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
 }
 
 /// Solves one frequency with partial pivoting and one step of refinement; NaN if Z is singular.
-void SweepWorkspace::redo_alone(long f, const Planes& q) {
+void SweepWorkspace::recompute_one(long f, const Planes& q) {
   const auto n = static_cast<Eigen::Index>(plan_->size());
   Eigen::MatrixXcd z =
       plan_->blocks_ ? plan_->blocks_->scaled_matrix(omega_.data()[f]) : plan_->matrices_.at(omega_.data()[f]);
-  const Planes part = plan_->part_ && !plan_->evaluates_part_alone() ? planes_in(part_) : Planes{};
+  const Planes part = plan_->part_ && !plan_->evaluates_part_per_frequency() ? planes_in(part_) : Planes{};
   for (Eigen::Index i = 0; i < n && part.re; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {
       const long at = (i * n + j) * chunk + f;
       z(i, j) += Complex(part.re[at], part.im[at]);
     }
   Eigen::VectorXcd h = load_at(f);
-  if (plan_->evaluates_part_alone()) {
+  if (plan_->evaluates_part_per_frequency()) {
     Eigen::MatrixXcd z_part = Eigen::MatrixXcd::Zero(n, n);
     Eigen::VectorXcd h_part = Eigen::VectorXcd::Zero(n);
     plan_->part_.add(omega_.data()[f], z_part, h_part);

@@ -64,7 +64,7 @@ void SweepPlan::use_blocks(const DynamicMatrices& given, const Load& given_load)
 
 void SweepPlan::choose_solver() {
   if (!matrices_.symmetric) {
-    if (part_ && matrices_.size() > most_with_part) solver_ = SweepSolver::alone;
+    if (part_ && matrices_.size() > most_with_part) solver_ = SweepSolver::one_frequency;
     return;
   }
   solver_ = SweepSolver::fixed;
@@ -85,7 +85,7 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     aim_.order[at] = static_cast<int>(i == last ? n - 1 : i == n - 1 ? last : i);
     aim_.ratio[at] = i < n - 1 ? (term.value(aim_.order[at]) / term.value(last)).real() : 0;
   }
-  const auto carried = [&](Eigen::MatrixXd x) {
+  const auto transformed = [&](Eigen::MatrixXd x) {
     if (x.size() == 0) return x;
     x.row(last).swap(x.row(n - 1));
     x.col(last).swap(x.col(n - 1));
@@ -93,8 +93,8 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[static_cast<std::size_t>(j)] * x.col(n - 1);
     return x;
   };
-  solved_.emplace(DynamicMatrices{carried(matrices_.A), carried(matrices_.B), carried(matrices_.K),
-                                  carried(matrices_.K_loss), true});
+  solved_.emplace(DynamicMatrices{transformed(matrices_.A), transformed(matrices_.B), transformed(matrices_.K),
+                                  transformed(matrices_.K_loss), true});
   solver_ = SweepSolver::aimed;
 }
 

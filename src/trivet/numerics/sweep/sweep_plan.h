@@ -11,11 +11,12 @@
 namespace trivet::numerics {
 
 enum class SweepSolver {
-  aimed,    ///< n ≤ 6, the load a real direction times a factor: unrolled loops, no forward substitution
-  fixed,    ///< n ≤ 6, any load: unrolled loops
-  blocks,   ///< n > 6, or a frequency-dependent part: by bodies, blocks without coupling are skipped
-  pivoted,  ///< unsymmetric
-  alone     ///< unsymmetric, many coordinates with a frequency-dependent part: one frequency at a time, to save memory
+  aimed,         ///< n ≤ 6, the load a real direction times a factor: unrolled loops, no forward substitution
+  fixed,         ///< n ≤ 6, any load: unrolled loops
+  blocks,        ///< n > 6, or a frequency-dependent part: by bodies, blocks without coupling are skipped
+  pivoted,       ///< unsymmetric
+  one_frequency  ///< unsymmetric, many coordinates with a frequency-dependent part: one frequency at a time, to save
+                 ///< memory
 };
 
 /// One system in coordinates of unit mass diagonal. Selects the solver of a sweep.
@@ -36,8 +37,8 @@ class SweepPlan {
   void choose_solver();
   void aim(const LoadTerm& term, Eigen::Index last);
   void use_blocks(const DynamicMatrices& given, const Load& given_load);
-  [[nodiscard]] bool evaluates_part_alone() const {
-    return part_ && (solver_ == SweepSolver::blocks || solver_ == SweepSolver::alone);
+  [[nodiscard]] bool evaluates_part_per_frequency() const {
+    return part_ && (solver_ == SweepSolver::blocks || solver_ == SweepSolver::one_frequency);
   }
 
   Eigen::VectorXd scale_;

@@ -22,18 +22,19 @@ const sweep_kernels::Coefficients& SweepWorkspace::plain() {
   return *plain_;
 }
 
-void SweepWorkspace::take(const SweepPlan& plan) {
+void SweepWorkspace::prepare(const SweepPlan& plan) {
   plan_ = &plan;
   plain_.reset();
   load_filled_ = 0;
   for (LineMemory* one : {&omega_, &error_}) one->resize(chunk);
   const long n = plan.size();
-  const bool by_blocks = plan.solver() == SweepSolver::blocks, alone = plan.solver() == SweepSolver::alone;
+  const bool by_blocks = plan.solver() == SweepSolver::blocks,
+             one_frequency = plan.solver() == SweepSolver::one_frequency;
   q_.resize(numbers(n));
-  load_.resize(by_blocks || alone ? 0 : numbers(n));
+  load_.resize(by_blocks || one_frequency ? 0 : numbers(n));
   amplitude_.resize(plan.solver() == SweepSolver::aimed ? numbers(1) : 0);
   z_part_.resize(0, 0);
-  if (!plan.part_ || alone) {
+  if (!plan.part_ || one_frequency) {
     part_.resize(0);
   } else if (by_blocks) {
     part_.resize(2 * static_cast<std::size_t>(parts_together) * (plan.free_.size() + static_cast<std::size_t>(n)));
@@ -144,13 +145,13 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
   std::copy_n(omega, count, omega_.data());
   std::fill(omega_.data() + count, omega_.data() + padded, omega[count - 1]);
   const Planes q = target.re && padded == count ? target : planes_in(q_);
-  if (plan_->solver() == SweepSolver::alone) {
-    for (long f = 0; f < count; ++f) redo_alone(f, q);
+  if (plan_->solver() == SweepSolver::one_frequency) {
+    for (long f = 0; f < count; ++f) recompute_one(f, q);
     return q;
   }
   if (plan_->solver() == SweepSolver::blocks) {
     solve_blocks(every_backward_error, q);
-    redo_missed({}, count, q);
+    recompute_rejected({}, count, q);
     return q;
   }
   const int wanted = every_backward_error ? 2 : 1;
@@ -176,7 +177,7 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
       good = sweep_kernels::solve_pivoted(*plan_->solved_, batch);
       break;
     case SweepSolver::blocks:
-    case SweepSolver::alone:
+    case SweepSolver::one_frequency:
       break;  // above
   }
   std::vector<char> untrusted;
@@ -192,9 +193,9 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
   }
   if (every_backward_error) {
     sweep_kernels::backward_errors(plain(), batch);
-    redo_missed(untrusted, count, q);
+    recompute_rejected(untrusted, count, q);
   } else if (!untrusted.empty()) {
-    redo(untrusted, q);
+    recompute(untrusted, q);
   }
   return q;
 }

@@ -13,10 +13,10 @@ class SweepWorkspace {
   static constexpr long chunk = 256;  ///< frequencies; with six coordinates they stay in the nearest cache
 
   SweepWorkspace() = default;
-  explicit SweepWorkspace(const SweepPlan& plan) { take(plan); }
+  explicit SweepWorkspace(const SweepPlan& plan) { prepare(plan); }
 
   /// Switches to another system; memory of the same size is reused. The counts continue.
-  void take(const SweepPlan& plan);
+  void prepare(const SweepPlan& plan);
 
   /// Solutions at `count` ≤ `chunk` frequencies, in `target`, or in own planes if that is null or `count` must be
   /// padded.
@@ -41,9 +41,9 @@ class SweepWorkspace {
   void fill_parts(long count);
   void fill_free(long first, long count);
   void solve_blocks(bool every_backward_error, const Planes& q);
-  void redo_missed(std::vector<char> marked, long count, const Planes& q);
-  void redo(const std::vector<char>& marked, const Planes& q);
-  void redo_alone(long f, const Planes& q);
+  void recompute_rejected(std::vector<char> marked, long count, const Planes& q);
+  void recompute(const std::vector<char>& marked, const Planes& q);
+  void recompute_one(long f, const Planes& q);
   [[nodiscard]] Eigen::VectorXcd load_at(long f) const;
 
   const SweepPlan* plan_ = nullptr;

@@ -13,7 +13,7 @@
 namespace trivet::project {
 
 struct ResponseRequest {
-  Wanted wanted;
+  AnswerSelection selection;
   std::optional<response::Band> band;  ///< none: from 0 to 1.3 times the highest natural frequency
   response::Spacing spacing = response::Spacing::automatic;
   int points = 1001;       ///< of a linear or logarithmic grid
@@ -22,7 +22,7 @@ struct ResponseRequest {
 };
 
 struct PeaksRequest {
-  Wanted wanted;
+  AnswerSelection selection;
   double min_prominence = 1e-6;
   double peak_tolerance = 0.01;  ///< prominence over the adjacent minimum from which the design rule counts a peak
 };
@@ -59,7 +59,7 @@ struct MapAxis {
 /// Largest allowed amplitude of one answer, SI.
 struct MapLimit {
   std::string name;
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   double amplitude = 0;
   bool operator==(const MapLimit&) const = default;
 };
@@ -71,9 +71,9 @@ struct MapRequest {
   std::vector<MapLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
   std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency
-  assembly::Quantity quantity = assembly::Quantity::displacement;  ///< of these
-  double min_prominence = 1e-6, peak_tolerance = 0.01;             ///< as of `peaks`
-  std::vector<std::string> excitations;                            ///< empty: all
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  double min_prominence = 1e-6, peak_tolerance = 0.01;                         ///< as of `peaks`
+  std::vector<std::string> excitations;                                        ///< empty: all
   std::optional<std::vector<std::string>> cases;  ///< marked on the map; none: all that have both numbers
   bool operator==(const MapRequest&) const = default;
 };

@@ -14,17 +14,17 @@ namespace {
 constexpr int most_points = 2'000'000;
 
 /// Reports a steady response without a harmonic excitation.
-void check_driven(TableReader& analyses, const std::string& key, const Mentioned& mentioned) {
-  if (mentioned.harmonic_excitations.empty())
+void check_driven(TableReader& analyses, const std::string& key, const NamesInFile& in_file) {
+  if (in_file.harmonic_excitations.empty())
     analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it",
                    "add [excitations.NAME] with type = \"harmonic\"");
 }
 
-ResponseRequest read_response(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+ResponseRequest read_response(const Node& node, const ResultNames& names, const NamesInFile& in_file,
                               foundation::Problems& problems) {
   TableReader reader(node, "analyses.response", problems);
   ResponseRequest request;
-  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
+  read_selection(reader, names, in_file.harmonic_excitations, "harmonic", request.selection);
   request.band = read_band(reader, "band");
   const auto spacing = reader.choice("spacing", {"automatic", "linear", "logarithmic"});
   if (spacing == "linear") request.spacing = response::Spacing::linear;
@@ -58,12 +58,12 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
   return request;
 }
 
-PeaksRequest read_peaks(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+PeaksRequest read_peaks(const Node& node, const ResultNames& names, const NamesInFile& in_file,
                         const std::optional<ResponseRequest>& response, foundation::Problems& problems) {
   TableReader reader(node, "analyses.peaks", problems);
   PeaksRequest request;
-  if (response) request.wanted = response->wanted;  // by default the peaks of the same curves
-  read_wanted(reader, names, mentioned.harmonic_excitations, "harmonic", request.wanted);
+  if (response) request.selection = response->selection;  // by default the peaks of the same curves
+  read_selection(reader, names, in_file.harmonic_excitations, "harmonic", request.selection);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   reader.finish();
   return request;
@@ -81,7 +81,7 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
   for (const std::string& name : table->keys) {
     if (name == "accept") continue;
     const auto measured =
-        names.component(name, response ? response->wanted.quantity : assembly::Quantity::displacement);
+        names.component(name, response ? response->selection.quantity : assembly::MotionQuantity::displacement);
     if (!measured) {
       refuse_limit(reader, names, name);
       continue;
@@ -100,11 +100,11 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
   return limits;
 }
 
-std::vector<std::string> read_static(const Node& node, const ResultNames& names, const Mentioned& mentioned,
+std::vector<std::string> read_static(const Node& node, const ResultNames& names, const NamesInFile& in_file,
                                      foundation::Problems& problems) {
   TableReader reader(node, "analyses.static", problems);
   std::vector<std::string> of = {"coordinates"};
-  of.insert(of.end(), mentioned.elements.begin(), mentioned.elements.end());
+  of.insert(of.end(), in_file.elements.begin(), in_file.elements.end());
   of.push_back("ground");
   read_of(reader, names, of);
   reader.finish();
@@ -113,42 +113,42 @@ std::vector<std::string> read_static(const Node& node, const ResultNames& names,
 
 }  // namespace
 
-Analyses read_analyses(TableReader& root, const Mentioned& mentioned) {
+Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
   Analyses analyses;
-  const ResultNames names(mentioned);
+  const ResultNames names(in_file);
   bool quantity_is_clear = true;
   if (const Node* table = root.table("analyses")) {
     TableReader reader(*table, "analyses", root.problems());
-    for (const auto& [key, wanted] : {std::pair{"modes", &analyses.modes}, {"roots", &analyses.roots}})
+    for (const auto& [key, enabled] : {std::pair{"modes", &analyses.modes}, {"roots", &analyses.roots}})
       if (const Node* node = reader.table(key)) {
         TableReader(*node, std::string("analyses.") + key, root.problems()).finish();
-        *wanted = true;
+        *enabled = true;
       }
     if (const Node* node = reader.table("response")) {
-      check_driven(reader, "response", mentioned);
+      check_driven(reader, "response", in_file);
       const std::size_t before = root.problems().errors();
-      analyses.response = read_response(*node, names, mentioned, root.problems());
+      analyses.response = read_response(*node, names, in_file, root.problems());
       quantity_is_clear = root.problems().errors() == before || !node->find("quantity");
     }
     if (const Node* node = reader.table("peaks")) {
-      if (!analyses.response) check_driven(reader, "peaks", mentioned);
-      analyses.peaks = read_peaks(*node, names, mentioned, analyses.response, root.problems());
+      if (!analyses.response) check_driven(reader, "peaks", in_file);
+      analyses.peaks = read_peaks(*node, names, in_file, analyses.response, root.problems());
     }
     if (const Node* node = reader.table("static")) {
-      if (!root.has("gravity") && mentioned.constant_excitations.empty())
+      if (!root.has("gravity") && in_file.constant_excitations.empty())
         reader.error("static", "neither gravity nor a constant force", "a static answer needs a load",
                      "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
-      analyses.static_of = read_static(*node, names, mentioned, root.problems());
+      analyses.static_of = read_static(*node, names, in_file, root.problems());
       analyses.load_sharing = root.has("gravity");
     }
-    read_questions(reader, names, mentioned, analyses);
-    read_map(root, reader, names, mentioned, analyses);
+    read_questions(reader, names, in_file, analyses);
+    read_map(root, reader, names, in_file, analyses);
     reader.finish();
   }
   read_limit_lines(root, names, analyses);
   analyses.limits =
       read_limits(root, names, analyses.response, quantity_is_clear, analyses.map && analyses.map->limits_of_file);
-  take_limits_of_file(analyses);
+  use_limits_of_file(analyses);
   return analyses;
 }
 

@@ -12,13 +12,13 @@ namespace trivet::project {
 namespace {
 
 /// `rows` or `file` of S_a over natural period (default) or frequency.
-std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames& names, const Mentioned&) {
+std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames& names, const NamesInFile&) {
   auto asked = std::make_unique<EarthquakeQuestion>();
-  read_of(reader, names, asked->wanted.of);
+  read_of(reader, names, asked->selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") asked->wanted.quantity = assembly::Quantity::velocity;
-  if (quantity == "acceleration") asked->wanted.quantity = assembly::Quantity::acceleration;
-  for (const std::string& word : asked->wanted.of)
+  if (quantity == "velocity") asked->selection.quantity = assembly::MotionQuantity::velocity;
+  if (quantity == "acceleration") asked->selection.quantity = assembly::MotionQuantity::acceleration;
+  for (const std::string& word : asked->selection.of)
     if (word == "base" || word.starts_with("base."))
       reader.error("of", "\"" + word + "\"",
                    "an earthquake's answers are those of bodies and elements, relative to the ground", "remove it");

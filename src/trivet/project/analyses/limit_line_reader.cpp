@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/analyses/wanted_reader.h"
+#include "trivet/project/analyses/selection_reader.h"
 #include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/pairs_reader.h"
 
@@ -23,10 +23,10 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     LimitLineRequest request;
     request.of = reader.required_text("of");
     const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"}).value_or("velocity");
-    const auto wanted = quantity == "velocity" ? assembly::Quantity::velocity
-        : quantity == "acceleration"           ? assembly::Quantity::acceleration
-                                               : assembly::Quantity::displacement;
-    const auto measured = names.component(request.of, wanted);
+    const auto motion_quantity = quantity == "velocity" ? assembly::MotionQuantity::velocity
+        : quantity == "acceleration"                    ? assembly::MotionQuantity::acceleration
+                                                        : assembly::MotionQuantity::displacement;
+    const auto measured = names.component(request.of, motion_quantity);
     if (reader.has("of") && !measured)
       reader.error("of", foundation::quoted(request.of),
                    "a limit line belongs to one component: \"BODY.x\", \"BODY.POINT.z\", \"ELEMENT.force.z\"",
@@ -41,7 +41,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
       const bool force = *measured == Quantity::force || *measured == Quantity::moment;
       const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
       request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
-                                : (turns ? turning : units)[static_cast<std::size_t>(wanted)];
+                                : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
     }
     const auto rows =
         reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, "frequency_hz", "limit");

@@ -16,8 +16,8 @@
 namespace trivet::project {
 namespace {
 
-constexpr assembly::Quantity derivatives[] = {assembly::Quantity::displacement, assembly::Quantity::velocity,
-                                              assembly::Quantity::acceleration};
+constexpr assembly::MotionQuantity derivatives[] = {
+    assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity, assembly::MotionQuantity::acceleration};
 
 /// True if a blank is outside the quoted names.
 bool has_stray_blank(const std::string& path) {
@@ -72,13 +72,14 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
     }
     node = next;
   }
-  const auto told = [&](const foundation::Problem& p) {
+  const auto at_this_path = [&](const foundation::Problem& p) {
     return p.severity == foundation::Severity::error && p.subject == path;
   };
-  if (!written_number(*node) && std::none_of(root.problems().list().begin(), root.problems().list().end(), told))
+  if (!written_number(*node) &&
+      std::none_of(root.problems().list().begin(), root.problems().list().end(), at_this_path))
     reader.error("parameter", shown,
                  fmt::format("it is {}, not a number",
-                             node->kind == Node::Kind::text ? project::shown(*node) : words(node->kind)),
+                             node->kind == Node::Kind::text ? project::value_text(*node) : kind_name(node->kind)),
                  "name one number; those of an array of three are .x, .y and .z");
 }
 
@@ -91,7 +92,7 @@ std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string
   const auto number = written_number(*node);
   const bool good = number && std::isfinite(number->value) && !outside_range(number->value, Quantity::pure);
   if (!good)
-    reader.error(key, shown(*node),
+    reader.error(key, value_text(*node),
                  "an end of the range is a finite number up to 1e30, or a text of a number and a unit",
                  "for instance from = 0.5, or from = \"5 mm\"");
   return good ? number : std::nullopt;
@@ -112,7 +113,8 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
   const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
   if (from && to && from->unit != to->unit)
-    reader.error("to", fmt::format("from = {}, to = {}", shown(*table->find("from")), shown(*table->find("to"))),
+    reader.error("to",
+                 fmt::format("from = {}, to = {}", value_text(*table->find("from")), value_text(*table->find("to"))),
                  "both ends of a range have the same unit, or neither has one", "give both the same unit");
   else if (from && to) {
     axis.from = from->value;
@@ -138,22 +140,22 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
 
 /// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
 void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
-                assembly::Quantity usual, std::vector<MapLimit>& limits) {
+                assembly::MotionQuantity usual, std::vector<MapLimit>& limits) {
   if (value.kind == Node::Kind::text)
-    for (const assembly::Quantity quantity : derivatives) {
+    for (const assembly::MotionQuantity quantity : derivatives) {
       const auto si = to_si(value.text, *names.component(name, quantity));
       if (!si) continue;
-      if (!(*si > 0)) reader.error(name, shown(value), "a limit is > 0", "change it");
+      if (!(*si > 0)) reader.error(name, value_text(value), "a limit is > 0", "change it");
       limits.push_back({name, quantity, *si});
       return;
     }
   if (value.kind == Node::Kind::text && written_number(value)) {
     std::string units;
-    for (const assembly::Quantity quantity : derivatives) {
+    for (const assembly::MotionQuantity quantity : derivatives) {
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
     }
-    reader.error(name, shown(value), "its unit does not measure this answer",
+    reader.error(name, value_text(value), "its unit does not measure this answer",
                  "a unit that converts to one of " + units);
     return;
   }
@@ -175,7 +177,7 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
                                               "keep the smaller"));
 }
 
-std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::Quantity usual) {
+std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::MotionQuantity usual) {
   std::vector<MapLimit> limits;
   const Node* table = map.table("limits");
   if (!table) return limits;
@@ -228,22 +230,22 @@ double MapAxis::share(double value) const {
   return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
 }
 
-void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const Mentioned& mentioned,
+void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
               Analyses& result) {
   const Node* table = analyses.table("map");
   if (!table) return;
-  if (mentioned.harmonic_excitations.empty())
+  if (in_file.harmonic_excitations.empty())
     analyses.error("map",
                    "no harmonic excitation in the model" +
-                       (other_excitations(mentioned).empty() ? "" : ": " + other_excitations(mentioned)),
+                       (other_excitations(in_file).empty() ? "" : ": " + other_excitations(in_file)),
                    "a map checks amplitudes under harmonic forces (types harmonic, base, unbalance)",
                    "add [excitations.NAME] with type = \"harmonic\"");
   TableReader reader(*table, "analyses.map", root.problems());
   MapRequest request;
   if (result.response) {
     request.band = result.response->band;
-    request.quantity = result.response->wanted.quantity;
-    request.excitations = result.response->wanted.excitations;
+    request.quantity = result.response->selection.quantity;
+    request.excitations = result.response->selection.excitations;
   }
   if (result.peaks) {
     request.min_prominence = result.peaks->min_prominence;
@@ -258,7 +260,7 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     reader.error("x", fmt::format("{} × {} designs", request.x.points, request.y.points),
                  fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
   if (reader.node("band")) request.band = read_band(reader, "band");
-  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, mentioned);
+  if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, in_file);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
   request.limits = read_limits_of_map(reader, names, request.quantity);
@@ -295,10 +297,10 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   result.map = std::move(request);
 }
 
-void take_limits_of_file(Analyses& analyses) {
+void use_limits_of_file(Analyses& analyses) {
   if (!analyses.map || !analyses.map->limits_of_file) return;
-  const assembly::Quantity quantity =
-      analyses.response ? analyses.response->wanted.quantity : assembly::Quantity::displacement;
+  const assembly::MotionQuantity quantity =
+      analyses.response ? analyses.response->selection.quantity : assembly::MotionQuantity::displacement;
   for (const Limit& limit : analyses.limits) analyses.map->limits.push_back({limit.name, quantity, limit.amplitude});
 }
 

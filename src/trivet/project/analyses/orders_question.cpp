@@ -8,9 +8,9 @@ namespace trivet::project {
 namespace {
 
 std::unique_ptr<Question> read_orders_question(TableReader& reader, const ResultNames& names,
-                                               const Mentioned& mentioned) {
+                                               const NamesInFile& in_file) {
   auto asked = std::make_unique<OrdersQuestion>();
-  read_wanted(reader, names, mentioned.order_excitations, "order", asked->wanted);
+  read_selection(reader, names, in_file.order_excitations, "order", asked->selection);
   if (!reader.has("speed"))
     reader.missing("speed", "give the range of shaft speeds: speed = [\"600 rpm\", \"3000 rpm\"]");
   asked->speed = read_band(reader, "speed").value_or(response::Band{0, 1});

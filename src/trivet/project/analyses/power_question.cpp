@@ -6,9 +6,9 @@ namespace trivet::project {
 namespace {
 
 /// Mean power into the ground at each mount.
-std::unique_ptr<Question> read_power(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_power(TableReader& reader, const ResultNames&, const NamesInFile& in_file) {
   auto asked = std::make_unique<BandQuestion>();
-  asked->wanted.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  asked->selection.excitations = read_selected(reader, in_file.harmonic_excitations, "harmonic");
   asked->band = read_band(reader, "band");
   return asked;
 }

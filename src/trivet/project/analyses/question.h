@@ -11,18 +11,18 @@
 namespace trivet::project {
 
 /// Which answers of which quantity under which excitations.
-struct Wanted {
+struct AnswerSelection {
   std::vector<std::string> of = {"coordinates"};
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   std::vector<std::string> excitations;  ///< empty: all
 
-  bool operator==(const Wanted&) const = default;
+  bool operator==(const AnswerSelection&) const = default;
 };
 
-/// An independent question of [analyses] (question_table.h). Parts of `wanted` that it does not use have their
+/// An independent question of [analyses] (question_table.h). Parts of `selection` that it does not use have their
 /// defaults.
 struct Question {
-  Wanted wanted;
+  AnswerSelection selection;
   virtual ~Question() = default;
 };
 

@@ -6,19 +6,19 @@
 namespace trivet::project {
 namespace {
 
-const std::vector<std::string>& mentioned_for(Drive drive, const Mentioned& mentioned) {
+const std::vector<std::string>& excitations_for(Drive drive, const NamesInFile& in_file) {
   switch (drive) {
     case Drive::random:
-      return mentioned.random_excitations;
+      return in_file.random_excitations;
     case Drive::time:
-      return mentioned.time_excitations;
+      return in_file.time_excitations;
     case Drive::orders:
-      return mentioned.order_excitations;
+      return in_file.order_excitations;
     case Drive::harmonic:
     case Drive::none:
       break;
   }
-  return mentioned.harmonic_excitations;
+  return in_file.harmonic_excitations;
 }
 
 }  // namespace
@@ -30,16 +30,16 @@ const std::vector<QuestionReader>& question_readers() {
   return list;
 }
 
-void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result) {
+void read_questions(TableReader& analyses, const ResultNames& names, const NamesInFile& in_file, Analyses& result) {
   for (const QuestionReader& question : question_readers()) {
     const Node* table = analyses.table(question.name);
     if (!table) continue;
     const bool driven = question.drive == Drive::none || (question.moves_by_itself && question.moves_by_itself(*table));
-    if (!driven && mentioned_for(question.drive, mentioned).empty())
+    if (!driven && excitations_for(question.drive, in_file).empty())
       analyses.error(question.name, missing_excitation(question.drive).finding, "this answer needs one",
                      missing_excitation(question.drive).remedy);
     TableReader reader(*table, std::string("analyses.") + question.name, analyses.problems());
-    result.questions[question.name] = question.read(reader, names, mentioned);
+    result.questions[question.name] = question.read(reader, names, in_file);
     reader.finish();
   }
 }

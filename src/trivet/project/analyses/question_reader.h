@@ -8,7 +8,7 @@
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/question_table.h"
-#include "trivet/project/analyses/wanted_reader.h"
+#include "trivet/project/analyses/selection_reader.h"
 
 namespace trivet::project {
 
@@ -17,9 +17,9 @@ struct QuestionReader {
   const char* name = nullptr;  ///< of its table in [analyses]; set by question_readers()
   Drive drive = Drive::none;   ///< the model must have an excitation of this kind
   std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names,
-                                    const Mentioned& mentioned) = nullptr;
+                                    const NamesInFile& in_file) = nullptr;
   bool searches_peaks = false;                           ///< its cost is that of a search for peaks
-  double (*curves)(const Question& asked) = nullptr;     ///< number of curves, if not that of `wanted.of`
+  double (*curves)(const Question& asked) = nullptr;     ///< number of curves, if not that of `selection.of`
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< true if it needs no excitation
   void (*check)(const Question& asked, const model::System& system,
                 foundation::Problems& problems) = nullptr;  ///< checks the question against a valid model
@@ -34,7 +34,7 @@ TRIVET_QUESTIONS(TRIVET_READER)
 [[nodiscard]] const std::vector<QuestionReader>& question_readers();
 
 /// Reads the questions of the file into `result`, and reports missing excitations.
-void read_questions(TableReader& analyses, const ResultNames& names, const Mentioned& mentioned, Analyses& result);
+void read_questions(TableReader& analyses, const ResultNames& names, const NamesInFile& in_file, Analyses& result);
 
 /// Reports questions that do not suit the model.
 void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems);

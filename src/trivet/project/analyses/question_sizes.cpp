@@ -76,7 +76,7 @@ class Sizes {
 };
 
 void check_response(Sizes& sizes, const ResponseRequest& asked) {
-  const double count = sizes.curves(asked.wanted.of);
+  const double count = sizes.curves(asked.selection.of);
   const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == response::Spacing::automatic);
   if (searched) sizes.check_search("analyses.response", count);
   else sizes.check_curves("analyses.response", count);
@@ -129,11 +129,11 @@ foundation::Problems too_large(const model::Description& description, const Anal
   }
   check_inputs(sizes, description);
   if (asked.response) check_response(sizes, *asked.response);
-  if (asked.peaks) sizes.check_search("analyses.peaks", sizes.curves(asked.peaks->wanted.of));
+  if (asked.peaks) sizes.check_search("analyses.peaks", sizes.curves(asked.peaks->selection.of));
   if (asked.static_of) sizes.check_curves("analyses.static", sizes.curves(*asked.static_of));
   for (const QuestionReader& reader : question_readers())
     if (const Question* question = asked.find<Question>(reader.name)) {
-      const double count = reader.curves ? reader.curves(*question) : sizes.curves(question->wanted.of);
+      const double count = reader.curves ? reader.curves(*question) : sizes.curves(question->selection.of);
       const std::string subject = std::string("analyses.") + reader.name;
       if (reader.searches_peaks) sizes.check_search(subject, count);
       else sizes.check_curves(subject, count);

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_with_laws = 2000;
 inline constexpr std::size_t most_curves = 2000;
 
 /// Most bodies, elements and excitations in all cases of a file together: each takes about ten kilobytes.
-inline constexpr std::size_t most_things_of_cases = 50'000;
+inline constexpr std::size_t most_parts_of_cases = 50'000;
 
 /// Number of coordinates of bodies, elements with inner coordinates and foundations.
 /// @param with_laws  also those that represent frequency-dependent laws in modes and roots

@@ -10,9 +10,9 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& names, const NamesInFile& in_file) {
   auto asked = std::make_unique<RandomQuestion>();
-  read_wanted(reader, names, mentioned.random_excitations, "random", asked->wanted);
+  read_selection(reader, names, in_file.random_excitations, "random", asked->selection);
   using excitation::Weighting;
   static const std::array<std::pair<const char*, Weighting>, 8> weightings = {{{"Wb", Weighting::Wb},
                                                                                {"Wc", Weighting::Wc},
@@ -36,7 +36,7 @@ std::unique_ptr<Question> read_random(TableReader& reader, const ResultNames& na
   if (word)
     for (const auto& [name, weighting] : weightings)
       if (*word == name) asked->weighting = weighting;
-  const std::vector<std::string>& of = asked->wanted.of;
+  const std::vector<std::string>& of = asked->selection.of;
   if (word && std::all_of(of.begin(), of.end(), [&](const std::string& name) { return names.is_force(name); }))
     warn_of_idle_key(reader, "weighting", "\"" + *word + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");

@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::size_t most_shapes = 1000;
 
-std::unique_ptr<Question> read_shapes(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_shapes(TableReader& reader, const ResultNames&, const NamesInFile& in_file) {
   auto asked = std::make_unique<ShapesQuestion>();
-  asked->wanted.excitations = read_selected(reader, mentioned.harmonic_excitations, "harmonic");
+  asked->selection.excitations = read_selected(reader, in_file.harmonic_excitations, "harmonic");
   if (!reader.has("at")) reader.missing("at", "give the frequencies: at = [\"25 Hz\"]");
   asked->at = reader.numbers("at", Quantity::angular_frequency).value_or(std::vector<double>{});
   if (reader.has("at") && asked->at.empty())

@@ -9,9 +9,9 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_shock_spectrum(TableReader& reader, const ResultNames&, const NamesInFile& in_file) {
   auto asked = std::make_unique<ShockSpectrumQuestion>();
-  asked->wanted.excitations = read_selected(reader, mentioned.time_excitations, "time");
+  asked->selection.excitations = read_selected(reader, in_file.time_excitations, "time");
   asked->damping_ratio = reader.number("damping", Quantity::pure).value_or(0.05);
   if (!(asked->damping_ratio >= 0 && asked->damping_ratio < 1))
     reader.error("damping", fmt::format("{:.6g}", asked->damping_ratio),

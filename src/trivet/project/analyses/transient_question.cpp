@@ -14,7 +14,7 @@ namespace {
 constexpr double most_time_points = 20'000'000;
 
 std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, const std::string& key,
-                                                         const ResultNames& names, assembly::Quantity quantity) {
+                                                         const ResultNames& names, assembly::MotionQuantity quantity) {
   std::vector<std::pair<std::string, double>> values;
   const Node* table = reader.table(key);
   if (!table) return values;
@@ -33,9 +33,9 @@ std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, co
   return values;
 }
 
-std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames& names, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames& names, const NamesInFile& in_file) {
   auto asked = std::make_unique<TransientQuestion>();
-  read_wanted(reader, names, mentioned.time_excitations, "time", asked->wanted);
+  read_selection(reader, names, in_file.time_excitations, "time", asked->selection);
   asked->from = reader.number("from", Quantity::time).value_or(0);
   asked->to = reader.number("to", Quantity::time);
   asked->step = reader.number("step", Quantity::time);
@@ -50,8 +50,8 @@ std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames&
     reader.error("step", fmt::format("{:.3g} points", (*asked->to - asked->from) / *asked->step),
                  fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
   asked->nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
-  asked->displacements = read_initial(reader, "initial_displacement", names, assembly::Quantity::displacement);
-  asked->velocities = read_initial(reader, "initial_velocity", names, assembly::Quantity::velocity);
+  asked->displacements = read_initial(reader, "initial_displacement", names, assembly::MotionQuantity::displacement);
+  asked->velocities = read_initial(reader, "initial_velocity", names, assembly::MotionQuantity::velocity);
   return asked;
 }
 
@@ -62,7 +62,7 @@ bool starts_from_initial_values(const Node& table) {
 void check_transient(const Question& asked, const model::System& system, foundation::Problems& problems) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto problem = response::without_motion_in_time(
-      system, assembled, response::time_inputs(system, assembled, asked.wanted.excitations),
+      system, assembled, response::time_inputs(system, assembled, asked.selection.excitations),
       static_cast<const TransientQuestion&>(asked).nearest_linear_system);
   if (problem) problems.error("analyses.transient", problem->finding, problem->rule, problem->remedy);
 }

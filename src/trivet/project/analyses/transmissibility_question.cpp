@@ -11,7 +11,7 @@
 namespace trivet::project {
 namespace {
 
-std::unique_ptr<Question> read_transmissibility(TableReader& reader, const ResultNames&, const Mentioned& mentioned) {
+std::unique_ptr<Question> read_transmissibility(TableReader& reader, const ResultNames&, const NamesInFile& in_file) {
   auto asked = std::make_unique<TransmissibilityQuestion>();
   const auto force = reader.text("force");
   asked->force = force.value_or("");
@@ -22,9 +22,9 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
                  "a transmissibility is that of a force excitation or of a motion of the ground",
                  reader.has("force") ? "keep one" : "force = \"EXCITATION\", or base = \"z\"");
   if (force &&
-      std::find(mentioned.harmonic_excitations.begin(), mentioned.harmonic_excitations.end(), asked->force) ==
-          mentioned.harmonic_excitations.end()) {
-    const std::string guess = foundation::nearest_name(asked->force, mentioned.harmonic_excitations);
+      std::find(in_file.harmonic_excitations.begin(), in_file.harmonic_excitations.end(), asked->force) ==
+          in_file.harmonic_excitations.end()) {
+    const std::string guess = foundation::nearest_name(asked->force, in_file.harmonic_excitations);
     reader.error("force", foundation::quoted(asked->force), "no harmonic excitation has this name",
                  guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
   }
@@ -34,17 +34,17 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
       reader.error(key, std::string(key) + " together with a force",
                    "a force is compared with the force on the ground in the same direction", "remove it");
   asked->direction.rotation = reader.boolean("rotation").value_or(false);
-  std::vector<std::string> places = mentioned.bodies;
-  places.insert(places.end(), mentioned.points.begin(), mentioned.points.end());
-  asked->wanted.of = reader.texts("of", R"(["BODY"])").value_or(mentioned.bodies);
-  for (const std::string& name : asked->wanted.of)
-    if (!mentioned.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
+  std::vector<std::string> places = in_file.bodies;
+  places.insert(places.end(), in_file.points.begin(), in_file.points.end());
+  asked->selection.of = reader.texts("of", R"(["BODY"])").value_or(in_file.bodies);
+  for (const std::string& name : asked->selection.of)
+    if (!in_file.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
       reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT",
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
   asked->band = read_band(reader, "band");
-  if (!asked->force.empty()) asked->wanted = {.of = {"ground"}, .excitations = {asked->force}};
+  if (!asked->force.empty()) asked->selection = {.of = {"ground"}, .excitations = {asked->force}};
   return asked;
 }
 
@@ -62,7 +62,7 @@ void check_force(const Question& asked, const model::System& system, foundation:
 
 double curves_of_transmissibility(const Question& asked) {
   const bool of_force = !static_cast<const TransmissibilityQuestion&>(asked).force.empty();
-  return of_force ? 1 : static_cast<double>(asked.wanted.of.size());
+  return of_force ? 1 : static_cast<double>(asked.selection.of.size());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "trivet/elements/dimension_checks.h"
 #include "trivet/foundation/part_size.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/material_reader.h"
 
 namespace trivet::project {
@@ -84,7 +84,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
   return reader.errors() == before ? std::optional(result) : std::nullopt;
 }
 
-LengthOf read_beam(TableReader& reader, model::Element& element) {
+ElementLength read_beam(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   const double length = reader.required_number("length", Quantity::length);
   const std::string level = reader.choice("level", {"quasi_static", "with_mass"}).value_or("with_mass");
@@ -120,7 +120,7 @@ LengthOf read_beam(TableReader& reader, model::Element& element) {
   return length;
 }
 
-LengthOf read_link(TableReader& reader, model::Element& element) {
+ElementLength read_link(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   elements::Link link;
   link.length = reader.required_number("length", Quantity::length);

@@ -106,7 +106,7 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
         std::none_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
     if (!good_name || table->items[i].kind != Node::Kind::table)
       root.problems()
-          .error("mounts." + foundation::shortened(name), good_name ? words(table->items[i].kind) : "not a name",
+          .error("mounts." + foundation::shortened(name), good_name ? kind_name(table->items[i].kind) : "not a name",
                  fmt::format("a mount is a table with a name of at most {} characters on one line", longest_mount_name),
                  "write [mounts.\"NAME\"] and its data below")
           .origin = table->items[i].origin;

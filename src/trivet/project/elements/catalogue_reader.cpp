@@ -3,7 +3,7 @@
 
 #include "trivet/project/elements/catalogue.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {

@@ -57,7 +57,7 @@ void check_loss(TableReader& reader, const Matrix12& loss, const model::Span& sp
 
 }  // namespace
 
-void take_loss(TableReader& reader, const Matrix12& loss, const model::Span& span, model::Element& element) {
+void set_loss(TableReader& reader, const Matrix12& loss, const model::Span& span, model::Element& element) {
   if (reader.has("damping")) {
     reader.error("damping", "damping and a complex matrix", "the imaginary part of the file holds the loss",
                  "remove damping, or export the real part alone");

@@ -12,6 +12,6 @@ inline constexpr double rounded_loss = 1e-6, noisy_loss = 0.02;
 /// Adds the imaginary part of a constant complex stiffness (N, K, end axes) to the law of an element: a loss factor if
 /// it is a multiple of the real part, which the law already has; else a stiffness K' + iK'' that is the same at every
 /// frequency. Problems are reported at the key `file`.
-void take_loss(TableReader& reader, const elements::Matrix12& loss, const model::Span& span, model::Element& element);
+void set_loss(TableReader& reader, const elements::Matrix12& loss, const model::Span& span, model::Element& element);
 
 }  // namespace trivet::project

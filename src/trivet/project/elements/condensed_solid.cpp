@@ -42,7 +42,8 @@ std::vector<double> numbers_of(const fem::PreloadedStiffness& p) {
 
 /// Numbers of an earlier run from the cache, or computed ones.
 template <typename Make, typename Compute>
-std::vector<double> remembered(const std::string& key, std::size_t count, const Make& make, const Compute& numbers) {
+std::vector<double> cached_or_computed(const std::string& key, std::size_t count, const Make& make,
+                                       const Compute& numbers) {
   if (const auto kept = cached_numbers(key); kept && kept->size() == count) return *kept;
   std::vector<double> found = numbers(make());
   keep_numbers(key, found);
@@ -105,7 +106,7 @@ void read_large_strain(TableReader& reader, fem::Material& material) {
               {"bulk_modulus", "material"}});
 }
 
-std::string words(const fem::Material& m) {
+std::string constants_text(const fem::Material& m) {
   return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g} {:.17g}", m.c10, m.c01, m.c20, m.c30, m.bulk_modulus);
 }
 
@@ -113,8 +114,8 @@ std::string solid_key(const std::string& description, const std::vector<std::str
   return content_key(std::string(method) + " " + description, files);
 }
 
-LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
-                   const std::optional<Compression>& compression, model::Element& element) {
+ElementLength condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
+                        const std::optional<Compression>& compression, model::Element& element) {
   const std::size_t before = reader.errors();
   try {
     std::optional<Solid> solid;  // meshed once, and only if a result is not in the cache
@@ -123,7 +124,7 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
       return *solid;
     };
     if (!compression) {
-      const fem::SolidStiffness s = solid_stiffness(remembered(
+      const fem::SolidStiffness s = solid_stiffness(cached_or_computed(
           key + "-free", 291,
           [&] {
             const Solid& it = meshed();
@@ -137,7 +138,7 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
     }
     const std::string preload_key =
         content_key(fmt::format("{} preload {:.17g} {}", key, compression->value, compression->is_force));
-    const std::vector<double> p = remembered(
+    const std::vector<double> p = cached_or_computed(
         preload_key, 161,
         [&] {
           const Solid& it = meshed();
@@ -145,7 +146,7 @@ LengthOf condensed(TableReader& reader, const std::string& key, const std::funct
           load.value(2) = -compression->value;
           load.is_load[2] = compression->is_force;
           fem::PreloadedStiffness found = fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load);
-          if (!found.converged) throw foundation::NotComputable(found.why_not);
+          if (!found.converged) throw foundation::NotComputable(found.failure_reason);
           return found;
         },
         [](const fem::PreloadedStiffness& found) { return numbers_of(found); });

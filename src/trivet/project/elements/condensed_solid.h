@@ -8,7 +8,7 @@
 
 #include "trivet/fem/condensation.h"
 #include "trivet/fem/mesh.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 
 /// Solids that are meshed and condensed onto their two plates, or taken from the cache of an earlier run.
 namespace trivet::project {
@@ -35,14 +35,14 @@ struct Compression {
 void read_large_strain(TableReader& reader, fem::Material& material);
 
 /// All constants of a material, for the key of the cache.
-[[nodiscard]] std::string words(const fem::Material& material);
+[[nodiscard]] std::string constants_text(const fem::Material& material);
 
 /// Key of a solid in the cache: from its description and the contents of its files.
 [[nodiscard]] std::string solid_key(const std::string& description, const std::vector<std::string>& files = {});
 
 /// Gives the element the stiffness, preloaded or not, of the solid that `make` builds. Returns the distance of the
 /// plates in the preloaded state; none without preload or after reporting errors.
-[[nodiscard]] LengthOf condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
-                                 const std::optional<Compression>& compression, model::Element& element);
+[[nodiscard]] ElementLength condensed(TableReader& reader, const std::string& key, const std::function<Solid()>& make,
+                                      const std::optional<Compression>& compression, model::Element& element);
 
 }  // namespace trivet::project

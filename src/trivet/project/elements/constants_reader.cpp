@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/idle_key.h"
 
 /// Laws with constants in the file: a matrix, springs at a point, a damper along a line.

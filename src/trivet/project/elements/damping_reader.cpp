@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 
 namespace trivet::project {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 
 namespace trivet::project {
 
@@ -20,7 +20,7 @@ struct ElementLaw {
   const char* type;  ///< "beam"; "catalogue:NAME" for every word that begins with "catalogue:"
 
   /// Reader of a law with its own length: it fills law and facts, in local axes with e3 from N to K.
-  LengthOf (*sized)(TableReader& reader, model::Element& element) = nullptr;
+  ElementLength (*sized)(TableReader& reader, model::Element& element) = nullptr;
   /// Or the reader of a law between ends that the project file places.
   void (*placed)(TableReader& reader, Placement& ends, model::Element& element) = nullptr;
 

@@ -10,8 +10,8 @@
 #include "trivet/elements/law.h"
 #include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/text/names_in_file.h"
 #include "trivet/project/text/outside_features.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -20,18 +20,18 @@ namespace {
 
 constexpr std::size_t most_elements = 5000;
 
-std::vector<std::string> all_types(const Mentioned& mentioned) {
+std::vector<std::string> all_types(const NamesInFile& in_file) {
   std::vector<std::string> types = element_law_names();
-  types.insert(types.end(), mentioned.element_types.begin(), mentioned.element_types.end());
+  types.insert(types.end(), in_file.element_types.begin(), in_file.element_types.end());
   return types;
 }
 
 /// Reads one element: the places of its ends, then its law in their axes.
 class ElementReader {
  public:
-  ElementReader(const Node& node, const std::string& name, const model::Description& description, Mentioned& mentioned,
+  ElementReader(const Node& node, const std::string& name, const model::Description& description, NamesInFile& in_file,
                 foundation::Problems& problems)
-      : node_(node), reader_(node, "elements." + name, problems), bodies_(description), mentioned_(mentioned) {
+      : node_(node), reader_(node, "elements." + name, problems), bodies_(description), in_file_(in_file) {
     element_.name = name;
   }
 
@@ -47,11 +47,11 @@ class ElementReader {
     element_.law.scale = reader_.number("scale", Quantity::pure).value_or(1);
     if (element_.law.scale > 0) element_.massless_up_to *= std::sqrt(element_.law.scale);
     if (const auto foundation = reader_.text("foundation"))
-      mentioned_.stands_on.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
+      in_file_.foundation_references.push_back({element_.name, *foundation, reader_.node("foundation")->origin});
     if (law_ && law_->placed) law_->placed(reader_, ends_, element_);
     if (!law_) refuse_type();
     if (!law_ || law_->takes_damping) read_damping(reader_, ends_.span, ends_.damping_at, element_);
-    if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, mentioned_);
+    if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, in_file_);
     if (law_) reader_.finish();
     else report_tables_inside(node_);  // the valid keys depend on the type
     return ends_.known && reader_.errors() == before ? std::optional(element_) : std::nullopt;
@@ -71,10 +71,10 @@ class ElementReader {
 
   bool read_ends() {
     if (!reader_.has("on")) reader_.missing("on", "name the body at end K: on = \"BODY\"");
-    const auto on = body_named(reader_, "on", bodies_, mentioned_);
+    const auto on = body_named(reader_, "on", bodies_, in_file_);
     const Node* written = reader_.node("from");
     const bool on_ground = !written || (written->kind == Node::Kind::text && written->text == "ground");
-    const auto from = on_ground ? std::nullopt : body_named(reader_, "from", bodies_, mentioned_);
+    const auto from = on_ground ? std::nullopt : body_named(reader_, "from", bodies_, in_file_);
     const bool from_is_wrong = !on_ground && !from;
     const auto at = reader_.vector("at", Quantity::length);
     if (!reader_.has("at")) reader_.missing("at", "give the point on the body: at = [x, y, z]");
@@ -130,17 +130,17 @@ class ElementReader {
   void refuse_type() {
     if (const auto outside = outside_type(element_.type))
       reader_.error("type", "\"" + element_.type + "\"", outside->rule, outside->remedy);
-    else if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types(mentioned_)));
+    else if (reader_.has("type")) static_cast<void>(reader_.choice("type", all_types(in_file_)));
   }
 
   const Node& node_;
   TableReader reader_;
   const model::Description& bodies_;
-  Mentioned& mentioned_;
+  NamesInFile& in_file_;
   model::Element element_;
   const ElementLaw* law_ = nullptr;  ///< null if the type is not known
   Placement ends_{{Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}};
-  LengthOf length_;  ///< of a law with its own length
+  ElementLength length_;  ///< of a law with its own length
 };
 
 /// An unchanged element of an earlier description; null for one on a foundation, because foundations get new indices.
@@ -163,10 +163,10 @@ const model::Element* known_element(const KnownModel& known, const std::string& 
 
 }  // namespace
 
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned, const KnownModel* known) {
+void read_elements(TableReader& root, model::Description& description, NamesInFile& in_file, const KnownModel* known) {
   const Node* table = root.table("elements");
   if (!table) return;
-  mentioned.elements = table->keys;
+  in_file.elements = table->keys;
   if (table->keys.size() > most_elements)
     root.error("elements", fmt::format("{} elements", table->keys.size()),
                fmt::format("this version takes at most {}", most_elements), "split the model");
@@ -176,11 +176,11 @@ void read_elements(TableReader& root, model::Description& description, Mentioned
       description.elements.push_back(*earlier);
     } else if (table->items[i].kind != Node::Kind::table) {
       root.problems()
-          .error("elements." + table->keys[i], words(table->items[i].kind), "an element is a table",
+          .error("elements." + table->keys[i], kind_name(table->items[i].kind), "an element is a table",
                  "write [elements.NAME] and its type below")
           .origin = table->items[i].origin;
     } else if (auto element =
-                   ElementReader(table->items[i], table->keys[i], description, mentioned, root.problems()).read()) {
+                   ElementReader(table->items[i], table->keys[i], description, in_file, root.problems()).read()) {
       description.elements.push_back(std::move(*element));
     }
   }
@@ -192,7 +192,7 @@ std::vector<std::string> element_law_names() {
   return types;
 }
 
-void read_system_damping(TableReader& root, model::Description& description, Mentioned& mentioned) {
+void read_system_damping(TableReader& root, model::Description& description, NamesInFile& in_file) {
   const Node* table = root.table("damping");
   if (!table) return;
   TableReader reader(*table, "damping", root.problems());
@@ -214,7 +214,7 @@ void read_system_damping(TableReader& root, model::Description& description, Men
       description.damping = model::ModalDamping{{*ratio}};
     }
   }
-  read_damping_adjustment(reader, mentioned);
+  read_damping_adjustment(reader, in_file);
   reader.finish();
 }
 

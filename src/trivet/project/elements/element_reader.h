@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {
 
 /// Reads the table `elements` into the description and reports its problems.
 /// @param known  a model read earlier; unchanged elements between unchanged bodies are copied from it
-void read_elements(TableReader& root, model::Description& description, Mentioned& mentioned,
+void read_elements(TableReader& root, model::Description& description, NamesInFile& in_file,
                    const KnownModel* known = nullptr);
 
 /// Built-in types of elements; "catalogue:NAME" stands for all mounts of catalogues.
 [[nodiscard]] std::vector<std::string> element_law_names();
 
 /// `damping` of the whole system.
-void read_system_damping(TableReader& root, model::Description& description, Mentioned& mentioned);
+void read_system_damping(TableReader& root, model::Description& description, NamesInFile& in_file);
 
 }  // namespace trivet::project

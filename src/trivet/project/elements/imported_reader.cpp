@@ -8,7 +8,7 @@
 #include "trivet/exchange/matrix_file.h"
 #include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {
@@ -91,10 +91,9 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
   const elements::Matrix12 stiffness = exchange::in_si(ends->values, length_unit, force_unit);
   element.law.nominal_stiffness = elements::in_end_axes(stiffness, placement.span.n_from_k);
   if (ends->imaginary)
-    take_loss(
-        reader,
-        elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), placement.span.n_from_k),
-        placement.span, element);
+    set_loss(reader,
+             elements::in_end_axes(exchange::in_si(*ends->imaginary, length_unit, force_unit), placement.span.n_from_k),
+             placement.span, element);
   element.facts.push_back(
       {"found in", file->filename().string() + fmt::format(", {} × {}", matrix->values.rows(), matrix->values.cols())});
 }

@@ -8,7 +8,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/law_fit.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 

@@ -12,7 +12,7 @@
 #include "trivet/elements/piecewise_stiffness.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/complex_stiffness.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/stiffness_column.h"
 
 namespace trivet::project {

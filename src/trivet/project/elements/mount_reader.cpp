@@ -37,7 +37,7 @@ std::string description(const fem::Shape& shape) {
   return fmt::format("bush {:.17g} {:.17g} {:.17g}", bush.inner_diameter, bush.outer_diameter, bush.length);
 }
 
-LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
+ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
   const std::size_t before = reader.errors();
   const int level = read_mesh_level(reader);
   if (const auto* disc = std::get_if<elements::RubberDisc>(&shape.formulas); disc && disc->hole_radius > 0)
@@ -50,9 +50,10 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
   if (reader.errors() > before) return std::nullopt;
-  const std::string key = solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level,
-                                                words(shape.materials[0]), words(shape.materials[1])));
-  const LengthOf moved = condensed(
+  const std::string key =
+      solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level, constants_text(shape.materials[0]),
+                            constants_text(shape.materials[1])));
+  const ElementLength moved = condensed(
       reader, key,
       [&] {
         Solid solid{fem::mesh(shape.solid, level), std::nullopt, static_cast<double>(level) / (level - 1.0),
@@ -61,7 +62,7 @@ LengthOf shape_by_elements(TableReader& reader, RubberShape& shape, model::Eleme
         return solid;
       },
       compression, element);
-  return moved ? moved : LengthOf(shape.length);
+  return moved ? moved : ElementLength(shape.length);
 }
 
 /// Findings of a shape; for finite elements without those on the range of the formulas.
@@ -77,7 +78,7 @@ foundation::Problems findings_of(const RubberShape& shape, bool by_elements) {
   return result;
 }
 
-LengthOf read_rubber_mount(TableReader& reader, const std::string& kind, model::Element& element) {
+ElementLength read_rubber_mount(TableReader& reader, const std::string& kind, model::Element& element) {
   const bool by_elements = reader.choice("method", {"formulas", "finite_elements"}) == "finite_elements";
   reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload"});
   auto shape = read_rubber_shape(reader, kind);
@@ -113,20 +114,20 @@ void know_all_keys(TableReader& reader) {
                      "layers",        "plate_thickness", "inner_diameter", "outer_diameter", "length"});
 }
 
-LengthOf read_rubber_disc(TableReader& reader, model::Element& element) {
+ElementLength read_rubber_disc(TableReader& reader, model::Element& element) {
   return read_rubber_mount(reader, "disc", element);
 }
-LengthOf read_rubber_block(TableReader& reader, model::Element& element) {
+ElementLength read_rubber_block(TableReader& reader, model::Element& element) {
   return read_rubber_mount(reader, "block", element);
 }
-LengthOf read_rubber_bush(TableReader& reader, model::Element& element) {
+ElementLength read_rubber_bush(TableReader& reader, model::Element& element) {
   return read_rubber_mount(reader, "bush", element);
 }
-LengthOf read_sandwich(TableReader& reader, model::Element& element) {
+ElementLength read_sandwich(TableReader& reader, model::Element& element) {
   return read_rubber_mount(reader, "sandwich", element);
 }
 
-LengthOf read_solid_mount(TableReader& reader, model::Element& element) {
+ElementLength read_solid_mount(TableReader& reader, model::Element& element) {
   if (reader.has("step") == reader.has("shape")) {
     reader.error(
         reader.has("step") ? "shape" : "step", reader.has("step") ? "step and shape" : "neither step nor shape",

@@ -13,7 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/material_reader.h"
 
 namespace trivet::project {
@@ -175,7 +175,7 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
        fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
-LengthOf read_coil_spring(TableReader& reader, model::Element& element) {
+ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   reader.also_known({"preload", "internal_modes"});
   CoilSpring spring;

@@ -73,7 +73,7 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
       reader.error(key, std::string(key) + " together with materials", "materials has all data of the materials",
                    "remove one of the two");
   if (list->kind != Node::Kind::array || list->items.empty()) {
-    reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : words(list->kind),
+    reader.error("materials", list->kind == Node::Kind::array ? "an empty list" : kind_name(list->kind),
                  "it is a list, one material per solid of the file",
                  "write materials = [{G = \"0.7 MPa\"}, \"steel\"]");
     return {};
@@ -101,7 +101,7 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
 
 }  // namespace
 
-LengthOf read_step_mount(TableReader& reader, model::Element& element) {
+ElementLength read_step_mount(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
   const auto file = read_file_name(reader, "step");
   fem::StepMeshOptions options;
@@ -120,7 +120,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
   if (reader.errors() > before) return std::nullopt;
   std::string words_of_all =
       fmt::format("step {:.17g} {:.17g} {:.17g}", options.size, options.rim_size, options.rim_distance);
-  for (const fem::Material& material : materials) words_of_all += " " + words(material);
+  for (const fem::Material& material : materials) words_of_all += " " + constants_text(material);
   for (const char* key : {"plate_n", "plate_k", "step_axis"})
     if (const Node* node = reader.node(key)) words_of_all += fmt::format(" {} {}", key, canonical(*node));
   const std::string key = solid_key(words_of_all, {file->string()});
@@ -152,7 +152,7 @@ LengthOf read_step_mount(TableReader& reader, model::Element& element) {
     keep_numbers(key + "-length", {*distance});
     return solid;
   };
-  const LengthOf moved = condensed(reader, key, make, compression, element);
+  const ElementLength moved = condensed(reader, key, make, compression, element);
   if (moved || reader.errors() > before) return moved;
   if (!distance)
     if (const auto kept = cached_numbers(key + "-length"); kept && kept->size() == 1) distance = (*kept)[0];

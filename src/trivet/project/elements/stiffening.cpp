@@ -2,11 +2,11 @@
 #include <fmt/format.h>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 
 namespace trivet::project {
 
-LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element) {
+ElementLength stiffened(TableReader& reader, ElementLength length, model::Element& element) {
   const Node* material = reader.has("material") ? reader.node("material") : nullptr;
   const Node* given = material ? material->find("stiffening") : nullptr;
   if (!length || !given || given->number == 1) return length;

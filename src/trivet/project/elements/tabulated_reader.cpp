@@ -10,7 +10,7 @@
 #include "trivet/elements/piecewise_stiffness.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_law.h"
-#include "trivet/project/elements/element_parts.h"
+#include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/matrix_table.h"
 #include "trivet/project/elements/stiffness_column.h"
 #include "trivet/project/text/csv_table.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "trivet/foundation/plain_text.h"
-#include "trivet/project/excitations/excitation_parts.h"
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/excitations/excitation_table_readers.h"
+#include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {
 namespace {
@@ -52,7 +52,7 @@ std::optional<std::size_t> standing_on_ground(const model::Description& descript
   return std::nullopt;
 }
 
-void read_moving_elements(TableReader& reader, const model::Description& description, const Mentioned& mentioned,
+void read_moving_elements(TableReader& reader, const model::Description& description, const NamesInFile& in_file,
                           model::Action& action) {
   const auto names = reader.texts("elements", R"(["front left", "front right"])");
   if (!names) return;
@@ -66,10 +66,9 @@ void read_moving_elements(TableReader& reader, const model::Description& descrip
     }
     const bool read = std::any_of(description.elements.begin(), description.elements.end(),
                                   [&](const model::Element& e) { return e.name == name; });
-    const bool known =
-        std::find(mentioned.elements.begin(), mentioned.elements.end(), name) != mentioned.elements.end();
+    const bool known = std::find(in_file.elements.begin(), in_file.elements.end(), name) != in_file.elements.end();
     if (known && !read) continue;  // its own problem is reported elsewhere
-    const std::string guess = foundation::nearest_name(name, mentioned.elements);
+    const std::string guess = foundation::nearest_name(name, in_file.elements);
     if (read)
       reader.error("elements", foundation::quoted(name),
                    "it has no end on moving ground: it is on a body, or on the modes of a foundation",
@@ -97,18 +96,18 @@ void read_wave(TableReader& reader, model::Action& action) {
 }  // namespace
 
 std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
-                                        const Mentioned& mentioned) {
+                                        const NamesInFile& in_file) {
   if (!reader.has("on")) reader.missing("on", "name the body: on = \"BODY\"");
   model::Action action;
-  action.body = body_named(reader, "on", description, mentioned);
+  action.body = body_named(reader, "on", description, in_file);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   if (!reader.has("at")) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
   return action.body ? std::optional(action) : std::nullopt;
 }
 
 std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
-                                        const Mentioned& mentioned, ActionNumbers numbers) {
-  std::optional<model::Action> placed = read_place(reader, description, mentioned);
+                                        const NamesInFile& in_file, ActionNumbers numbers) {
+  std::optional<model::Action> placed = read_place(reader, description, in_file);
   model::Action action = placed.value_or(model::Action{});
   const std::string remedy =
       numbers == ActionNumbers::factors ? "give the direction: force = [0, 0, 1]" : "give force = [Fx, Fy, Fz] in N";
@@ -118,7 +117,7 @@ std::optional<model::Action> read_force(TableReader& reader, const model::Descri
 }
 
 std::optional<model::Action> read_ground_motion(TableReader& reader, const model::Description& description,
-                                                const Mentioned& mentioned, ActionNumbers numbers) {
+                                                const NamesInFile& in_file, ActionNumbers numbers) {
   model::Action action;
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   action.derivative = quantity == "velocity" ? 1 : quantity == "acceleration" ? 2 : 0;
@@ -130,7 +129,7 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
            numbers, action);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
   action.delay = reader.number("delay", Quantity::time).value_or(0);
-  read_moving_elements(reader, description, mentioned, action);
+  read_moving_elements(reader, description, in_file, action);
   read_wave(reader, action);
   if (reader.has("at") && (!action.elements.empty() || action.wave))
     reader.error("at", "a centre of rotation together with elements or a wave",
@@ -143,7 +142,7 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
   if (action.elements.empty() &&
       std::none_of(description.elements.begin(), description.elements.end(),
                    [](const model::Element& e) { return e.n.on_ground() || e.k.on_ground() || e.n.foundation; }) &&
-      description.elements.size() == mentioned.elements.size())
+      description.elements.size() == in_file.elements.size())
     reader.error("", "no element is on the ground", "a moving ground acts through the elements that are on it",
                  "add one, or excite a body");
   return action;

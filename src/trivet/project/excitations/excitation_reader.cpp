@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "trivet/project/excitations/excitation_parts.h"
+#include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
@@ -15,15 +15,15 @@ const std::vector<std::string> types = {"harmonic", "base", "unbalance", "orders
 
 /// A force on a body, or with `base = true` a motion of the ground; its numbers are factors.
 std::optional<model::Action> read_directed(TableReader& reader, const model::Description& description,
-                                           const Mentioned& mentioned) {
+                                           const NamesInFile& in_file) {
   return reader.boolean("base").value_or(false)
-      ? read_ground_motion(reader, description, mentioned, ActionNumbers::factors)
-      : read_force(reader, description, mentioned, ActionNumbers::factors);
+      ? read_ground_motion(reader, description, in_file, ActionNumbers::factors)
+      : read_force(reader, description, in_file, ActionNumbers::factors);
 }
 
 void read_constant(TableReader& reader, const std::string& name, model::Description& description,
-                   const Mentioned& mentioned) {
-  const auto action = read_force(reader, description, mentioned, ActionNumbers::amplitudes);
+                   const NamesInFile& in_file) {
+  const auto action = read_force(reader, description, in_file, ActionNumbers::amplitudes);
   for (const char* key : {"phase", "delay"})
     if (reader.has(key))
       reader.error(key, std::string("a ") + key, "a constant force has no phase or delay", "remove it");
@@ -42,7 +42,7 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
   for (const Node& item : node->items)
     if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
   if (tables.empty() || (node->kind == Node::Kind::array && tables.size() < node->items.size()))
-    reader.error("coherence", words(node->kind),
+    reader.error("coherence", kind_name(node->kind),
                  "a table, or a list of tables, is expected: {with = \"NAME\", value = 0.6}", "write it so");
   for (const Node* one : tables) {
     TableReader inside(*one, reader.path() + ".coherence", reader.problems());
@@ -72,40 +72,40 @@ const char* key_of_factors(const TableReader& reader) {
   return "force";
 }
 
-void read_excitation(const Node& node, const std::string& name, model::Description& description, Mentioned& mentioned,
+void read_excitation(const Node& node, const std::string& name, model::Description& description, NamesInFile& in_file,
                      foundation::Problems& problems) {
   TableReader reader(node, "excitations." + name, problems);
   reader.required_text("type");
   const auto type = reader.choice("type", types);
-  if (type == "constant") mentioned.constant_excitations.push_back(name);
-  else if (type == "random") mentioned.random_excitations.push_back(name);
-  else if (type == "time") mentioned.time_excitations.push_back(name);
-  else if (type == "orders") mentioned.order_excitations.push_back(name);
-  else mentioned.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
-  if (type == "unbalance") mentioned.order_excitations.push_back(name);
+  if (type == "constant") in_file.constant_excitations.push_back(name);
+  else if (type == "random") in_file.random_excitations.push_back(name);
+  else if (type == "time") in_file.time_excitations.push_back(name);
+  else if (type == "orders") in_file.order_excitations.push_back(name);
+  else in_file.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
+  if (type == "unbalance") in_file.order_excitations.push_back(name);
   const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
     if (action) description.excitations.push_back({name, *action, std::move(course)});
   };
   if (!type) {  // the valid keys depend on the type
-    static_cast<void>(read_place(reader, description, mentioned));
+    static_cast<void>(read_place(reader, description, in_file));
     return;
   }
-  if (type == "harmonic") add(read_force(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "harmonic") add(read_force(reader, description, in_file, ActionNumbers::amplitudes), model::Harmonic{});
   if (type == "base")
-    add(read_ground_motion(reader, description, mentioned, ActionNumbers::amplitudes), model::Harmonic{});
-  if (type == "constant") read_constant(reader, name, description, mentioned);
+    add(read_ground_motion(reader, description, in_file, ActionNumbers::amplitudes), model::Harmonic{});
+  if (type == "constant") read_constant(reader, name, description, in_file);
   if (type == "unbalance") {
-    auto action = read_place(reader, description, mentioned);
+    auto action = read_place(reader, description, in_file);
     model::Action numbers = action.value_or(model::Action{});
     read_unbalance(reader, numbers);
     if (action) add(numbers, model::Harmonic{2});
   }
   if (type == "orders") {
-    const auto action = read_place(reader, description, mentioned);
+    const auto action = read_place(reader, description, in_file);
     if (auto orders = read_orders(reader)) add(action, std::move(*orders));
   }
   if (type == "random") {
-    const auto action = read_directed(reader, description, mentioned);
+    const auto action = read_directed(reader, description, in_file);
     if (action && action->amplitude.isZero(0))
       reader.error(key_of_factors(reader), zero_factors, rule_of_factors, remedy_of_factors);
     auto spectrum = read_spectrum(reader, "psd", action.value_or(model::Action{}));
@@ -113,7 +113,7 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
     if (spectrum) add(action, model::Random{std::move(*spectrum), std::move(partners)});
   }
   if (type == "time") {
-    const auto action = read_directed(reader, description, mentioned);
+    const auto action = read_directed(reader, description, in_file);
     if (action && action->amplitude.isZero(0))
       warn_of_idle_key(reader, key_of_factors(reader), zero_factors, rule_of_factors,
                        remedy_of_factors);  // a case may set it to 0
@@ -125,17 +125,17 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
 
 }  // namespace
 
-void read_excitations(TableReader& root, model::Description& description, Mentioned& mentioned) {
+void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file) {
   description.gravity = root.vector("gravity", Quantity::acceleration);
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {
-    if (table->items[i].kind != Node::Kind::table) mentioned.harmonic_excitations.push_back(table->keys[i]);
+    if (table->items[i].kind != Node::Kind::table) in_file.harmonic_excitations.push_back(table->keys[i]);
     if (table->items[i].kind == Node::Kind::table)
-      read_excitation(table->items[i], table->keys[i], description, mentioned, root.problems());
+      read_excitation(table->items[i], table->keys[i], description, in_file, root.problems());
     else
       root.problems()
-          .error("excitations." + table->keys[i], words(table->items[i].kind), "an excitation is a table",
+          .error("excitations." + table->keys[i], kind_name(table->items[i].kind), "an excitation is a table",
                  "write [excitations.NAME] and its type below")
           .origin = table->items[i].origin;
   }

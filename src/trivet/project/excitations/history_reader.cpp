@@ -9,7 +9,7 @@
 #include "trivet/excitation/sweep.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/excitations/excitation_parts.h"
+#include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/pairs_reader.h"
 
 namespace trivet::project {

@@ -6,7 +6,7 @@
 
 #include "trivet/excitation/balance.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/project/excitations/excitation_parts.h"
+#include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -75,7 +75,7 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
     std::vector<excitation::TorqueHarmonic> harmonics;
     const Node* rows = engine.node("gas_torque");
     if (rows->kind != Node::Kind::array || rows->items.empty()) {
-      engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : words(rows->kind),
+      engine.error("gas_torque", rows->kind == Node::Kind::array ? "an empty list" : kind_name(rows->kind),
                    "rows of [order, amplitude in N m, phase in rad] of one cylinder are expected",
                    "give them, or remove the key");
       return {};
@@ -200,7 +200,7 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   if (engine)
     if (auto list = read_engine(*engine, reader.path() + ".engine", reader.problems())) orders.list = std::move(*list);
   if (table && table->kind != Node::Kind::array) {
-    reader.error("table", words(table->kind), "a list of orders is expected",
+    reader.error("table", kind_name(table->kind), "a list of orders is expected",
                  "table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]");
   } else if (table && table->items.size() > most_orders) {
     reader.error("table", fmt::format("{} orders", table->items.size()),
@@ -209,8 +209,8 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
     std::vector<excitation::Order> rows;
     for (std::size_t i = 0; i < table->items.size(); ++i) {
       if (table->items[i].kind != Node::Kind::table) {
-        reader.error("table", fmt::format("row {} is {}", i + 1, words(table->items[i].kind)), "each order is a table",
-                     "{order = 2, force_per_speed2 = [0, 0, 0.02]}");
+        reader.error("table", fmt::format("row {} is {}", i + 1, kind_name(table->items[i].kind)),
+                     "each order is a table", "{order = 2, force_per_speed2 = [0, 0, 0.02]}");
         continue;
       }
       TableReader row(table->items[i], fmt::format("{}.table[{}]", reader.path(), i), reader.problems());

@@ -6,7 +6,7 @@
 
 #include "trivet/excitation/road.h"
 #include "trivet/foundation/constants.h"
-#include "trivet/project/excitations/excitation_parts.h"
+#include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/band_reader.h"
 #include "trivet/project/text/pairs_reader.h"

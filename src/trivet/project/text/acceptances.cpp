@@ -32,7 +32,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
   if (!accept) return;
   const std::string subject = join(path, "accept"), example = "for instance accept = {\"mass\" = \"with its water\"}";
   if (accept->kind != Node::Kind::table) {
-    problems.error(subject, shown(*accept), "it is a table of kinds of suspicions and reasons", example).origin =
+    problems.error(subject, value_text(*accept), "it is a table of kinds of suspicions and reasons", example).origin =
         accept->origin;
     return;
   }
@@ -50,7 +50,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
     }
     if (reason.kind != Node::Kind::text || reason.text.find_first_not_of(" \t\n") == std::string::npos) {
       problems
-          .error(subject, fmt::format("\"{}\" = {}", kind, shown(reason)), "an acceptance has a reason, in words",
+          .error(subject, fmt::format("\"{}\" = {}", kind, value_text(reason)), "an acceptance has a reason, in words",
                  example)
           .origin = reason.origin;
       continue;
@@ -75,11 +75,11 @@ std::vector<Acceptance> read_acceptances(const Node& document, foundation::Probl
     if (const Node* table = document.find(single); table && table->kind == Node::Kind::table)
       read_table(*table, single, found, problems);
   for (const char* holder : holders) {
-    const Node* things = document.find(holder);
-    if (!things || things->kind != Node::Kind::table) continue;
-    for (std::size_t i = 0; i < things->keys.size(); ++i)
-      if (things->items[i].kind == Node::Kind::table)
-        read_table(things->items[i], join(holder, things->keys[i]), found, problems);
+    const Node* parts = document.find(holder);
+    if (!parts || parts->kind != Node::Kind::table) continue;
+    for (std::size_t i = 0; i < parts->keys.size(); ++i)
+      if (parts->items[i].kind == Node::Kind::table)
+        read_table(parts->items[i], join(holder, parts->keys[i]), found, problems);
   }
   return found;
 }
@@ -110,7 +110,7 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
   return result;
 }
 
-foundation::Problems AcceptanceBook::unneeded(bool changed) const {
+foundation::Problems AcceptanceBook::unused_acceptances(bool changed) const {
   foundation::Problems result;
   for (const Acceptance& a : all_)
     if (!needed_.contains(key(a)) && (!changed || a.origin.source.starts_with("--set")))

@@ -35,7 +35,7 @@ class AcceptanceBook {
                                               const std::vector<Acceptance>& acceptances, const Node& document);
   /// An error for each acceptance that suppresses no warning in any case. @param changed  the command line changes
   /// numbers: only its own acceptances are checked
-  [[nodiscard]] foundation::Problems unneeded(bool changed) const;
+  [[nodiscard]] foundation::Problems unused_acceptances(bool changed) const;
 
  private:
   using Key = std::tuple<std::string, int, int, std::string, std::string>;  // source, line, column, table, kind

@@ -28,7 +28,7 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
                  "give both a unit");
     return std::nullopt;
   }
-  const std::string thing = key == "band" ? "band" : "range";
+  const std::string kind = key == "band" ? "band" : "range";
   const auto broken = band->size() == 2 ? wrong_band((*band)[0], (*band)[1])
                                         : std::optional<std::string>("[from, to] with 0 ≤ from < to");
   if (!broken) return response::Band{(*band)[0], (*band)[1]};
@@ -38,7 +38,7 @@ std::optional<response::Band> read_band(TableReader& reader, const std::string& 
                            band->size() == 2 ? fmt::format(", {:.{}g} to {:.{}g} rad/s", (*band)[0], near ? 17 : 6,
                                                            (*band)[1], near ? 17 : 6)
                                              : ""),
-               "a " + thing + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""),
+               "a " + kind + " is [from, to] with 0 ≤ from < to" + (near ? ", and " + *broken : ""),
                key == "band" ? "for instance [\"0 Hz\", \"50 Hz\"]" : "for instance [\"600 rpm\", \"3000 rpm\"]");
   return std::nullopt;
 }

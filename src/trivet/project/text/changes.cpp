@@ -10,11 +10,11 @@ namespace trivet::project {
 namespace {
 
 /// Tables whose keys exclude each other: a new one in braces replaces the old one.
-bool is_one_thing(const std::string& key) {
+bool is_exclusive_table(const std::string& key) {
   return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
 }
 
-bool holds_named_things(const std::string& path) {
+bool holds_named_parts(const std::string& path) {
   return path == "bodies" || path == "elements" || path == "element_types" || path == "excitations";
 }
 
@@ -72,7 +72,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     }
     Node* old = base.find(key);
     if (!old) {
-      if (holds_named_things(path)) {
+      if (holds_named_parts(path)) {
         refuse_new_name(base, change, path, key, problems);
       } else if (is_zero_by_default(key) && change.kind == Node::Kind::table) {
         Node zero = change;
@@ -90,7 +90,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         base.items.push_back(change);
       }
     } else if (old->kind == Node::Kind::table && change.kind == Node::Kind::table &&
-               !(change.written_inline && is_one_thing(key))) {
+               !(change.written_inline && is_exclusive_table(key))) {
       apply_changes(*old, change, here, problems);
     } else if (old->kind == Node::Kind::array && change.kind == Node::Kind::table) {
       change_components(*old, change, here, problems);

@@ -16,7 +16,7 @@ const Node* Node::find(std::string_view key) const {
 
 Node* Node::find(std::string_view key) { return const_cast<Node*>(std::as_const(*this).find(key)); }
 
-const char* words(Node::Kind kind) {
+const char* kind_name(Node::Kind kind) {
   switch (kind) {
     case Node::Kind::table:
       return "a table";
@@ -36,7 +36,7 @@ const char* words(Node::Kind kind) {
   return "";
 }
 
-std::string shown(const Node& node) {
+std::string value_text(const Node& node) {
   switch (node.kind) {
     case Node::Kind::text:
       return foundation::quoted(node.text);
@@ -46,7 +46,7 @@ std::string shown(const Node& node) {
     case Node::Kind::boolean:
       return node.boolean ? "true" : "false";
     default:
-      return words(node.kind);
+      return kind_name(node.kind);
   }
 }
 

@@ -25,10 +25,10 @@ struct Node {
   [[nodiscard]] Node* find(std::string_view key);
 };
 
-[[nodiscard]] const char* words(Node::Kind kind);
+[[nodiscard]] const char* kind_name(Node::Kind kind);
 
 /// A value for a message: a number, true or false, or a text in quotes (shortened); else the kind of the value.
-[[nodiscard]] std::string shown(const Node& node);
+[[nodiscard]] std::string value_text(const Node& node);
 
 /// True if both have the same content, at any place.
 [[nodiscard]] bool same_content(const Node& a, const Node& b);

@@ -56,7 +56,7 @@ class Types {
         continue;  // keys of an element in a type are reported by check()
       if (const Node* own = element.find(key))
         problems_
-            .error(path + "." + key, shown(*own),
+            .error(path + "." + key, value_text(*own),
                    fmt::format("\"{}\" is fixed by its type \"{}\" ({})", key, type,
                                foundation::place(shared.items[i].origin)),
                    fmt::format("remove it here, change element_types.{}.{} for all its elements, or give this one "
@@ -73,7 +73,7 @@ class Types {
     const std::string path = "element_types." + name;
     if (type.kind != Node::Kind::table) {
       problems_
-          .error(path, words(type.kind), "an element type is a table",
+          .error(path, kind_name(type.kind), "an element type is a table",
                  "write [element_types.NAME] and what its elements share below")
           .origin = type.origin;
       return;
@@ -94,13 +94,13 @@ class Types {
           .origin = law->origin;
     if (const Node* scale = type.find("scale"); scale && !(factor(*scale).value_or(0) > 0))
       problems_
-          .error(path + ".scale", shown(*scale), "a scale is a number > 0, or a text with a unit such as %",
+          .error(path + ".scale", value_text(*scale), "a scale is a number > 0, or a text with a unit such as %",
                  "scale = 1.5, for instance")
           .origin = scale->origin;
     for (std::size_t i = 0; i < type.keys.size(); ++i)
       if (is_of_element(type.keys[i]) && type.keys[i] != "type" && type.keys[i] != "scale")
         problems_
-            .error(path + "." + type.keys[i], shown(type.items[i]),
+            .error(path + "." + type.keys[i], value_text(type.items[i]),
                    fmt::format("\"{}\" belongs to each element, not to its type", type.keys[i]),
                    "write it in the elements")
             .origin = type.items[i].origin;
@@ -179,7 +179,7 @@ std::optional<Node> with_element_types(const Node& document, const std::vector<s
   const Node* table = document.find("element_types");
   if (!table) return std::nullopt;
   if (table->kind != Node::Kind::table) {
-    problems.error("element_types", words(table->kind), "element types are tables", "write [element_types.NAME]")
+    problems.error("element_types", kind_name(table->kind), "element types are tables", "write [element_types.NAME]")
         .origin = table->origin;
     return std::nullopt;
   }

@@ -18,7 +18,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
     reader.error(key, finding, "rows of two numbers are expected: [[x, y], …]", "check brackets and commas");
     return std::nullopt;
   };
-  if (value->kind != Node::Kind::array) return refuse(words(value->kind));
+  if (value->kind != Node::Kind::array) return refuse(kind_name(value->kind));
   if (value->items.size() < 2) return refuse(fmt::format("{} rows", value->items.size()));
   Eigen::MatrixXd pairs(static_cast<Eigen::Index>(value->items.size()), 2);
   bool good = true;
@@ -27,7 +27,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
     if (row.kind != Node::Kind::array || row.items.size() != 2)
       return refuse(fmt::format(
           "row {} is {}", i + 1,
-          row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : words(row.kind)));
+          row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : kind_name(row.kind)));
     for (std::size_t j = 0; j < 2; ++j) {
       const auto entry =
           reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), Quantity::pure);

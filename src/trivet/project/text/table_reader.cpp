@@ -97,7 +97,7 @@ const Node* TableReader::node(const std::string& key) {
 const Node* TableReader::table(const std::string& key) {
   const Node* found = node(key);
   if (!found || found->kind == Node::Kind::table) return found;
-  error(key, shown(*found), "a table is expected here",
+  error(key, value_text(*found), "a table is expected here",
         "write " + key + " = {…} or [" + (path_.empty() ? key : path_ + "." + key) + "]");
   return nullptr;
 }
@@ -120,12 +120,12 @@ std::optional<double> TableReader::scalar(const Node& value, const std::string& 
   } else if (value.kind == Node::Kind::text) {
     const auto converted = to_si(value.text, quantity);
     if (!converted) {
-      error_at(value, where, shown(value), converted.error(), remedy);
+      error_at(value, where, value_text(value), converted.error(), remedy);
       return std::nullopt;
     }
     number = *converted;
   } else {
-    error_at(value, where, shown(value), "a number is expected here", remedy);
+    error_at(value, where, value_text(value), "a number is expected here", remedy);
     return std::nullopt;
   }
   if (!std::isfinite(number)) {
@@ -158,7 +158,7 @@ std::optional<std::string> TableReader::text(const std::string& key) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind == Node::Kind::text) return value->text;
-  error(key, shown(*value), "a text is expected here", "put it in quotes");
+  error(key, value_text(*value), "a text is expected here", "put it in quotes");
   return std::nullopt;
 }
 
@@ -171,7 +171,7 @@ std::optional<bool> TableReader::boolean(const std::string& key) {
   const Node* value = node(key);
   if (!value) return std::nullopt;
   if (value->kind == Node::Kind::boolean) return value->boolean;
-  error(key, shown(*value), "true or false is expected here", "write true or false, without quotes");
+  error(key, value_text(*value), "true or false is expected here", "write true or false, without quotes");
   return std::nullopt;
 }
 
@@ -186,7 +186,8 @@ std::optional<std::vector<std::string>> TableReader::texts(const std::string& ke
     result.push_back(item.text);
   }
   if (good) return result;
-  error(key, shown(*value), "a text or an array of texts is expected here", "for instance " + key + " = " + example);
+  error(key, value_text(*value), "a text or an array of texts is expected here",
+        "for instance " + key + " = " + example);
   return std::nullopt;
 }
 
@@ -197,7 +198,7 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
     const bool component = value->kind == Node::Kind::table &&
         std::all_of(value->keys.begin(), value->keys.end(),
                     [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
-    error(key, component ? "components of an array that the file does not have" : shown(*value),
+    error(key, component ? "components of an array that the file does not have" : value_text(*value),
           "an array of numbers is expected here", "put the numbers in square brackets, with commas between them");
     return std::nullopt;
   }
@@ -233,7 +234,7 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
     error(key, finding, rule, "check brackets, rows and columns");
     return std::nullopt;
   };
-  if (value->kind != Node::Kind::array) return refuse(shown(*value));
+  if (value->kind != Node::Kind::array) return refuse(value_text(*value));
   const auto size = static_cast<int>(value->items.size());
   if (std::find(allowed_sizes.begin(), allowed_sizes.end(), size) == allowed_sizes.end())
     return refuse(fmt::format("{} rows", size));
@@ -241,7 +242,7 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
   bool good = true;
   for (int i = 0; i < size; ++i) {
     const Node& row = value->items[static_cast<std::size_t>(i)];
-    if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, words(row.kind)));
+    if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, kind_name(row.kind)));
     if (static_cast<int>(row.items.size()) != size)
       return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
     for (int j = 0; j < size; ++j) {
@@ -262,7 +263,8 @@ std::optional<Eigen::Vector3d> TableReader::direction(const std::string& key) {
     const std::string letter = value->text.substr(negative || value->text.starts_with('+') ? 1 : 0);
     for (int i = 0; i < 3; ++i)
       if (letter == std::string(1, "xyz"[i])) return (negative ? -1.0 : 1.0) * Eigen::Vector3d::Unit(i);
-    error(key, shown(*value), "a direction is \"x\", \"y\", \"z\", one of them with a minus sign, or three numbers",
+    error(key, value_text(*value),
+          "a direction is \"x\", \"y\", \"z\", one of them with a minus sign, or three numbers",
           "for instance \"-z\" or [0, 0, -1]");
     return std::nullopt;
   }
@@ -320,7 +322,7 @@ void TableReader::finish() {
     const std::string short_key = foundation::shortened(key);
     const std::string where = path_.empty() ? short_key : path_ + "." + short_key;
     if (const auto outside = outside_feature(path_, key)) {
-      error_at(table_.items[i], where, shown(table_.items[i]), outside->rule, outside->remedy);
+      error_at(table_.items[i], where, value_text(table_.items[i]), outside->rule, outside->remedy);
       continue;
     }
     error_at(table_.items[i], where, "unknown key",

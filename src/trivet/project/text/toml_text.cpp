@@ -16,7 +16,7 @@ namespace {
 constexpr int deepest_nesting = 64;
 
 /// Position after the comment or string that starts at `at`; `at` itself if neither starts there.
-std::size_t skipped(std::string_view text, std::size_t at) {
+std::size_t after_comment_or_string(std::string_view text, std::size_t at) {
   const char c = text[at];
   if (c == '#') return std::min(text.find('\n', at), text.size());
   if (c != '"' && c != '\'') return at;
@@ -34,7 +34,7 @@ std::size_t skipped(std::string_view text, std::size_t at) {
 int line_of_excessive_nesting(std::string_view text) {
   int brackets = 0, dots = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    if (const std::size_t end = skipped(text, i); end > i) {
+    if (const std::size_t end = after_comment_or_string(text, i); end > i) {
       i = end - 1;
       continue;
     }
@@ -117,12 +117,13 @@ std::string key_around(std::string_view text, const toml::source_position& place
   const std::string_view line = text.substr(0, text.find('\n'));
   const std::size_t at = byte_of(line, place.column);
   std::size_t start = 0, key_start = at, key_end = at;
-  for (std::size_t i = 0; i < at; i = std::max(i + 1, skipped(line, i))) {
+  for (std::size_t i = 0; i < at; i = std::max(i + 1, after_comment_or_string(line, i))) {
     if (line[i] == '{' || line[i] == ',' || line[i] == '[') start = i + 1;
     if (line[i] == '=') key_start = start, key_end = i;
   }
   if (key_end == at)  // a header
-    while (key_end < line.size() && line[key_end] != ']') key_end = std::max(key_end + 1, skipped(line, key_end));
+    while (key_end < line.size() && line[key_end] != ']')
+      key_end = std::max(key_end + 1, after_comment_or_string(line, key_end));
   const std::string_view key = line.substr(key_start, key_end - key_start);
   const std::size_t first = key.find_first_not_of(" \t["), last = key.find_last_not_of(" \t");
   return first == std::string_view::npos ? "" : std::string(key.substr(first, last + 1 - first));

@@ -63,7 +63,7 @@ class Comparison {
   Node node(double omega) const { return nodes({omega}).front(); }
 
   /// Highest ratio between two frequencies with one maximum between them, by golden section.
-  Node summit(double from, double to) const {
+  Node highest_between(double from, double to) const {
     constexpr double golden = 0.6180339887498949;
     constexpr int steps = 40;  // 0.618⁴⁰ = 4e-9 of the interval, about √round-off, the limit at a flat maximum
     Node left = node(to - golden * (to - from)), right = node(from + golden * (to - from));
@@ -101,12 +101,12 @@ class Comparison {
 
 /// Adds the true maxima next to grid points that may hide one above 1 or above all others; the grid follows the curve
 /// to better than `hidden`.
-void add_summits(const Comparison& comparison, const foundation::Progress& progress, std::vector<Node>& nodes) {
+void add_maxima(const Comparison& comparison, const foundation::Progress& progress, std::vector<Node>& nodes) {
   constexpr double hidden = 0.03;
   double highest = 0;
   for (const Node& node : nodes)
     if (std::isfinite(node.ratio)) highest = std::max(highest, node.ratio);
-  std::vector<Node> summits;
+  std::vector<Node> maxima;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const bool rises = i == 0 || nodes[i].ratio >= nodes[i - 1].ratio,
                falls = i + 1 == nodes.size() || nodes[i].ratio >= nodes[i + 1].ratio;
@@ -114,16 +114,16 @@ void add_summits(const Comparison& comparison, const foundation::Progress& progr
     foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     if (!rises || !falls || !std::isfinite(ratio)) continue;
     if (ratio < (1 - hidden) * highest && !(ratio > 1 - hidden && ratio <= 1)) continue;
-    const Node summit =
-        comparison.summit(nodes[i == 0 ? 0 : i - 1].omega, nodes[std::min(i + 1, nodes.size() - 1)].omega);
-    if (summit.ratio > ratio) summits.push_back(summit);
+    const Node maximum =
+        comparison.highest_between(nodes[i == 0 ? 0 : i - 1].omega, nodes[std::min(i + 1, nodes.size() - 1)].omega);
+    if (maximum.ratio > ratio) maxima.push_back(maximum);
   }
-  nodes.insert(nodes.end(), summits.begin(), summits.end());
+  nodes.insert(nodes.end(), maxima.begin(), maxima.end());
   std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
 }
 
-void note_exceeded(const Comparison& comparison, const foundation::Progress& progress, const std::vector<Node>& nodes,
-                   std::vector<Band>& exceeded) {
+void add_exceeded(const Comparison& comparison, const foundation::Progress& progress, const std::vector<Node>& nodes,
+                  std::vector<Band>& exceeded) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     foundation::report_progress(progress, "limit line", static_cast<double>(i) / static_cast<double>(nodes.size()));
     const bool above = nodes[i].ratio > 1, before = i > 0 && nodes[i - 1].ratio > 1;
@@ -214,8 +214,8 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
       if (std::isinf(peak.amplitude) && peak.angular_frequency > part.from && peak.angular_frequency < part.to)
         nodes.push_back({peak.angular_frequency, infinity});
     std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.omega < b.omega; });
-    add_summits(comparison, progress, nodes);
-    note_exceeded(comparison, progress, nodes, result.exceeded);
+    add_maxima(comparison, progress, nodes);
+    add_exceeded(comparison, progress, nodes, result.exceeded);
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
   result.margin.resize(static_cast<Eigen::Index>(all.size()));

@@ -34,7 +34,7 @@ struct LimitComparison {
   double least_margin = std::numeric_limits<double>::infinity();  ///< 0 at an undamped resonance
   double least_margin_at = 0;                                     ///< [rad/s]
   std::vector<Band> exceeded;  ///< [rad/s], ends by root search on the exact response
-  [[nodiscard]] bool kept() const { return exceeded.empty(); }
+  [[nodiscard]] bool met() const { return exceeded.empty(); }
 };
 
 /// Evaluates the margin on the automatic grid with all extrema of the answer and all points of the line, then refines

@@ -33,8 +33,8 @@ spatial::Vector6 unit_six(const Direction& direction, const Eigen::Matrix3d& rot
   return six;
 }
 
-Direction like(const Direction& applied, const std::optional<Direction>& wanted, const char* translation,
-               const char* rotation) {
+Direction checked_direction(const Direction& applied, const std::optional<Direction>& wanted, const char* translation,
+                            const char* rotation) {
   if (wanted && wanted->rotation != applied.rotation)
     throw foundation::InvalidInput(
         fmt::format("transmissibility: a {} over a {} has the unit {}, not 1; use the same kind for both",
@@ -140,7 +140,7 @@ AppliedForce applied_force(const model::System& system, const std::string& excit
 
 Transmission force_transmission(const model::System& system, const assembly::Assembled& assembled,
                                 const AppliedForce& applied, const std::optional<Direction>& transmitted) {
-  const Direction out = like(applied.direction, transmitted, "force", "moment");
+  const Direction out = checked_direction(applied.direction, transmitted, "force", "moment");
   if (applied.body >= system.bodies().size())
     throw foundation::InvalidInput("transmissibility: the force does not act on a body of this model");
   model::Action action;
@@ -151,22 +151,23 @@ Transmission force_transmission(const model::System& system, const assembly::Ass
   std::vector<std::string> words = {"ground"};
   for (const std::size_t e : mounts(system)) words.push_back(system.elements()[e].name);
   for (const std::string& word : words)
-    result.channels.push_back(combined(assembly::channels(system, assembled, {word}, assembly::Quantity::displacement),
-                                       unit_six(out, Eigen::Matrix3d::Identity()), word));
+    result.channels.push_back(
+        combined(assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement),
+                 unit_six(out, Eigen::Matrix3d::Identity()), word));
   return result;
 }
 
 Transmission displacement_transmission(const model::System& system, const assembly::Assembled& assembled,
                                        const std::vector<std::string>& of, const Direction& moved,
                                        const std::optional<Direction>& answered, const Eigen::Vector3d& base_at) {
-  const Direction out = like(moved, answered, "translation", "rotation");
+  const Direction out = checked_direction(moved, answered, "translation", "rotation");
   model::Action action;
   action.at = base_at;
   action.amplitude = unit_six(moved, Eigen::Matrix3d::Identity()).cast<Complex>();
   Transmission result{assembly::loading(assembled, action), {}};
   for (const std::string& word : of) {
     const model::Body& body = body_of(system, word);
-    const auto parts = assembly::channels(system, assembled, {word}, assembly::Quantity::displacement);
+    const auto parts = assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement);
     result.channels.push_back(combined(parts, unit_six(out, body.pose.rotation), word));
   }
   return result;

@@ -18,13 +18,13 @@ using Eigen::VectorXcd;
 Complex with(const VectorXcd& row, const VectorXcd& column) { return row.cwiseProduct(column).sum(); }
 
 /// A model with its channels and load, for evaluation at any ω.
-struct Asked {
+struct DrivenModel {
   const model::System& system;
   assembly::Assembled assembled;
   std::vector<assembly::Channel> channels;
   assembly::Loading load;
 
-  Asked(const model::System& given, const Question& question)
+  DrivenModel(const model::System& given, const Question& question)
       : system(given),
         assembled(assembly::assemble(given)),
         channels(assembly::channels(given, assembled, question.channels, question.quantity)),
@@ -39,12 +39,13 @@ struct Asked {
 /// Data of a peak that do not depend on the parameter.
 class PeakOfModel {
  public:
-  PeakOfModel(const Asked& asked, const PeakPlace& place, const modal::Modes& modes, std::vector<std::string>& notes)
+  PeakOfModel(const DrivenModel& driven, const PeakPlace& place, const modal::Modes& modes,
+              std::vector<std::string>& notes)
       : place_(place),
-        jets_(element_jets(asked.assembled, place.angular_frequency)),
-        dynamics_(asked.at(place, jets_)) {
-    if (place.unbounded_mode) take_mode(asked, modes, notes);
-    else take_maximum(notes);
+        jets_(element_jets(driven.assembled, place.angular_frequency)),
+        dynamics_(driven.at(place, jets_)) {
+    if (place.unbounded_mode) prepare_mode(driven, modes, notes);
+    else prepare_maximum(notes);
   }
 
   [[nodiscard]] const PeakPlace& place() const { return place_; }
@@ -53,11 +54,11 @@ class PeakOfModel {
 
   /// `change` is the derivative of the dynamics with respect to the parameter.
   [[nodiscard]] Sensitivity sensitivity(const Dynamics& change) const {
-    return place_.unbounded_mode ? of_mode(change) : of_maximum(change);
+    return place_.unbounded_mode ? mode_sensitivity(change) : maximum_sensitivity(change);
   }
 
  private:
-  void take_mode(const Asked& asked, const modal::Modes& modes, std::vector<std::string>& notes) {
+  void prepare_mode(const DrivenModel& driven, const modal::Modes& modes, std::vector<std::string>& notes) {
     notes.emplace_back(
         "the amplitude is infinite without damping: no height sensitivity exists; the frequency is that of the "
         "undamped mode");
@@ -67,16 +68,16 @@ class PeakOfModel {
           "its mode belongs to a repeated root, which a change may split: the frequency has no derivative");
       return;
     }
-    VectorXcd shape(asked.assembled.layout.of_bodies());
-    for (std::size_t b = 0; b < asked.system.bodies().size(); ++b)
+    VectorXcd shape(driven.assembled.layout.of_bodies());
+    for (std::size_t b = 0; b < driven.system.bodies().size(); ++b)
       for (int j = 0; j < 6; ++j)
-        if (const Eigen::Index row = asked.assembled.layout.row(b, j); row >= 0)
+        if (const Eigen::Index row = driven.assembled.layout.row(b, j); row >= 0)
           shape(row) = mode.shape(6 * static_cast<Eigen::Index>(b) + j);
     const Complex slope = with(shape, dynamics_.stiffness[1] * shape);
     if (slope != 0.0) shape_ = shape / std::sqrt(slope);
   }
 
-  void take_maximum(std::vector<std::string>& notes) {
+  void prepare_maximum(std::vector<std::string>& notes) {
     constexpr double stationary = 1e-3;  // of its width: limit for the next Newton step at a maximum
     motion_ = motion(dynamics_);
     adjoint_ = adjoint(dynamics_);
@@ -90,14 +91,14 @@ class PeakOfModel {
           "this is not a maximum of the curve: heights are those at this fixed frequency, without frequency shifts");
   }
 
-  Sensitivity of_mode(const Dynamics& change) const {
+  Sensitivity mode_sensitivity(const Dynamics& change) const {
     Sensitivity result;
     if (shape_.size() > 0)
       result.frequency = -with(shape_, change.stiffness[0] * shape_).real() / place_.angular_frequency;
     return result;
   }
 
-  Sensitivity of_maximum(const Dynamics& change) const {
+  Sensitivity maximum_sensitivity(const Dynamics& change) const {
     const auto& q = motion_.coordinates;
     const auto& y = motion_.value;
     const VectorXcd force = change.load[0] - change.stiffness[0] * q[0];
@@ -124,10 +125,10 @@ class PeakOfModel {
 };
 
 /// The element jets, evaluated again for the parameter's element.
-ElementJets changed_jets(const Asked& asked, const PeakOfModel& peak, const Parameter& parameter) {
+ElementJets changed_jets(const DrivenModel& driven, const PeakOfModel& peak, const Parameter& parameter) {
   ElementJets jets = peak.jets();
   if (parameter.law && jets[*parameter.law])
-    jets[*parameter.law] = element_jet(asked.assembled.elements[*parameter.law], peak.place().angular_frequency);
+    jets[*parameter.law] = element_jet(driven.assembled.elements[*parameter.law], peak.place().angular_frequency);
   return jets;
 }
 
@@ -144,9 +145,9 @@ std::vector<Dynamics> derivatives(const model::System& system, const Question& q
   }
   for (const auto& [node, weight] : nodes) {
     const model::System other = changed(system, parameter, node * parameter.step);
-    const Asked asked(other, question);
+    const DrivenModel driven(other, question);
     for (std::size_t i = 0; i < peaks.size(); ++i)
-      result[i].add(weight / parameter.step, asked.at(peaks[i].place(), changed_jets(asked, peaks[i], parameter)));
+      result[i].add(weight / parameter.step, driven.at(peaks[i].place(), changed_jets(driven, peaks[i], parameter)));
   }
   return result;
 }
@@ -165,9 +166,9 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
   const bool any_mode = std::any_of(places.begin(), places.end(),
                                     [](const PeakPlace& place) { return place.unbounded_mode.has_value(); });
   const modal::Modes modes = any_mode ? modal::modes(system, assembled) : modal::Modes{};
-  const Asked asked(system, question);
+  const DrivenModel driven(system, question);
   std::vector<PeakOfModel> peaks;
-  for (std::size_t i = 0; i < places.size(); ++i) peaks.emplace_back(asked, places[i], modes, table.peaks[i].notes);
+  for (std::size_t i = 0; i < places.size(); ++i) peaks.emplace_back(driven, places[i], modes, table.peaks[i].notes);
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
     foundation::report_progress(progress, "sensitivities",
                                 static_cast<double>(p) / static_cast<double>(table.parameters.size()));

@@ -20,7 +20,7 @@ using LoadOf = std::function<assembly::Loading(const model::System&, const assem
 /// The answers and the load to examine.
 struct Question {
   std::vector<std::string> channels;  ///< full channel names
-  assembly::Quantity quantity = assembly::Quantity::displacement;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   LoadOf load;
 };
 

@@ -134,8 +134,8 @@ double system_damping_power(const model::System& system, const assembly::Assembl
   const Eigen::MatrixXd own = (assembled.matrices.B - plain.matrices.B).topLeftCorner(n, n);
   VectorXcd beyond = q;
   if (ground.size() > 0) {
-    const VectorXcd brought = (assembled.ground.B - plain.ground.B).topRows(n) * ground;
-    beyond += numerics::smallest_solution(own.cast<Complex>(), brought);
+    const VectorXcd from_ground = (assembled.ground.B - plain.ground.B).topRows(n) * ground;
+    beyond += numerics::smallest_solution(own.cast<Complex>(), from_ground);
   }
   return 0.5 * omega * omega * form(beyond, own);
 }

@@ -17,7 +17,7 @@ using Eigen::VectorXcd;
 using Factors = numerics::PivotedLu<Complex>;
 
 /// R = [I; X] with derivatives: inner coordinates follow by Z_ii X = −Z_ib, so that Z_i· R = 0.
-Jet<MatrixXcd> follow(const Jet<MatrixXcd>& z, Eigen::Index kept) {
+Jet<MatrixXcd> condensation_basis(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
   const Factors lu(z[0].bottomRightCorner(inner, inner));
   const auto rows = [&](int k) { return z[static_cast<std::size_t>(k)].bottomRows(inner); };
@@ -161,8 +161,8 @@ Dynamics body_dynamics(const Dynamics& all, Eigen::Index kept) {
     inner_stiffness[k] = all.stiffness[k].bottomRightCorner(inner, inner);
     inner_load[k] = all.load[k].tail(inner);
   }
-  const Jet<MatrixXcd> right = follow(all.stiffness, kept);
-  Jet<MatrixXcd> left = follow(transposed, kept);
+  const Jet<MatrixXcd> right = condensation_basis(all.stiffness, kept);
+  Jet<MatrixXcd> left = condensation_basis(transposed, kept);
   for (MatrixXcd& l : left) l = l.transpose().eval();
   Jet<Eigen::RowVectorXcd> row;
   Jet<VectorXcd> inner_channel;

@@ -50,11 +50,11 @@ std::vector<double> first_frequencies(const Eigen::VectorXcd& poles, const Band&
   return omega;
 }
 
-class Modelling {
+class CurveModelBuilder {
  public:
-  Modelling(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-            const assembly::Loading& loading, const Peaks& peaks, const CurveModelOptions& options,
-            const foundation::Progress& progress, CurveModel& model)
+  CurveModelBuilder(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                    const assembly::Loading& loading, const Peaks& peaks, const CurveModelOptions& options,
+                    const foundation::Progress& progress, CurveModel& model)
       : assembled_(assembled), channels_(channels), options_(options), progress_(progress), model_(model) {
     for (const double delay : model.delays) loadings_.push_back(undelayed(loading, delay));
     extrema_ = extrema(peaks, model.band);
@@ -145,7 +145,7 @@ class Modelling {
       enough = known < most_samples;
     }
     if (known < 2) return;
-    const double middle = cut(band);
+    const double middle = cut_frequency(band);
     add_pieces({band.from, middle});
     add_pieces({middle, band.to});
   }
@@ -166,7 +166,7 @@ class Modelling {
   }
 
   /// Frequency at which a piece is cut: the corner of a table nearest to the middle of its samples, or that middle.
-  double cut(const Band& band) {
+  double cut_frequency(const Band& band) {
     std::vector<double> inside;
     for (auto s = samples_.lower_bound(band.from); s != samples_.end() && s->first <= band.to; ++s)
       inside.push_back(s->first);
@@ -274,7 +274,7 @@ class Modelling {
   }
 
   /// Smaller amplitude of each curve at the two neighbouring samples.
-  [[nodiscard]] Eigen::VectorXd beside(double w) const {
+  [[nodiscard]] Eigen::VectorXd smaller_neighbour(double w) const {
     const auto amplitudes = [&](Samples::const_iterator s) {
       return Eigen::VectorXd(summed(s->second, model_.delays, s->first).cwiseAbs());
     };
@@ -287,7 +287,7 @@ class Modelling {
   [[nodiscard]] double error_of(const numerics::RationalFit& fit, double w, const Eigen::VectorXcd& truth) const {
     const Eigen::VectorXcd y = summed(truth, model_.delays, w),
                            model = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
-    const Eigen::VectorXd neighbours = beside(w);
+    const Eigen::VectorXd neighbours = smaller_neighbour(w);
     const Eigen::VectorXd floor = floors(y);
     double worst = 0;
     for (Eigen::Index c = 0; c < y.size(); ++c) {
@@ -341,8 +341,8 @@ CurveModel curve_model(const assembly::Assembled& assembled, const std::vector<a
   model.curves = std::ssize(channels);
   model.delays = delays_of(loading);
   if (channels.empty()) return model;
-  Modelling modelling(assembled, channels, loading, peaks, options, progress, model);
-  modelling.add_pieces_between_corners(band, poles);
+  CurveModelBuilder builder(assembled, channels, loading, peaks, options, progress, model);
+  builder.add_pieces_between_corners(band, poles);
   return model;
 }
 

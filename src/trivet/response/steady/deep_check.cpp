@@ -101,13 +101,13 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     }
     const elements::Matrices m = elements::matrices(element.law);
     const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
-    const auto carried = [&](const Eigen::MatrixXd& local) -> Carrier {
+    const auto transformed = [&](const Eigen::MatrixXd& local) -> Carrier {
       return t * local.cast<Extended>() * t.transpose();
     };
-    stiffness += carried(m.stiffness).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor);
-    mass += carried(m.mass).cast<ExtendedComplex>();
-    damping += carried(m.damping).cast<ExtendedComplex>();
-    element_damping += carried(m.damping).cast<double>();
+    stiffness += transformed(m.stiffness).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor);
+    mass += transformed(m.mass).cast<ExtendedComplex>();
+    damping += transformed(m.damping).cast<ExtendedComplex>();
+    element_damping += transformed(m.damping).cast<double>();
     if (ends.can_move(e)) driven.push_back({e, m});
   }
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
@@ -152,9 +152,9 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
     for (const auto& [element, t] : dependent) {
       const ExtendedMatrix exact =
           elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<ExtendedComplex>();
-      const ExtendedMatrix carried = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
-      z += carried;
-      terms += carried.cwiseAbs().cast<ExtendedComplex>();
+      const ExtendedMatrix transformed = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
+      z += transformed;
+      terms += transformed.cwiseAbs().cast<ExtendedComplex>();
       drive(t.cast<ExtendedComplex>() * (exact * ends.at(element, angular_frequency[i])));
     }
     for (const auto& [element, m] : driven) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::response {
@@ -15,7 +15,7 @@ ElementDirections element_directions(const std::vector<model::Body>& bodies, con
   const model::Span span = model::span(bodies, element.n, element.k);
   const elements::Matrix12 stiffness = elements::stiffness(element.law);
   ElementDirections result;
-  result.centre = elements::character(stiffness).elastic_centre;
+  result.centre = elements::stiffness_properties(stiffness).elastic_centre;
   Eigen::Matrix<double, 6, 12> of_k;
   of_k << -spatial::rigid_motion(span.arm) * spatial::both_blocks(span.n_from_k).transpose(),
       spatial::Matrix6::Identity();

@@ -107,8 +107,8 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
   const bool rigid = modal::has_rigid_motion(modes) || lowest_power < 0 || (!exact && found.from > 0);
   const bool rests = !rigid && defined_at_rest(assembled);
   if (exact && rests) {  // circles cannot reach ω = 0
-    const FrequencyResponse still = frequency_response(assembled, channels, loading, {0.0});
-    for (std::size_t c = 0; c < channels.size(); ++c) found.curves[c].at_start = std::abs(still.curves[c].value(0));
+    const FrequencyResponse at_rest = frequency_response(assembled, channels, loading, {0.0});
+    for (std::size_t c = 0; c < channels.size(); ++c) found.curves[c].at_start = std::abs(at_rest.curves[c].value(0));
   }
   for (std::size_t c = 0; c < channels.size(); ++c) {
     CurveSummary& summary =

@@ -15,7 +15,7 @@ using ExtendedComplex = std::complex<Extended>;
 using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Projection on the motions that the coordinates of a foundation cannot make: I − S (SᵀS)⁻¹ Sᵀ.
-Matrix beyond(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
+Matrix projection_off(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
   const Matrix s = shape.cast<Extended>();
   const Matrix gram = s.transpose() * s;
   return Matrix::Identity(6, 6) - s * numerics::pivoted_qr_solution(gram, s.transpose());
@@ -84,7 +84,7 @@ PrescribedEnds::Vector PrescribedEnds::at(std::size_t index, double angular_freq
     if (end->on_ground()) motion = ground_at(end->at, index, angular_frequency);
     if (end->foundation && impedance_of_[end->foundation->foundation] >= 0) {
       const auto joint = static_cast<std::size_t>(impedance_of_[end->foundation->foundation]);
-      motion = beyond(end->foundation->shape).cast<ExtendedComplex>() *
+      motion = projection_off(end->foundation->shape).cast<ExtendedComplex>() *
           ground_at(description_.elements[joint].n.at, joint, angular_frequency);
     }
     const Eigen::Matrix<ExtendedComplex, 3, 3> local = end->axes.transpose().cast<ExtendedComplex>();

@@ -59,11 +59,11 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
   std::vector<Eigen::Index> reached;
   constexpr double negligible =
       1e-3;  // of the moving mass: an overdamped mode with less is excluded like one outside the spectrum
-  double all = 0, told = 0;
-  for (const ModalShare& mode : result.modes) all += mode.effective_mass;
+  double total = 0, effective = 0;
+  for (const ModalShare& mode : result.modes) total += mode.effective_mass;
   for (std::size_t i = 0; i < result.modes.size(); ++i) {
     ModalShare& mode = result.modes[i];
-    if (!(mode.damping_ratio < 1) && mode.effective_mass < negligible * all) continue;
+    if (!(mode.damping_ratio < 1) && mode.effective_mass < negligible * total) continue;
     if (mode.angular_frequency < spectrum.angular_frequencies.front() ||
         mode.angular_frequency > spectrum.angular_frequencies.back())
       continue;
@@ -73,10 +73,10 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
                       "spectrum does not apply to it",
                       mode.angular_frequency / two_pi, mode.damping_ratio));
     mode.spectral_acceleration = excitation::spectral_acceleration(spectrum, mode.angular_frequency);
-    told += mode.effective_mass;
+    effective += mode.effective_mass;
     reached.push_back(static_cast<Eigen::Index>(i));
   }
-  result.effective_mass_share = all > 0 ? told / all : 0;
+  result.effective_mass_share = total > 0 ? effective / total : 0;
   return reached;
 }
 

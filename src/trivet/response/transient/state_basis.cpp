@@ -44,7 +44,7 @@ void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::
 }
 
 /// Uses the modes of the massive coordinates, if there are as many real ones as coordinates.
-bool take_modes(const numerics::DynamicMatrices& m, Eigen::MatrixXd& P, StateBasis& basis) {
+bool set_modal_basis(const numerics::DynamicMatrices& m, Eigen::MatrixXd& P, StateBasis& basis) {
   if (!m.symmetric) return false;
   const numerics::MassiveSystem massive = numerics::massive_system(m);
   const numerics::GeneralizedModes modes = numerics::generalized_modes(massive.K, massive.A, true);
@@ -82,7 +82,7 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
   Eigen::MatrixXd P, R = Eigen::MatrixXd::Zero(n, n - count);
   for (std::size_t i = 0; i < massless.size(); ++i) R(massless[i], static_cast<Eigen::Index>(i)) = scale(massless[i]);
   if (!massless.empty()) part_massless(m, massless, R, basis);
-  basis.modal = take_modes(m, P, basis);
+  basis.modal = set_modal_basis(m, P, basis);
   if (!basis.modal) {
     P = Eigen::MatrixXd::Zero(n, count);
     for (std::size_t i = 0; i < massive.size(); ++i) P(massive[i], static_cast<Eigen::Index>(i)) = scale(massive[i]);

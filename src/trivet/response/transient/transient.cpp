@@ -12,11 +12,11 @@
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/response/transient/time_grid.h"
+#include "trivet/response/transient/time_stepper.h"
 #include "trivet/response/transient/transient_extremes.h"
 #include "trivet/response/transient/transient_record.h"
 #include "trivet/response/transient/transient_refusals.h"
 #include "trivet/response/transient/transient_rows.h"
-#include "trivet/response/transient/transient_walk.h"
 
 namespace trivet::response {
 namespace {
@@ -66,8 +66,9 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
   for (const numerics::LoadTerm& term : loading.motion.terms()) add(term, &Drive::ground);
 }
 
-WalkState first_state(const StateSpace& space, const Inputs& inputs, const TransientOptions& options) {
-  WalkState state{0, Eigen::VectorXd::Zero(space.size()), std::vector<InputCourse::Place>(inputs.courses.size(), -1)};
+StepperState first_state(const StateSpace& space, const Inputs& inputs, const TransientOptions& options) {
+  StepperState state{0, Eigen::VectorXd::Zero(space.size()),
+                     std::vector<InputCourse::Place>(inputs.courses.size(), -1)};
   if (!options.initial) return state;
   const Eigen::Index n = space.displacements().on_state.rows();
   for (const Eigen::VectorXd* each : {&options.initial->displacement, &options.initial->velocity})
@@ -81,7 +82,7 @@ WalkState first_state(const StateSpace& space, const Inputs& inputs, const Trans
 
 /// Subtracts the motion R g, with which the coordinates move, from a state of absolute displacements and velocities.
 void subtract_followed(const StateSpace& space, const assembly::Ground& ground, const Inputs& inputs, double time,
-                       WalkState& state) {
+                       StepperState& state) {
   for (std::size_t c = 0; c < inputs.courses.size(); ++c) {
     const InputVector w = inputs.courses[c].at(state.places[c], time);
     const InputMatrix followed = inputs.drives[c].ground.bottomRows(ground.followed());
@@ -91,16 +92,16 @@ void subtract_followed(const StateSpace& space, const assembly::Ground& ground, 
 }
 
 /// Advances the state to the first point of the grid.
-void go_to_first_point(TransientWalk& walk, const StateSpace& space, const assembly::Ground& ground,
-                       const Inputs& inputs, const TimeGrid& grid, bool from_rest, WalkState& state) {
+void go_to_first_point(TimeStepper& stepper, const StateSpace& space, const assembly::Ground& ground,
+                       const Inputs& inputs, const TimeGrid& grid, bool from_rest, StepperState& state) {
   state.time = grid.start;
   if (!from_rest) {
     for (std::size_t c = 0; c < inputs.courses.size(); ++c)
       state.places[c] = inputs.courses[c].place_at(grid.from, -grid.resolution);
     subtract_followed(space, ground, inputs, grid.from, state);
   }
-  walk.take_corners(state);
-  walk.advance(state, grid.from);
+  stepper.apply_corners(state);
+  stepper.advance(state, grid.from);
 }
 
 void warn_of_growth(const StateSpace& space, double duration, foundation::Problems& warnings) {
@@ -144,7 +145,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   for (const TimeInput& input : given) add_input(assembled, input, inputs);
   const StateSpace space(assembled.matrices, inputs.drives);
   TransientResponse result;
-  WalkState state = first_state(space, inputs, options);
+  StepperState state = first_state(space, inputs, options);
   const std::vector<ExcitedMode> modes = excited_modes(space, inputs.courses, state.x);
   const TimeGrid grid = time_grid(options, modes, inputs.courses, inputs.names, result.warnings);
   require_room(grid, channels.size());
@@ -153,13 +154,13 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   const LinearRows rows = answer_rows(space, channels, inputs.drives);
   warn_of_impulses(rows, channels, inputs.courses, inputs.names, result.warnings);
 
-  TransientWalk walk(space, inputs.courses, grid.step, grid.resolution);
-  go_to_first_point(walk, space, assembled.ground, inputs, grid, !options.initial, state);
-  TransientRecord record(walk, inputs.courses, rows, grid);
+  TimeStepper stepper(space, inputs.courses, grid.step, grid.resolution);
+  go_to_first_point(stepper, space, assembled.ground, inputs, grid, !options.initial, state);
+  TransientRecord record(stepper, inputs.courses, rows, grid);
   record.run(state, progress);
   result.time = Eigen::VectorXd::LinSpaced(grid.points, 0, static_cast<double>(grid.points - 1)) * grid.step;
   result.time.array() += grid.from;
-  result.curves = record.take();
+  result.curves = record.release_curves();
   for (std::size_t k = 0; k < channels.size(); ++k) {
     TimeCurve& curve = result.curves[k];
     const auto row = static_cast<Eigen::Index>(k);
@@ -175,7 +176,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
       foundation::report_progress(progress, task,
                                   (static_cast<double>(k) + fraction) / static_cast<double>(channels.size()));
     };
-    search_between_points(walk, space, here, grid, record.checkpoints(), of_answer, curve);
+    search_between_points(stepper, space, here, grid, record.checkpoints(), of_answer, curve);
   }
   return result;
 }

@@ -15,46 +15,46 @@ constexpr int most_halvings = 60;
 /// Largest value of one answer (of −answer for the smallest) near a point.
 class Search {
  public:
-  Search(TransientWalk& walk, const StateSpace& space, const LinearRows& row, double sign)
-      : walk_(walk), value_(row), rate_(space.derivative(row)), sign_(sign), inputs_(row.on_input.cols()) {}
+  Search(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, double sign)
+      : stepper_(stepper), value_(row), rate_(space.derivative(row)), sign_(sign), inputs_(row.on_input.cols()) {}
 
   /// Searches between `state` and `end`, across corners.
-  void over(WalkState state, double end, Extreme& best) {
-    while (end - state.time > walk_.resolution()) {
-      const double to = std::min(end, walk_.next_corner(state));
-      WalkState after = state;
-      walk_.glide(after, to);
+  void over(StepperState state, double end, Extreme& best) {
+    while (end - state.time > stepper_.resolution()) {
+      const double to = std::min(end, stepper_.next_corner(state));
+      StepperState after = state;
+      stepper_.advance_to_corner(after, to);
       offer(after, best);
-      if (of(rate_, state) > 0 && of(rate_, after) < 0) turn(state, to, best);
-      walk_.take_corners(after);
+      if (signed_value(rate_, state) > 0 && signed_value(rate_, after) < 0) raise_at_turn(state, to, best);
+      stepper_.apply_corners(after);
       offer(after, best);
       state = std::move(after);
     }
   }
 
  private:
-  double of(const LinearRows& row, const WalkState& at) {
-    walk_.inputs(at, inputs_);
+  double signed_value(const LinearRows& row, const StepperState& at) {
+    stepper_.inputs(at, inputs_);
     return sign_ * (row.on_state.row(0).dot(at.x) + row.on_input.row(0).dot(inputs_));
   }
-  void offer(const WalkState& at, Extreme& best) {
-    const double value = of(value_, at);
+  void offer(const StepperState& at, Extreme& best) {
+    const double value = signed_value(value_, at);
     if (value > sign_ * best.value) best = {sign_ * value, at.time};
   }
   /// The derivative is positive at `state` and negative at `end`: regula falsi, Illinois variant.
-  void turn(const WalkState& state, double end, Extreme& best) {
-    WalkState here = state;
-    double low = state.time, high = end, at_low = of(rate_, state);
-    walk_.glide(here, end);
-    double at_high = of(rate_, here);
-    for (int i = 0, side = 0; i < most_halvings && high - low > std::max(walk_.resolution(), 1e-7 * (end - state.time));
-         ++i) {
+  void raise_at_turn(const StepperState& state, double end, Extreme& best) {
+    StepperState here = state;
+    double low = state.time, high = end, at_low = signed_value(rate_, state);
+    stepper_.advance_to_corner(here, end);
+    double at_high = signed_value(rate_, here);
+    for (int i = 0, side = 0;
+         i < most_halvings && high - low > std::max(stepper_.resolution(), 1e-7 * (end - state.time)); ++i) {
       const double t = std::clamp(low + (high - low) * at_low / (at_low - at_high), low + 1e-3 * (high - low),
                                   high - 1e-3 * (high - low));
       here = state;
-      walk_.glide(here, t);
+      stepper_.advance_to_corner(here, t);
       offer(here, best);
-      const double rate = of(rate_, here);
+      const double rate = signed_value(rate_, here);
       if (rate == 0) return;
       if (rate > 0) {
         low = t, at_low = rate;
@@ -68,7 +68,7 @@ class Search {
     }
   }
 
-  TransientWalk& walk_;
+  TimeStepper& stepper_;
   const LinearRows& value_;
   LinearRows rate_;
   double sign_;
@@ -114,7 +114,7 @@ Candidates candidates(const TimeCurve& curve, double margin) {
 
 }  // namespace
 
-void search_between_points(TransientWalk& walk, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
+void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
                            const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
   // For a sine with phase θ between points, the parabola has (1 + cos θ)/2 of the rise; a quarter more for other
   // motions.
@@ -124,19 +124,19 @@ void search_between_points(TransientWalk& walk, const StateSpace& space, const L
   const std::size_t all = found.largest.size() + found.smallest.size();
   for (const double sign : {1.0, -1.0}) {
     Extreme& best = sign > 0 ? curve.largest : curve.smallest;
-    Search search(walk, space, row, sign);
+    Search search(stepper, space, row, sign);
     for (const Candidate& candidate : sign > 0 ? found.largest : found.smallest) {
       if (candidate.reach <= sign * best.value) break;
       foundation::report_progress(progress, "largest and smallest values",
                                   static_cast<double>(done++) / static_cast<double>(all));
       const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0),
                          last = std::min(candidate.point + 1, grid.points - 1);
-      WalkState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
+      StepperState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
       for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i)
-        walk.advance(state, grid.time(i + 1));
+        stepper.advance(state, grid.time(i + 1));
       for (Eigen::Index i = first; i < last; ++i) {
         search.over(state, grid.time(i + 1), best);
-        walk.advance(state, grid.time(i + 1));
+        stepper.advance(state, grid.time(i + 1));
       }
     }
   }

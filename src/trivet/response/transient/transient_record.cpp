@@ -25,9 +25,9 @@ int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool sta
 
 }  // namespace
 
-TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows,
+TransientRecord::TransientRecord(TimeStepper& stepper, const std::vector<InputCourse>& courses, LinearRows rows,
                                  const TimeGrid& grid)
-    : walk_(walk),
+    : stepper_(stepper),
       courses_(courses),
       rows_(std::move(rows)),
       grid_(grid),
@@ -36,7 +36,7 @@ TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCou
   for (std::size_t c = 0; c < courses.size(); ++c)
     held_.push_back(
         held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives),
-                         walk.state_jumps(c)));
+                         stepper.state_jumps(c)));
   for (TimeCurve& curve : curves_) {
     curve.values.resize(grid.points);
     curve.largest.value = -infinity;
@@ -44,7 +44,7 @@ TransientRecord::TransientRecord(TransientWalk& walk, const std::vector<InputCou
   }
 }
 
-void TransientRecord::run(WalkState state, const foundation::Progress& progress) {
+void TransientRecord::run(StepperState state, const foundation::Progress& progress) {
   constexpr Eigen::Index block = 256;
   checkpoints_ = {block, {}};
   const std::vector<Eigen::Index> used = used_inputs(rows_);
@@ -56,7 +56,7 @@ void TransientRecord::run(WalkState state, const foundation::Progress& progress)
     const Eigen::Index count = std::min(block, grid_.points - first);
     for (Eigen::Index i = 0; i < count; ++i) {
       X.col(i) = state.x;
-      if (!used.empty()) walk_.inputs(state, inputs_);
+      if (!used.empty()) stepper_.inputs(state, inputs_);
       for (std::size_t j = 0; j < used.size(); ++j) W(static_cast<Eigen::Index>(j), i) = inputs_(used[j]);
       if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
     }
@@ -69,28 +69,29 @@ void TransientRecord::run(WalkState state, const foundation::Progress& progress)
   }
 }
 
-void TransientRecord::to_next_point(WalkState& state, double to) {
-  for (double corner = walk_.next_corner(state); corner <= to + walk_.resolution(); corner = walk_.next_corner(state)) {
-    walk_.glide(state, std::min(corner, to));
+void TransientRecord::to_next_point(StepperState& state, double to) {
+  for (double corner = stepper_.next_corner(state); corner <= to + stepper_.resolution();
+       corner = stepper_.next_corner(state)) {
+    stepper_.advance_to_corner(state, std::min(corner, to));
     const bool jump = answers_jump(state, corner);
     if (jump) note(state);
-    walk_.take_corners(state);
+    stepper_.apply_corners(state);
     if (jump) note(state);
   }
-  if (state.time != to) walk_.glide(state, to);
+  if (state.time != to) stepper_.advance_to_corner(state, to);
 }
 
-bool TransientRecord::answers_jump(const WalkState& state, double corner) const {
+bool TransientRecord::answers_jump(const StepperState& state, double corner) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
     for (int m = 0; m < 3; ++m)
-      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + walk_.resolution() &&
+      if ((held_[c] >> m & 1) != 0 && courses_[c].next_corner(state.places[c]) <= corner + stepper_.resolution() &&
           courses_[c].jumps(state.places[c] + 1, m))
         return true;
   return false;
 }
 
-void TransientRecord::note(const WalkState& state) {
-  walk_.inputs(state, inputs_);
+void TransientRecord::note(const StepperState& state) {
+  stepper_.inputs(state, inputs_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
     const auto row = static_cast<Eigen::Index>(k);
     const double value =

@@ -7,9 +7,9 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/response/transient/time_grid.h"
+#include "trivet/response/transient/time_stepper.h"
 #include "trivet/response/transient/transient.h"
 #include "trivet/response/transient/transient_extremes.h"
-#include "trivet/response/transient/transient_walk.h"
 
 namespace trivet::response {
 
@@ -17,23 +17,23 @@ namespace trivet::response {
 /// jump.
 class TransientRecord {
  public:
-  TransientRecord(TransientWalk& walk, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
+  TransientRecord(TimeStepper& stepper, const std::vector<InputCourse>& courses, LinearRows rows, const TimeGrid& grid);
 
   /// Runs from the first point, the time of `state`, to the last.
   /// @throws foundation::NotComputable if the motion leaves the range of numbers
-  void run(WalkState state, const foundation::Progress& progress);
+  void run(StepperState state, const foundation::Progress& progress);
 
   [[nodiscard]] const Checkpoints& checkpoints() const { return checkpoints_; }
   /// Values and extremes of the answers, without names.
-  [[nodiscard]] std::vector<TimeCurve> take() { return std::move(curves_); }
+  [[nodiscard]] std::vector<TimeCurve> release_curves() { return std::move(curves_); }
 
  private:
-  void to_next_point(WalkState& state, double to);
-  [[nodiscard]] bool answers_jump(const WalkState& state, double corner) const;
-  void note(const WalkState& state);
+  void to_next_point(StepperState& state, double to);
+  [[nodiscard]] bool answers_jump(const StepperState& state, double corner) const;
+  void note(const StepperState& state);
   void keep(const Eigen::MatrixXd& values, Eigen::Index first);
 
-  TransientWalk& walk_;
+  TimeStepper& stepper_;
   const std::vector<InputCourse>& courses_;
   LinearRows rows_;
   const TimeGrid& grid_;

@@ -49,10 +49,10 @@ std::vector<Eigen::Index> used_inputs(const LinearRows& rows) {
 void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channel>& channels,
                       const std::vector<InputCourse>& courses, const std::vector<std::string>& names,
                       foundation::Problems& warnings) {
-  std::set<std::string> told;
+  std::set<std::string> warned;
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const int first = courses[c].smoothness() + 1;  // this derivative of u is infinite somewhere
-    if (courses[c].count() == 0 || first > 2 || told.count(names[c])) continue;
+    if (courses[c].count() == 0 || first > 2 || warned.count(names[c])) continue;
     const Eigen::Index from = static_cast<Eigen::Index>(c) * input_derivatives + of_value + first,
                        count = input_derivatives - of_value - first;
     const double scale = rows.on_input.middleCols(from, count).cwiseAbs().maxCoeff();
@@ -63,7 +63,7 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
       if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[static_cast<std::size_t>(i)].name;
     }
     if (found == 0) continue;
-    told.insert(names[c]);
+    warned.insert(names[c]);
     warnings.warning(
         names[c],
         fmt::format("{} of the given motion while {}{} depend on its {}", first == 1 ? "jumps" : "corners", list,

@@ -11,7 +11,7 @@
 namespace trivet::response {
 
 /// State of the time stepping just after all corners at `time`.
-struct WalkState {
+struct StepperState {
   double time = 0;
   Eigen::VectorXd x;
   std::vector<InputCourse::Place> places;  ///< per course
@@ -19,26 +19,26 @@ struct WalkState {
 
 /// Advances a state in time without truncation error. Times closer than `resolution` are equal. Not copyable, not
 /// thread-safe.
-class TransientWalk {
+class TimeStepper {
  public:
-  TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution);
+  TimeStepper(const StateSpace& space, const std::vector<InputCourse>& courses, double step, double resolution);
 
   [[nodiscard]] double resolution() const { return resolution_; }
-  [[nodiscard]] double next_corner(const WalkState& at) const;
+  [[nodiscard]] double next_corner(const StepperState& at) const;
   /// Advances to a time at most one step later with no corner before it; a corner at that time is not yet applied.
-  void glide(WalkState& at, double to);
+  void advance_to_corner(StepperState& at, double to);
   /// Applies the corners at this time; the state jumps if the ground does.
-  void take_corners(WalkState& at) const;
+  void apply_corners(StepperState& at) const;
   /// True if the state jumps at jumps or corners of this input.
   [[nodiscard]] bool state_jumps(std::size_t course) const { return !space_.G(course).rightCols<2>().isZero(0); }
   /// Advances to any later time and applies the corners on the way and at its end.
-  void advance(WalkState& at, double to);
+  void advance(StepperState& at, double to);
   /// w of every course, stacked, with derivatives up to the seventh.
-  void inputs(const WalkState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const;
+  void inputs(const StepperState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const;
 
  private:
-  void take_step(WalkState& at, std::size_t level);
-  void take_series(WalkState& at, double duration);
+  void apply_step(StepperState& at, std::size_t level);
+  void apply_series(StepperState& at, double duration);
   const std::vector<InputMatrix>& gamma(std::size_t course, std::size_t kappa);
 
   const StateSpace& space_;

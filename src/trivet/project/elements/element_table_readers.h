@@ -27,12 +27,12 @@ void read_damping(TableReader& reader, const model::Span& span, double centre, m
 void read_loops(TableReader& damping, model::Element& element);
 
 /// Distance from N to K [m]; none after reporting errors.
-using LengthOf = std::optional<double>;
-[[nodiscard]] LengthOf read_step_mount(TableReader& reader,
-                                       model::Element& element);  ///< a solid_mount from a STEP file
+using ElementLength = std::optional<double>;
+[[nodiscard]] ElementLength read_step_mount(TableReader& reader,
+                                            model::Element& element);  ///< a solid_mount from a STEP file
 
 /// Multiplies the deformation stiffness of an element, computed with static moduli, by `material.stiffening`: rubber is
 /// stiffer in vibration than at rest. The effect of a preload in a rigid motion is unchanged. Returns `length`.
-[[nodiscard]] LengthOf stiffened(TableReader& reader, LengthOf length, model::Element& element);
+[[nodiscard]] ElementLength stiffened(TableReader& reader, ElementLength length, model::Element& element);
 
 }  // namespace trivet::project

@@ -12,16 +12,16 @@
 namespace trivet::project {
 
 /// Names in the file, of readable and unreadable parts: a reference to an unreadable part is not a second problem.
-struct Mentioned {
+struct NamesInFile {
   bool bodies_unknown = false;  ///< there is no readable table of bodies
   std::vector<std::string> bodies, points, elements, element_types, harmonic_excitations, constant_excitations;
   std::vector<std::string> order_excitations, random_excitations,
       time_excitations;  ///< an unbalance drives harmonically and by orders
-  struct Standing {
+  struct FoundationReference {
     std::string element, ground;
     foundation::Origin origin;
   };
-  std::vector<Standing> stands_on;                                    ///< elements and the foundations that they name
+  std::vector<FoundationReference> foundation_references;             ///< elements and the foundations that they name
   std::vector<std::string> guided;                                    ///< "body.y": coordinates that do not move
   std::vector<std::function<void(model::Description&)>> adjustments;  ///< applied after all is read
 };
@@ -38,6 +38,6 @@ struct KnownModel {
 
 /// Index of the body named at `key`, if it was read; an unknown name is a problem.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
-                                                    const model::Description& description, const Mentioned& mentioned);
+                                                    const model::Description& description, const NamesInFile& in_file);
 
 }  // namespace trivet::project

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,11 +48,11 @@ double coupling(const Matrix6& stiffness) { return scaled(stiffness).topRightCor
 
 }  // namespace
 
-Character character(const Matrix12& stiffness) {
+StiffnessProperties stiffness_properties(const Matrix12& stiffness) {
   if (!stiffness.allFinite()) throw foundation::InvalidInput("stiffness of an element: every entry must be finite");
   const Matrix6 at_k = 0.5 * (stiffness.bottomRightCorner<6, 6>() + stiffness.bottomRightCorner<6, 6>().transpose());
   const Eigen::Matrix3d a = at_k.topLeftCorner<3, 3>(), b = at_k.topRightCorner<3, 3>();
-  Character result;
+  StiffnessProperties result;
   const Principal translations = principal(a);
   result.principal_stiffnesses = translations.values;
   result.principal_axes = translations.axes;

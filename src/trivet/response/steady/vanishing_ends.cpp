@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/steady/curve_ends.h"
+#include "trivet/response/steady/vanishing_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,8 +41,9 @@ std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled,
                         between = at(aside * std::sqrt(range.lowest * range.highest)), high = at(range.highest * near),
                         beyond = at(range.highest * far);
   for (Eigen::Index c = 0; c < between.size(); ++c) {
-    const bool still = low(c) == 0 && between(c) == 0 && high(c) == 0;
-    vanish[static_cast<std::size_t>(c)] = !still && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
+    const bool zero_throughout = low(c) == 0 && between(c) == 0 && high(c) == 0;
+    vanish[static_cast<std::size_t>(c)] =
+        !zero_throughout && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
   }
   return vanish;
 }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/names_in_file.h"
 
 /// One function per part of an excitation's table.
 namespace trivet::project {
@@ -14,16 +14,16 @@ enum class ActionNumbers { amplitudes, factors };
 
 /// `on`, `at`, `force`, `moment` and `phase` of a force on a body.
 [[nodiscard]] std::optional<model::Action> read_force(TableReader& reader, const model::Description& description,
-                                                      const Mentioned& mentioned, ActionNumbers numbers);
+                                                      const NamesInFile& in_file, ActionNumbers numbers);
 
 /// Only `on` and `at`, of excitations with their own directions.
 [[nodiscard]] std::optional<model::Action> read_place(TableReader& reader, const model::Description& description,
-                                                      const Mentioned& mentioned);
+                                                      const NamesInFile& in_file);
 
 /// `at`, `translation`, `rotation`, `phase`, `delay`, `elements`, `wave` and `quantity` of a moving ground.
 [[nodiscard]] std::optional<model::Action> read_ground_motion(TableReader& reader,
                                                               const model::Description& description,
-                                                              const Mentioned& mentioned, ActionNumbers numbers);
+                                                              const NamesInFile& in_file, ActionNumbers numbers);
 
 /// Quantity of the course of an action with factors: a force, a moment, or a motion.
 [[nodiscard]] Quantity course_quantity(const model::Action& action);

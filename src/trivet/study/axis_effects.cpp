@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/study/influence.h"
+#include "trivet/study/axis_effects.h"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ Amplitudes amplitudes(const model::System& system, const project::MapRequest& re
                       const std::vector<std::string>& names, double top) {
   const assembly::Assembled assembled = assembly::assemble(system);
   const std::vector<assembly::Channel> channels =
-      assembly::channels(system, assembled, names, assembly::Quantity::displacement);
+      assembly::channels(system, assembled, names, assembly::MotionQuantity::displacement);
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request.excitations);
   double from = 0, to = std::numeric_limits<double>::infinity();
   for (const assembly::ElementMap& map : assembled.elements)
@@ -49,8 +49,8 @@ bool differ(const Amplitudes& a, const Amplitudes& b) { return !((a - b).abs() <
 
 }  // namespace
 
-Influence influence(const project::Case& variant, const project::MapRequest& request,
-                    const std::vector<design::MapRule>& rules) {
+AxisEffects axis_effects(const project::Case& variant, const project::MapRequest& request,
+                         const std::vector<design::MapRule>& rules) {
   const std::vector<std::string> names = answers_of(rules);
   const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   const project::ModelNumber x(request.x), y(request.y);
@@ -69,9 +69,9 @@ Influence influence(const project::Case& variant, const project::MapRequest& req
       } catch (const foundation::InvalidInput&) {
         return {};
       }
-  Influence result{{}, false, false};
+  AxisEffects result{{}, false, false};
   for (std::size_t c = 0; c < names.size(); ++c)
-    if (largest.row(static_cast<Eigen::Index>(c)).isZero(0)) result.still.push_back(names[c]);
+    if (largest.row(static_cast<Eigen::Index>(c)).isZero(0)) result.zero_answers.push_back(names[c]);
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (std::size_t i = 1; i < shares.size(); ++i) {
       result.by_x = result.by_x || differ(designs[0][k], designs[i][k]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/results/shown_apart.h"
+#include "trivet/results/distinct_texts.h"
 
 #include <fmt/format.h>
 
@@ -9,17 +9,17 @@
 
 namespace trivet::results {
 
-std::pair<std::string, std::string> shown_apart(double a, double b, int digits) {
+std::pair<std::string, std::string> distinct_texts(double a, double b, int digits) {
   constexpr double noticeable = 0.01;  // share of their difference
-  const auto shown = [&](double x) { return fmt::format("{:.{}g}", x, digits); };
+  const auto rounded = [&](double x) { return fmt::format("{:.{}g}", x, digits); };
   const auto misses = [&](double x) {
-    const std::string text = shown(x);
+    const std::string text = rounded(x);
     double read = 0;
     std::from_chars(text.data(), text.data() + text.size(), read);
     return std::abs(read - x) > noticeable * std::abs(a - b);
   };
   while (a != b && digits < std::numeric_limits<double>::max_digits10 && (misses(a) || misses(b))) ++digits;
-  return {shown(a), shown(b)};
+  return {rounded(a), rounded(b)};
 }
 
 }  // namespace trivet::results

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Determines which curves the poles of a table give to nine digits: the load must move them by more than round-off, and
 // their sums must not cancel.
-#if defined(TRIVET_NUMERICS_COUPLING_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef TRIVET_NUMERICS_COUPLING_INL_H_
-#undef TRIVET_NUMERICS_COUPLING_INL_H_
+#if defined(TRIVET_NUMERICS_CURVE_RESIDUES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_CURVE_RESIDUES_INL_H_
+#undef TRIVET_NUMERICS_CURVE_RESIDUES_INL_H_
 #else
-#define TRIVET_NUMERICS_COUPLING_INL_H_
+#define TRIVET_NUMERICS_CURVE_RESIDUES_INL_H_
 #endif
 
 #include "trivet/numerics/batch/peak_question.h"

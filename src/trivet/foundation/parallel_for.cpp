@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/foundation/pieces.h"
+#include "trivet/foundation/parallel_for.h"
 
 #include <algorithm>
 #include <atomic>
@@ -15,8 +15,8 @@ int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-void for_each_piece(std::size_t count, const PieceOptions& options,
-                    const std::function<void(std::size_t, std::size_t)>& work) {
+void parallel_for(std::size_t count, const ParallelOptions& options,
+                  const std::function<void(std::size_t, std::size_t)>& work) {
   const std::size_t size = std::max<std::size_t>(1, options.size), pieces = (count + size - 1) / size;
   std::atomic<std::size_t> next = 0, done = 0;
   std::exception_ptr failure;

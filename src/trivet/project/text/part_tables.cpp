@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/thing_tables.h"
+#include "trivet/project/text/part_tables.h"
 
 #include <fmt/format.h>
 
@@ -135,9 +135,9 @@ class VectorsOfRow {
 };
 
 /// One kind of parts: "elements", "bodies" or "points".
-class ThingTable {
+class PartTable {
  public:
-  ThingTable(Node& document, std::string kind, foundation::Problems& problems)
+  PartTable(Node& document, std::string kind, foundation::Problems& problems)
       : document_(document), kind_(std::move(kind)), problems_(problems) {}
 
   void read(const Node& table) {
@@ -252,7 +252,7 @@ class ThingTable {
 
   void read_rows(TableReader& reader, const Node& rows) {
     if (rows.kind != Node::Kind::array) {
-      reader.error("rows", words(rows.kind), "rows are a list of tables in braces",
+      reader.error("rows", kind_name(rows.kind), "rows are a list of tables in braces",
                    "rows = [{name = \"front\", type = \"mount\", on = \"machine\", at = [0, 0, 0]}, …]");
       return;
     }
@@ -264,7 +264,8 @@ class ThingTable {
     for (const Node& row : rows.items) {
       if (row.kind == Node::Kind::table) add(row);
       else
-        problems_.error("tables." + kind_ + ".rows", shown(row), "a row is a table in braces", "{name = \"front\", …}")
+        problems_
+            .error("tables." + kind_ + ".rows", value_text(row), "a row is a table in braces", "{name = \"front\", …}")
             .origin = row.origin;
     }
   }
@@ -276,7 +277,7 @@ class ThingTable {
     if (!name ||
         (name->kind != Node::Kind::text && name->kind != Node::Kind::real && name->kind != Node::Kind::integer)) {
       problems_
-          .error("tables." + kind_, name ? shown(*name) : "a row without a name",
+          .error("tables." + kind_, name ? value_text(*name) : "a row without a name",
                  "every row has a name, under the key or column \"name\"", "add it; keys are in lower case")
           .origin = origin;
       return;
@@ -284,11 +285,11 @@ class ThingTable {
     const std::string called = name->kind == Node::Kind::text ? name->text : fmt::format("{}", name->number);
     remove(row, "name");
     if (!is_good_name(called, row)) return;
-    Node* things = holder(row, called);
-    if (!things) return;
+    Node* parts = holder(row, called);
+    if (!parts) return;
     const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
     VectorsOfRow(path, problems_).make_arrays(row);
-    if (const Node* other = things->find(called)) {
+    if (const Node* other = parts->find(called)) {
       problems_
           .error(path, fmt::format("a second one, in {}", foundation::place(origin)),
                  fmt::format("the name is already used in {}", foundation::place(other->origin)),
@@ -309,8 +310,8 @@ class ThingTable {
       if (!at) return;
       row = Node(*at);
     }
-    things->keys.push_back(called);
-    things->items.push_back(std::move(row));
+    parts->keys.push_back(called);
+    parts->items.push_back(std::move(row));
   }
 
   /// Checks a name as names in the file; problems have the line of the row.
@@ -323,9 +324,9 @@ class ThingTable {
           .origin = row.origin;
       return false;
     }
-    Node things = table_node(row.origin), all = table_node(row.origin);
-    put(things, {called}, row);
-    put(all, {kind_}, std::move(things));
+    Node parts = table_node(row.origin), all = table_node(row.origin);
+    put(parts, {called}, row);
+    put(all, {kind_}, std::move(parts));
     foundation::Problems found = check_names_and_texts(all);
     for (foundation::Problem& problem : found.list())
       if (problem.origin.line == 0) problem.origin = row.origin;
@@ -335,7 +336,7 @@ class ThingTable {
 
   /// The table for the new part; created if the file has none.
   Node* holder(Node& row, const std::string& called) {
-    if (kind_ != "points") return made(document_, kind_, row.origin);
+    if (kind_ != "points") return created_table(document_, kind_, row.origin);
     const Node* on = row.find("on");
     const Node* bodies = document_.find("bodies");
     Node* body = nullptr;
@@ -344,16 +345,16 @@ class ThingTable {
     if (!body || body->kind != Node::Kind::table) {
       const std::string guess = on && bodies ? foundation::nearest_name(on->text, bodies->keys) : "";
       problems_
-          .error("points." + called + ".on", on ? shown(*on) : "missing", "a point is on a body",
+          .error("points." + called + ".on", on ? value_text(*on) : "missing", "a point is on a body",
                  guess.empty() ? "name the body: on = \"BODY\"" : "did you mean \"" + guess + "\"?")
           .origin = row.origin;
       return nullptr;
     }
     remove(row, "on");
-    return made(*body, "points", row.origin);
+    return created_table(*body, "points", row.origin);
   }
 
-  Node* made(Node& parent, const std::string& key, const foundation::Origin& origin) {
+  Node* created_table(Node& parent, const std::string& key, const foundation::Origin& origin) {
     if (Node* old = parent.find(key)) return old->kind == Node::Kind::table ? old : nullptr;
     parent.keys.push_back(key);
     parent.items.push_back(table_node(origin));
@@ -409,14 +410,14 @@ void put_tables_in_place(Node& document, foundation::Problems& problems) {
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {
     problems
-        .error("tables", words(tables.kind), "[tables] has tables of bodies, points and elements",
+        .error("tables", kind_name(tables.kind), "[tables] has tables of bodies, points and elements",
                "write [tables.elements]")
         .origin = tables.origin;
     return;
   }
   TableReader reader(tables, "tables", problems);
   for (const char* kind : {"bodies", "points", "elements"})
-    if (const Node* table = reader.table(kind)) ThingTable(document, kind, problems).read(*table);
+    if (const Node* table = reader.table(kind)) PartTable(document, kind, problems).read(*table);
   reader.finish();
 }
 

@@ -3,11 +3,11 @@
 // panels. On each panel f' is a polynomial p0 + p1 t + … + p4 t⁴ plus a remainder bounded by the distances of the
 // poles. A panel is done if every curve's slope has no zero on it, or is monotonic with a known sign at its end, or the
 // curve cannot matter there; otherwise the panel is shortened.
-#if defined(TRIVET_NUMERICS_AXIS_WALK_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef TRIVET_NUMERICS_AXIS_WALK_INL_H_
-#undef TRIVET_NUMERICS_AXIS_WALK_INL_H_
+#if defined(TRIVET_NUMERICS_AXIS_SCAN_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_AXIS_SCAN_INL_H_
+#undef TRIVET_NUMERICS_AXIS_SCAN_INL_H_
 #else
-#define TRIVET_NUMERICS_AXIS_WALK_INL_H_
+#define TRIVET_NUMERICS_AXIS_SCAN_INL_H_
 #endif
 
 #include <bit>
@@ -21,7 +21,7 @@ namespace trivet::numerics::HWY_NAMESPACE {
 
 /// Data of a scan that all curves of a pack share.
 template <typename Size>
-struct WalkedPack {
+struct ScannedPack {
   SquarePoles<Size> poles;
   Pack from, to;   ///< range of x; both finite during the scan
   LaneMask asked;  ///< lanes with good roots
@@ -31,7 +31,7 @@ struct WalkedPack {
 };
 
 /// One curve of a pack during the scan.
-struct WalkedCurve {
+struct ScannedCurve {
   SquaredResponse f;
   Pack best;                      ///< highest value of f found on the band
   Pack sign;                      ///< last known sign of the slope: −1, 1, or 0
@@ -86,7 +86,7 @@ HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre
                               PanelPowers* powers) {
   each(poles.count, [&](int k) TRIVET_LANES {
     PanelPowers& p = powers[k];
-    p.w[0] = reach(poles, k, centre);
+    p.w[0] = inverse_distance(poles, k, centre);
     const Pack unit_aside = hn::Mul(poles.unit[k], p.w[0].second);
     for (int m = 1; m < 6; ++m) p.w[m] = times_turned(p.w[m - 1], p.w[0], unit_aside);
     const Pack modulus = modulus_above(poles.real[k], p.w[0]), aside = hn::Abs(p.w[0].second),
@@ -103,14 +103,14 @@ HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre
   });
 }
 
-struct WalkOptions {
+struct ScanOptions {
   bool every_extremum = true;  ///< false: only those that can be the highest of their curve
   double matters = 1e-6;       ///< required rise of a peak, as a share of the highest amplitude
 };
 
 /// Lanes in which a curve is known to stay below its best value between x and `end`.
 template <typename Size>
-HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const WalkedCurve& curve,
+HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const ScannedCurve& curve,
                                     const Pack& x, const Pack& end) {
   LaneMask open = hn::Lt(x, x);
   each(zones.count, [&](int k) TRIVET_LANES { open = hn::Or(open, hn::And(shared[k], curve.open[k])); });
@@ -119,9 +119,9 @@ HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* sh
 
 /// Slope of one curve on the current panel. @return lanes in which the panel is done for this curve
 template <typename Size>
-HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* powers, const Pack& centre,
-                             const Pack& half, const WalkOptions& options, const LaneMask& covered,
-                             WalkedCurve& curve) {
+HWY_NOINLINE LaneMask bound_slope(const ScannedPack<Size>& pack, const PanelPowers* powers, const Pack& centre,
+                                  const Pack& half, const ScanOptions& options, const LaneMask& covered,
+                                  ScannedCurve& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero,
        s4 = zero, rest = zero;
@@ -177,10 +177,10 @@ HWY_NOINLINE LaneMask settle(const WalkedPack<Size>& pack, const PanelPowers* po
 }
 
 /// Skips a panel that does not matter for a curve.
-HWY_INLINE void pass(WalkedCurve& curve) { curve.after = curve.sign = hn::Zero(Lanes()); }
+HWY_INLINE void skip_panel(ScannedCurve& curve) { curve.after = curve.sign = hn::Zero(Lanes()); }
 
 /// Notes the sign changes on panels that are done.
-HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half,
+HWY_NOINLINE void note_change(const ScannedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half,
                               bool every, int channel, FoundExtrema& found) {
   const Pack zero = hn::Zero(Lanes());
   LaneMask changed = hn::And(left, hn::Lt(hn::Mul(curve.sign, curve.after), zero));
@@ -210,7 +210,7 @@ HWY_NOINLINE void note_change(const WalkedCurve& curve, const LaneMask& left, co
 
 /// Next x worth a check if only the highest values are requested: some widths of a resonance before or after it.
 template <typename Size>
-HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
+HWY_NOINLINE Pack next_stop(const ScannedPack<Size>& pack, const Pack& x) {
   constexpr double widths = 6;
   const SquarePoles<Size>& poles = pack.poles;
   Pack stop = pack.to;
@@ -226,8 +226,8 @@ HWY_NOINLINE Pack next_stop(const WalkedPack<Size>& pack, const Pack& x) {
 /// Lanes in which every curve stays below its best value between x and `stop`, proven by the distances of the poles
 /// alone.
 template <typename Size>
-HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurve* curves, int channels, const Pack& x,
-                                  const Pack& stop) {
+HWY_NOINLINE LaneMask stays_below(const ScannedPack<Size>& pack, const ScannedCurve* curves, int channels,
+                                  const Pack& x, const Pack& stop) {
   const SquarePoles<Size>& poles = pack.poles;
   PairPack most[Size::most];  // |a| and |b| of 1/(x − z) = a + b j
   each(poles.count, [&](int k) TRIVET_LANES { most[k] = most_between(poles, k, x, stop); });
@@ -248,7 +248,7 @@ HWY_NOINLINE LaneMask stays_below(const WalkedPack<Size>& pack, const WalkedCurv
 
 /// Next x in an open zone.
 template <typename Size>
-HWY_INLINE Pack next_open(const WalkedPack<Size>& pack, const Pack& x) {
+HWY_INLINE Pack next_open(const ScannedPack<Size>& pack, const Pack& x) {
   Pack next = pack.to;
   each(pack.zones.count, [&](int k) TRIVET_LANES {
     const LaneMask ahead = hn::And(pack.open[k], hn::Gt(pack.zones.to[k], x));
@@ -259,33 +259,34 @@ HWY_INLINE Pack next_open(const WalkedPack<Size>& pack, const Pack& x) {
 
 /// Moves x from stop to stop as long as no curve can exceed its best value there.
 template <typename Size>
-HWY_NOINLINE LaneMask hop(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, Pack& x, LaneMask live) {
-  LaneMask hopping = live;
-  while (!hn::AllFalse(Lanes(), hopping)) {
+HWY_NOINLINE LaneMask skip_ahead(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels, Pack& x,
+                                 LaneMask live) {
+  LaneMask skipping = live;
+  while (!hn::AllFalse(Lanes(), skipping)) {
     const Pack open = next_open(pack, x);
-    const LaneMask jumps = hn::And(hopping, hn::Gt(open, x));
+    const LaneMask jumps = hn::And(skipping, hn::Gt(open, x));
     for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(jumps, curves[c].sign);
     x = hn::IfThenElse(jumps, open, x);
-    hopping = hn::And(hopping, hn::Lt(x, pack.to));
-    if (hn::AllFalse(Lanes(), hopping)) break;
+    skipping = hn::And(skipping, hn::Lt(x, pack.to));
+    if (hn::AllFalse(Lanes(), skipping)) break;
     const Pack stop = next_stop(pack, x);
-    hopping = hn::And(hopping, stays_below(pack, curves, channels, x, stop));
-    x = hn::IfThenElse(hopping, stop, x);
-    for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(hopping, curves[c].sign);
-    hopping = hn::And(hopping, hn::Lt(x, pack.to));
+    skipping = hn::And(skipping, stays_below(pack, curves, channels, x, stop));
+    x = hn::IfThenElse(skipping, stop, x);
+    for (int c = 0; c < channels; ++c) curves[c].sign = hn::IfThenZeroElse(skipping, curves[c].sign);
+    skipping = hn::And(skipping, hn::Lt(x, pack.to));
   }
   return hn::And(live, hn::Lt(x, pack.to));
 }
 
 /// Scans the axis panel by panel. @return lanes in which the scan was completed
 template <typename Size>
-HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, int channels, const WalkOptions& options,
-                           FoundExtrema& found) {
+HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels,
+                           const ScanOptions& options, FoundExtrema& found) {
   PanelPowers powers[Size::most];
   Pack x = pack.from, share = all(most_share);
   LaneMask live = hn::And(pack.asked, hn::Lt(x, pack.to)), failed = hn::Ne(x, x);
   for (int step = 0; step < most_steps; ++step) {
-    if (!options.every_extremum) live = hop(pack, curves, channels, x, live);
+    if (!options.every_extremum) live = skip_ahead(pack, curves, channels, x, live);
     if (hn::AllFalse(Lanes(), live)) break;
     const Pack remaining = hn::Mul(all(0.5), hn::Sub(pack.to, x)), possible = half_width(pack.poles, x, share);
     const LaneMask last = hn::Ge(possible, remaining);
@@ -296,15 +297,15 @@ HWY_NOINLINE LaneMask walk(const WalkedPack<Size>& pack, WalkedCurve* curves, in
     for (int c = 0; c < channels && !hn::AllFalse(Lanes(), left); ++c) {
       if (!options.every_extremum) covered = covered_between(pack.zones, shared, curves[c], x, hn::Add(centre, half));
       if (options.every_extremum || !hn::AllTrue(Lanes(), hn::Or(covered, hn::Not(live))))
-        left = hn::And(left, settle(pack, powers, centre, half, options, covered, curves[c]));
-      else pass(curves[c]);
+        left = hn::And(left, bound_slope(pack, powers, centre, half, options, covered, curves[c]));
+      else skip_panel(curves[c]);
     }
     if (!hn::AllFalse(Lanes(), left))
       for (int c = 0; c < channels; ++c) {
-        WalkedCurve& curve = curves[c];
+        ScannedCurve& curve = curves[c];
         note_change(curve, left, centre, half, options.every_extremum, c, found);
-        const LaneMask takes = options.every_extremum ? hn::And(left, hn::Ne(curve.after, hn::Zero(Lanes()))) : left;
-        curve.sign = hn::IfThenElse(takes, curve.after, curve.sign);
+        const LaneMask updates = options.every_extremum ? hn::And(left, hn::Ne(curve.after, hn::Zero(Lanes()))) : left;
+        curve.sign = hn::IfThenElse(updates, curve.after, curve.sign);
       }
     x = hn::IfThenElse(left, hn::IfThenElse(last, pack.to, hn::Add(x, hn::Add(half, half))), x);
     share =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/names_in_file.h"
 
 #include <algorithm>
 
@@ -19,8 +19,8 @@ std::string listed(const std::vector<std::string>& names) {
 }  // namespace
 
 const Node* KnownModel::unchanged(const char* table, const std::string& name, const Node& now) const {
-  const Node* things = document.find(table);
-  const Node* before = things ? things->find(name) : nullptr;
+  const Node* parts = document.find(table);
+  const Node* before = parts ? parts->find(name) : nullptr;
   if (!before || !same_content(*before, now)) return nullptr;
   for (const char* adjusted :
        {"stiffness_factor", "damping_factor", "moved", "mass_about_center", "center_moved", "inertia_about_center"})
@@ -29,13 +29,13 @@ const Node* KnownModel::unchanged(const char* table, const std::string& name, co
 }
 
 std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
-                                      const model::Description& description, const Mentioned& mentioned) {
+                                      const model::Description& description, const NamesInFile& in_file) {
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
   for (std::size_t i = 0; i < description.bodies.size(); ++i)
     if (description.bodies[i].name == *name) return i;
-  const auto& known = mentioned.bodies;
-  if (mentioned.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
+  const auto& known = in_file.bodies;
+  if (in_file.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
   reader.error(key, foundation::quoted(*name), "no body has this name",
                guess.empty() ? "the bodies are: " + listed(known) : "did you mean \"" + guess + "\"?");

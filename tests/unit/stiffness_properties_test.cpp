@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/character.h"
+#include "trivet/elements/stiffness_properties.h"
 
 #include <gmock/gmock.h>
 
@@ -29,9 +29,9 @@ Matrix12 turned(const Matrix12& stiffness, const Eigen::Matrix3d& r) {
   return turn * stiffness * turn.transpose();
 }
 
-TEST(Character, SpringsThroughAPointShowThatPoint) {
+TEST(StiffnessProperties, SpringsThroughAPointShowThatPoint) {
   for (const double centre : {0.0, 0.3, 0.5, 1.0}) {
-    const Character c = character(constants_at_point(constants, arm, centre));
+    const StiffnessProperties c = stiffness_properties(constants_at_point(constants, arm, centre));
     EXPECT_LE((c.elastic_centre - (centre - 1) * arm).norm(), round_off);
     EXPECT_THAT(c.principal_stiffnesses, test::NearVector(Eigen::Vector3d(2e5, 3e5, 9e5), round_off));
     EXPECT_THAT(c.principal_rotational_stiffnesses, test::NearVector(Eigen::Vector3d(25, 40, 60), 1e-9));
@@ -40,25 +40,25 @@ TEST(Character, SpringsThroughAPointShowThatPoint) {
   }
 }
 
-TEST(Character, TurnsWithTheElement) {
+TEST(StiffnessProperties, TurnsWithTheElement) {
   const Eigen::Matrix3d r = spatial::rotation_about(Eigen::Vector3d(1, -2, 0.5), 0.8);
   const Matrix12 skew = from_moved_end(test::RandomSystem(8).stiffness(1e5, 0.3), arm);
-  const Character straight = character(skew), turn = character(turned(skew, r));
+  const StiffnessProperties straight = stiffness_properties(skew), turn = stiffness_properties(turned(skew, r));
   EXPECT_LE((turn.elastic_centre - r * straight.elastic_centre).norm(), round_off);
   EXPECT_THAT(turn.principal_stiffnesses, test::NearVector(straight.principal_stiffnesses, round_off));
   EXPECT_NEAR(turn.coupling_at_centre, straight.coupling_at_centre, 1e-9);
   EXPECT_NEAR(turn.principal_axes.determinant(), 1, round_off);
 }
 
-TEST(Character, CouplingIsSymmetricAtTheElasticCentre) {
+TEST(StiffnessProperties, CouplingIsSymmetricAtTheElasticCentre) {
   const Matrix12 skew = from_moved_end(test::RandomSystem(3).stiffness(1e5, 0.3), arm);
-  const Matrix6 motion = spatial::rigid_motion(-character(skew).elastic_centre);
+  const Matrix6 motion = spatial::rigid_motion(-stiffness_properties(skew).elastic_centre);
   const Matrix6 there = motion.transpose() * skew.bottomRightCorner<6, 6>() * motion;
   const Eigen::Matrix3d coupling = there.topRightCorner<3, 3>();
   EXPECT_LE((coupling - coupling.transpose()).norm(), 1e-9 * there.norm());
 }
 
-TEST(Character, ACantileverHasItsKnownCoupling) {
+TEST(StiffnessProperties, ACantileverHasItsKnownCoupling) {
   const double bending = 1e3,
                length = 0.2;  // EI [N m²]: K = 12 EI/l³, −6 EI/l², 4 EI/l, coupling 6/√48, centre at half length
   Matrix6 k = Matrix6::Identity();
@@ -67,7 +67,7 @@ TEST(Character, ACantileverHasItsKnownCoupling) {
   k(3, 3) = k(4, 4) = 4 * bending / length;
   k(0, 4) = k(4, 0) = -6 * bending / (length * length);
   k(1, 3) = k(3, 1) = 6 * bending / (length * length);
-  const Character c = character(from_moved_end(k, arm));
+  const StiffnessProperties c = stiffness_properties(from_moved_end(k, arm));
   EXPECT_NEAR(c.coupling_at_k, 6 / std::sqrt(48.0), round_off);
   EXPECT_LE(c.coupling_at_centre, 1e-9);
   EXPECT_LE((c.elastic_centre - Eigen::Vector3d(0, 0, -length / 2)).norm(), round_off);
@@ -75,12 +75,12 @@ TEST(Character, ACantileverHasItsKnownCoupling) {
   EXPECT_NEAR(c.stiffest_combination, 1 + 6 / std::sqrt(48.0), round_off);
 }
 
-TEST(Character, AStrutHasALineOfCentres) {
-  const Character c = character(constant_along_line(1e5, Eigen::Vector3d::UnitZ(), arm, 0.5));
+TEST(StiffnessProperties, AStrutHasALineOfCentres) {
+  const StiffnessProperties c = stiffness_properties(constant_along_line(1e5, Eigen::Vector3d::UnitZ(), arm, 0.5));
   EXPECT_FALSE(c.centre_is_unique);
   EXPECT_LE(c.elastic_centre.norm(), round_off);
-  EXPECT_EQ(character(Matrix12::Zero()).principal_stiffnesses.norm(), 0);
-  EXPECT_THROW((void)character(Matrix12::Constant(std::nan(""))), foundation::InvalidInput);
+  EXPECT_EQ(stiffness_properties(Matrix12::Zero()).principal_stiffnesses.norm(), 0);
+  EXPECT_THROW((void)stiffness_properties(Matrix12::Constant(std::nan(""))), foundation::InvalidInput);
 }
 
 TEST(EnergyShares, SumToOneAndFindTheCoupling) {

@@ -3,12 +3,12 @@
 
 #include "support/projects.h"
 #include "trivet/modal/modes.h"
-#include "trivet/response/steady/curve_ends.h"
+#include "trivet/response/steady/vanishing_ends.h"
 
 namespace {
 
 using namespace trivet;
-using assembly::Quantity;
+using assembly::MotionQuantity;
 
 /// A block with its centre of mass above its mount, excited at the mount by `course`.
 std::string block(const std::string& course) {
@@ -28,7 +28,7 @@ damping = {translation = [500, 500, 500], rotation = [30, 30, 30]}
 )" + course;
 }
 
-std::vector<bool> ends(const std::string& text, const std::vector<std::string>& names, Quantity quantity) {
+std::vector<bool> ends(const std::string& text, const std::vector<std::string>& names, MotionQuantity quantity) {
   const project::Project project = test::project(text);
   const model::System& system = project.base().system;
   const assembly::Assembled assembled = assembly::assemble(system);
@@ -42,28 +42,29 @@ const std::string unbalance =
 const std::string ground = "type = \"base\"\ntranslation = [0, 0, 0.001]\n";
 
 TEST(CurveEnds, OfAForceAtThePoleTheTiltVanishesAtBothAndThePushDoesNot) {
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::displacement),
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::displacement),
               testing::ElementsAre(false, true, false));
 }
 
 TEST(CurveEnds, OfAForceVelocitiesVanishAtBothAndDirectAccelerationsDoNot) {
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::velocity),
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::velocity),
               testing::ElementsAre(true, true, false));
-  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, Quantity::acceleration),
+  EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::acceleration),
               testing::ElementsAre(false, false, false));
 }
 
 TEST(CurveEnds, OfAnUnbalanceAVelocityGrowsAndADisplacementStays) {
-  for (const Quantity quantity : {Quantity::displacement, Quantity::velocity, Quantity::acceleration})
+  for (const MotionQuantity quantity :
+       {MotionQuantity::displacement, MotionQuantity::velocity, MotionQuantity::acceleration})
     EXPECT_THAT(ends(block(unbalance), {"block.z"}, quantity), testing::ElementsAre(false))
         << static_cast<int>(quantity);
 }
 
 TEST(CurveEnds, OfAGroundUnderADamperAVelocityStays) {
-  EXPECT_THAT(ends(block(ground), {"block.z"}, Quantity::velocity), testing::ElementsAre(false));
+  EXPECT_THAT(ends(block(ground), {"block.z"}, MotionQuantity::velocity), testing::ElementsAre(false));
   std::string without = block(ground);
   without.erase(without.find("damping"), without.find("[excitations") - without.find("damping"));
-  EXPECT_THAT(ends(without, {"block.z"}, Quantity::velocity), testing::ElementsAre(true));
+  EXPECT_THAT(ends(without, {"block.z"}, MotionQuantity::velocity), testing::ElementsAre(true));
 }
 
 TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
@@ -71,8 +72,8 @@ TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
       "trivet = 1\n[bodies.block]\nmass = 10\ninertia = {about = \"center_of_mass\", xx = 0.35, yy = 0.42, zz = "
       "0.3}\ncenter_of_mass = [0, 0, 0]\n[excitations.course]\n" +
       force;
-  EXPECT_THAT(ends(free, {"block.x"}, Quantity::displacement), testing::ElementsAre(false));
-  EXPECT_THAT(ends(free, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
+  EXPECT_THAT(ends(free, {"block.x"}, MotionQuantity::displacement), testing::ElementsAre(false));
+  EXPECT_THAT(ends(free, {"block.x"}, MotionQuantity::velocity), testing::ElementsAre(false));
 }
 
 /// Towards rest the motion along a free direction with a force becomes larger than every other.
@@ -94,7 +95,7 @@ on = "block"
 at = [0, 0, 0]
 force = [1, 1, 1]
 )";
-  EXPECT_THAT(ends(sled, {"block.x", "block.y", "block.z"}, Quantity::displacement),
+  EXPECT_THAT(ends(sled, {"block.x", "block.y", "block.z"}, MotionQuantity::displacement),
               testing::ElementsAre(false, false, false));
 }
 
@@ -106,7 +107,8 @@ TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
   undamped.replace(undamped.find("20000]"), 5, "160000");
   undamped.insert(undamped.find("[elements"),
                   "free = [\"z\"]\npoints.top = [0, 0, 0.2]\n");  // a single natural frequency, 100 rad/s
-  EXPECT_THAT(ends(undamped, {"block.top.z", "block.top.x"}, Quantity::velocity), testing::ElementsAre(true, false));
+  EXPECT_THAT(ends(undamped, {"block.top.z", "block.top.x"}, MotionQuantity::velocity),
+              testing::ElementsAre(true, false));
 }
 
 TEST(CurveEnds, OfAnElementWithALawOfItsOwnTheCurveHasNoEndAtInfinity) {
@@ -114,7 +116,7 @@ TEST(CurveEnds, OfAnElementWithALawOfItsOwnTheCurveHasNoEndAtInfinity) {
   const std::size_t at = fractional.find("damping");
   fractional.replace(at, fractional.find("[excitations") - at,
                      "damping = {fractional_zener = {ratio = 3, time = \"1 ms\", order = 0.5}}\n");
-  EXPECT_THAT(ends(fractional, {"block.x"}, Quantity::velocity), testing::ElementsAre(false));
+  EXPECT_THAT(ends(fractional, {"block.x"}, MotionQuantity::velocity), testing::ElementsAre(false));
 }
 
 }  // namespace

@@ -7,20 +7,20 @@
 
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/band_reader.h"
-#include "trivet/project/text/mentioned.h"
+#include "trivet/project/text/names_in_file.h"
 
 namespace trivet::project {
 
 /// Names of results: motions of bodies, points and ends of elements, forces of elements and on the ground.
 class ResultNames {
  public:
-  explicit ResultNames(const Mentioned& mentioned);
+  explicit ResultNames(const NamesInFile& in_file);
 
   [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
   [[nodiscard]] bool is_group(const std::string& name) const;
 
   /// Quantity of a full name (group, dot, component); none if it is not one.
-  [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::Quantity wanted) const;
+  [[nodiscard]] std::optional<Quantity> component(const std::string& name, assembly::MotionQuantity quantity) const;
 
   /// True for a force or moment, or a group of them: `quantity` has no effect on it.
   [[nodiscard]] bool is_force(const std::string& name) const;
@@ -42,8 +42,8 @@ class ResultNames {
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
 
 /// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` is their type, for messages.
-void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
-                 const std::string& kind, Wanted& wanted);
+void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
+                    const std::string& kind, AnswerSelection& selection);
 
 /// Reads `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum beside a
 /// peak, which may exceed 1.
@@ -57,10 +57,10 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
                                                      const std::string& kind);
 
 /// Reads `excitations`, harmonic ones only; those of other types are rejected with their type.
-[[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned);
+[[nodiscard]] std::vector<std::string> read_selected_harmonic(TableReader& reader, const NamesInFile& in_file);
 
 /// Lists the excitations that are not harmonic, for messages: "engine" is of type orders, …; empty if there are none.
-[[nodiscard]] std::string other_excitations(const Mentioned& mentioned);
+[[nodiscard]] std::string other_excitations(const NamesInFile& in_file);
 
 /// Reads `limit_lines` of the file: each is an answer of the response and a line over frequency.
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result);

@@ -7,7 +7,7 @@ namespace trivet::elements {
 
 /// Properties of a symmetric, self-balanced 12×12 with N held and K moved: K_KK = [A B; Bᵀ D] at the reference point of
 /// K.
-struct Character {
+struct StiffnessProperties {
   /// Point at which the part of the translation–rotation coupling that a shift can remove is zero: from K [m], in the
   /// element's frame. The coupling is symmetric there; a force through it in a principal direction rotates K only by
   /// the remaining coupling.
@@ -32,7 +32,7 @@ struct Character {
 };
 
 /// @throws InvalidInput unless the matrix is finite
-[[nodiscard]] Character character(const Matrix12& stiffness);
+[[nodiscard]] StiffnessProperties stiffness_properties(const Matrix12& stiffness);
 
 /// Shares of the strain energy of the motion `moved` of K, N held, in three parts of the stiffness: diagonal
 /// translational, diagonal rotational, and all off-diagonal entries. They sum to 1; coupling may be negative.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/project/analyses/wanted_reader.h"
+#include "trivet/project/analyses/selection_reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,18 +13,17 @@
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
-namespace {}  // namespace
 
-ResultNames::ResultNames(const Mentioned& mentioned) : forces_(mentioned.elements), guided_(mentioned.guided) {
+ResultNames::ResultNames(const NamesInFile& in_file) : forces_(in_file.elements), guided_(in_file.guided) {
   forces_.push_back("ground");
-  motions_ = mentioned.bodies;
-  motions_.insert(motions_.end(), mentioned.points.begin(), mentioned.points.end());
+  motions_ = in_file.bodies;
+  motions_.insert(motions_.end(), in_file.points.begin(), in_file.points.end());
   groups_ = {"coordinates"};
   for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());
   const std::size_t places = motions_.size();
   motions_.push_back("base");
   for (std::size_t i = 0; i < places; ++i) motions_.push_back(motions_[i] + ".relative");
-  for (const std::string& element : mentioned.elements)
+  for (const std::string& element : in_file.elements)
     for (const char* end : {".deflection", ".foot"}) motions_.push_back(element + end);
   groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
 }
@@ -37,7 +36,7 @@ bool ResultNames::is_guided(const std::string& name) const {
   return std::find(guided_.begin(), guided_.end(), name) != guided_.end();
 }
 
-std::optional<Quantity> ResultNames::component(const std::string& name, assembly::Quantity wanted) const {
+std::optional<Quantity> ResultNames::component(const std::string& name, assembly::MotionQuantity quantity) const {
   static constexpr Quantity translation[] = {Quantity::length, Quantity::velocity, Quantity::acceleration};
   static constexpr Quantity rotation[] = {Quantity::angle, Quantity::angular_velocity, Quantity::angular_acceleration};
   if (is_guided(name)) return std::nullopt;
@@ -48,7 +47,8 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
   };
   for (const std::string& group : motions_)
     for (std::size_t j = 0; j < 6; ++j)
-      if (after(group) == model::coordinate_names[j]) return (j < 3 ? translation : rotation)[static_cast<int>(wanted)];
+      if (after(group) == model::coordinate_names[j])
+        return (j < 3 ? translation : rotation)[static_cast<int>(quantity)];
   for (const std::string& group : forces_) {
     const std::string_view rest = after(group);
     if (rest == "force.x" || rest == "force.y" || rest == "force.z") return Quantity::force;
@@ -58,7 +58,7 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
 }
 
 bool ResultNames::is_force(const std::string& name) const {
-  const auto measured = component(name, assembly::Quantity::displacement);
+  const auto measured = component(name, assembly::MotionQuantity::displacement);
   return std::find(forces_.begin(), forces_.end(), name) != forces_.end() || measured == Quantity::force ||
       measured == Quantity::moment;
 }
@@ -92,7 +92,7 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
     return;
   }
   for (const std::string& word : *words) {
-    if (names.is_group(word) || names.component(word, assembly::Quantity::displacement)) continue;
+    if (names.is_group(word) || names.component(word, assembly::MotionQuantity::displacement)) continue;
     reader.error("of", foundation::quoted(word),
                  "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with "
                  ".relative, .deflection or .foot, or one component (x … rz of a motion "
@@ -144,11 +144,11 @@ void refuse_limit(TableReader& reader, const ResultNames& names, const std::stri
 
 namespace {
 
-std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const Mentioned& mentioned) {
-  return {{"orders", &mentioned.order_excitations},
-          {"random", &mentioned.random_excitations},
-          {"time", &mentioned.time_excitations},
-          {"constant", &mentioned.constant_excitations}};
+std::vector<std::pair<std::string, const std::vector<std::string>*>> by_other_types(const NamesInFile& in_file) {
+  return {{"orders", &in_file.order_excitations},
+          {"random", &in_file.random_excitations},
+          {"time", &in_file.time_excitations},
+          {"constant", &in_file.constant_excitations}};
 }
 
 bool holds(const std::vector<std::string>& names, const std::string& name) {
@@ -157,45 +157,45 @@ bool holds(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-std::string other_excitations(const Mentioned& mentioned) {
+std::string other_excitations(const NamesInFile& in_file) {
   std::string text;
-  for (const auto& [type, names] : by_other_types(mentioned))
+  for (const auto& [type, names] : by_other_types(in_file))
     for (const std::string& name : *names)
-      if (!holds(mentioned.harmonic_excitations, name))
+      if (!holds(in_file.harmonic_excitations, name))
         text += (text.empty() ? "" : ", ") + foundation::quoted(name) + " is of type " + type;
   return text;
 }
 
-std::vector<std::string> read_selected_harmonic(TableReader& reader, const Mentioned& mentioned) {
+std::vector<std::string> read_selected_harmonic(TableReader& reader, const NamesInFile& in_file) {
   const auto names = reader.texts("excitations", R"(["NAME"], or leave it out for all)");
   if (!names) return {};
   refuse_none(reader, *names);
   const auto type_of = [&](const std::string& name) -> std::string {
-    for (const auto& [type, others] : by_other_types(mentioned))
-      if (holds(*others, name) && !holds(mentioned.harmonic_excitations, name)) return type;
+    for (const auto& [type, others] : by_other_types(in_file))
+      if (holds(*others, name) && !holds(in_file.harmonic_excitations, name)) return type;
     return "";
   };
   for (const std::string& name : *names)
     if (const std::string type = type_of(name); !type.empty())
       reader.error("excitations", foundation::quoted(name) + ", of type " + type,
                    "only harmonic forces drive this analysis (types harmonic, base, unbalance)", "name one of these");
-    else if (!holds(mentioned.harmonic_excitations, name))
-      refuse_excitation(reader, name, mentioned.harmonic_excitations, "harmonic");
+    else if (!holds(in_file.harmonic_excitations, name))
+      refuse_excitation(reader, name, in_file.harmonic_excitations, "harmonic");
   return *names;
 }
 
-void read_wanted(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
-                 const std::string& kind, Wanted& wanted) {
-  read_of(reader, result_names, wanted.of);
+void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
+                    const std::string& kind, AnswerSelection& selection) {
+  read_of(reader, result_names, selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity == "velocity") wanted.quantity = assembly::Quantity::velocity;
-  if (quantity == "acceleration") wanted.quantity = assembly::Quantity::acceleration;
-  if (quantity && reader.has("of") && std::all_of(wanted.of.begin(), wanted.of.end(), [&](const std::string& name) {
-        return result_names.is_force(name);
-      }))
+  if (quantity == "velocity") selection.quantity = assembly::MotionQuantity::velocity;
+  if (quantity == "acceleration") selection.quantity = assembly::MotionQuantity::acceleration;
+  if (quantity && reader.has("of") &&
+      std::all_of(selection.of.begin(), selection.of.end(),
+                  [&](const std::string& name) { return result_names.is_force(name); }))
     warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");
-  if (reader.has("excitations")) wanted.excitations = read_selected(reader, known, kind);
+  if (reader.has("excitations")) selection.excitations = read_selected(reader, known, kind);
 }
 
 void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance) {

@@ -5,14 +5,14 @@
 // D = |x − z|², β = L'*, α = L* + D'* L'*: f is not higher as long as (α − |β y|)/D exceeds ½ max|R''|. It must exceed
 // it by a tenth of α/D: then a slope that is not exactly zero, with a Halley step that would change f by s, raises f by
 // about 10 s at most.
-#if defined(TRIVET_NUMERICS_CERTAIN_TOP_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
-#undef TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
+#if defined(TRIVET_NUMERICS_HIGHEST_MAXIMUM_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_HIGHEST_MAXIMUM_INL_H_
+#undef TRIVET_NUMERICS_HIGHEST_MAXIMUM_INL_H_
 #else
-#define TRIVET_NUMERICS_CERTAIN_TOP_INL_H_
+#define TRIVET_NUMERICS_HIGHEST_MAXIMUM_INL_H_
 #endif
 
-#include "trivet/numerics/batch/axis_walk-inl.h"
+#include "trivet/numerics/batch/axis_scan-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
@@ -54,23 +54,23 @@ HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const Squ
 /// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that range.
 template <typename Size>
 HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own,
-                               const Pack& x, Pack& bend, Pack& reach_of_it) {
+                               const Pack& x, Pack& bend, Pack& range) {
   constexpr double share = 0.3, nearer = 1 / (0.7 * 0.7 * 0.7);
   Pack sum = hn::Zero(Lanes()), nearest = sum;
   each(poles.count, [&](int k) TRIVET_LANES {
     const LaneMask same = hn::Eq(own.pole, all(static_cast<double>(k)));
-    const Pack modulus = hn::IfThenZeroElse(same, modulus_above(poles.real[k], reach(poles, k, x)));
+    const Pack modulus = hn::IfThenZeroElse(same, modulus_above(poles.real[k], inverse_distance(poles, k, x)));
     const Pack size = hn::Add(hn::Abs(f.C[k].first), hn::Abs(f.C[k].second));
     sum = hn::MulAdd(size, hn::Mul(modulus, hn::Mul(modulus, modulus)), sum);
     nearest = hn::Max(nearest, modulus);
   });
   bend = hn::Mul(all(nearer), sum);
-  reach_of_it = hn::Div(all(share), nearest);
+  range = hn::Div(all(share), nearest);
 }
 
 /// @param above_poles  value of the curve at the centre of each pole (any low value for real poles)
 template <typename Size>
-HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles, WalkedCurve& curve) {
+HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles, ScannedCurve& curve) {
   constexpr int steps = 3;
   constexpr double settled = 1e-11;  // slope × step, as a share of the value
   constexpr double off_centre = 3;   // search range of the top, in half widths of its pole
@@ -81,15 +81,15 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
   Pack x = hn::Max(from, hn::Min(to, own.centre));
   Slopes s = slopes_at(pack.poles, f, x);
   Pack step = step_to_extremum(s);
-  LaneMask still;
+  LaneMask converged;
   for (int i = 0;; ++i) {
-    still = hn::Le(hn::Abs(hn::Mul(s.first, step)), hn::Mul(all(settled), s.value));
-    if (i == steps || hn::AllTrue(Lanes(), hn::Or(still, hn::Not(pack.asked)))) break;
+    converged = hn::Le(hn::Abs(hn::Mul(s.first, step)), hn::Mul(all(settled), s.value));
+    if (i == steps || hn::AllTrue(Lanes(), hn::Or(converged, hn::Not(pack.asked)))) break;
     x = hn::Max(from, hn::Min(to, hn::Add(x, step)));
     s = slopes_at(pack.poles, f, x);
     step = step_to_extremum(s);
   }
-  Top top{x, s.value, own.pole, hn::Zero(Lanes()), hn::And(still, hn::And(hn::Gt(x, from), hn::Lt(x, to)))};
+  Top top{x, s.value, own.pole, hn::Zero(Lanes()), hn::And(converged, hn::And(hn::Gt(x, from), hn::Lt(x, to)))};
 
   const Pack p = hn::Sub(x, own.centre), D = hn::MulAdd(p, p, hn::Mul(own.aside, own.aside)), twice = hn::Add(p, p);
   const Pack L = hn::Div(hn::MulAdd(own.C.first, p, hn::Mul(own.C.second, own.aside)), D);
@@ -117,7 +117,7 @@ HWY_NOINLINE Top find_top(const WalkedPack<Size>& pack, const Pack* above_poles,
 /// Finds the zones in which a curve may exceed its best value: where the sum of the upper bounds of all pairs of poles
 /// does.
 template <typename Size>
-HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurve* curves, int channels) {
+HWY_NOINLINE void open_zones(ScannedPack<Size>& pack, const Top* tops, ScannedCurve* curves, int channels) {
   const SquarePoles<Size>& poles = pack.poles;
   const Zones<Size>& zones = pack.zones;
   const Pack zero = hn::Zero(Lanes());
@@ -137,7 +137,7 @@ HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurv
     pack.open[m] = hn::Lt(zero, zero);
   });
   for (int c = 0; c < channels; ++c) {
-    WalkedCurve& curve = curves[c];
+    ScannedCurve& curve = curves[c];
     const SquaredResponse& f = curve.f;
     Pack up[Size::most], down[Size::most], aside[Size::most];  // parts of C above a pole, below it, and for b
     each(poles.count, [&](int k) TRIVET_LANES {
@@ -157,7 +157,7 @@ HWY_NOINLINE void open_zones(WalkedPack<Size>& pack, const Top* tops, WalkedCurv
       const LaneMask at_top =
           hn::AndNot(poles.real[m], hn::Eq(tops[c].pole, all(static_cast<double>(static_cast<int>(m)))));
       if (!hn::AllFalse(Lanes(), at_top)) {
-        const PairPack beyond = most_reach(poles.aside[m], tops[c].away);
+        const PairPack beyond = most_inverse_distance(poles.aside[m], tops[c].away);
         nearest = {hn::IfThenElse(at_top, beyond.first, nearest.first),
                    hn::IfThenElse(at_top, beyond.second, nearest.second)};
       }

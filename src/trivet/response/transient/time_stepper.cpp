@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/response/transient/transient_walk.h"
+#include "trivet/response/transient/time_stepper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +7,8 @@
 
 namespace trivet::response {
 
-TransientWalk::TransientWalk(const StateSpace& space, const std::vector<InputCourse>& courses, double step,
-                             double resolution)
+TimeStepper::TimeStepper(const StateSpace& space, const std::vector<InputCourse>& courses, double step,
+                         double resolution)
     : space_(space),
       courses_(courses),
       resolution_(resolution),
@@ -20,27 +20,27 @@ TransientWalk::TransientWalk(const StateSpace& space, const std::vector<InputCou
   for (std::size_t c = 0; c < courses.size(); ++c) gamma_[c].resize(courses[c].kappas().size());
 }
 
-const std::vector<InputMatrix>& TransientWalk::gamma(std::size_t course, std::size_t kappa) {
+const std::vector<InputMatrix>& TimeStepper::gamma(std::size_t course, std::size_t kappa) {
   std::vector<InputMatrix>& known = gamma_[course][kappa];
   if (known.empty()) known = exponential_.input(space_.G(course), courses_[course].kappas()[kappa]);
   return known;
 }
 
-double TransientWalk::next_corner(const WalkState& at) const {
+double TimeStepper::next_corner(const StepperState& at) const {
   double next = std::numeric_limits<double>::infinity();
   for (std::size_t c = 0; c < courses_.size(); ++c) next = std::min(next, courses_[c].next_corner(at.places[c]));
   return next;
 }
 
-void TransientWalk::glide(WalkState& at, double to) {
-  if (std::abs(to - at.time - exponential_.step()) <= resolution_) take_step(at, 0);
+void TimeStepper::advance_to_corner(StepperState& at, double to) {
+  if (std::abs(to - at.time - exponential_.step()) <= resolution_) apply_step(at, 0);
   for (std::size_t level = 1; level < exponential_.levels() && to - at.time > resolution_; ++level)
-    if (std::ldexp(exponential_.step(), -static_cast<int>(level)) <= to - at.time) take_step(at, level);
-  if (to - at.time > resolution_) take_series(at, to - at.time);
+    if (std::ldexp(exponential_.step(), -static_cast<int>(level)) <= to - at.time) apply_step(at, level);
+  if (to - at.time > resolution_) apply_series(at, to - at.time);
   at.time = to;
 }
 
-void TransientWalk::take_step(WalkState& at, std::size_t level) {
+void TimeStepper::apply_step(StepperState& at, std::size_t level) {
   next_.noalias() = exponential_.state(level) * at.x;
   for (std::size_t c = 0; c < courses_.size(); ++c)
     if (at.places[c] >= 0)
@@ -49,7 +49,7 @@ void TransientWalk::take_step(WalkState& at, std::size_t level) {
   at.time += std::ldexp(exponential_.step(), -static_cast<int>(level));
 }
 
-void TransientWalk::take_series(WalkState& at, double duration) {
+void TimeStepper::apply_series(StepperState& at, double duration) {
   for (std::size_t c = 0; c < courses_.size(); ++c) own_[c] = courses_[c].at(at.places[c], at.time);
   term_ = at.x;
   for (int k = 1; k <= series_terms; ++k) {
@@ -65,7 +65,7 @@ void TransientWalk::take_series(WalkState& at, double duration) {
   }
 }
 
-void TransientWalk::take_corners(WalkState& at) const {
+void TimeStepper::apply_corners(StepperState& at) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
     while (courses_[c].next_corner(at.places[c]) <= at.time + resolution_) {
       ++at.places[c];
@@ -73,15 +73,15 @@ void TransientWalk::take_corners(WalkState& at) const {
     }
 }
 
-void TransientWalk::advance(WalkState& at, double to) {
+void TimeStepper::advance(StepperState& at, double to) {
   while (to - at.time > resolution_) {
     const double next = std::min({to, at.time + exponential_.step(), next_corner(at)});
-    glide(at, next);
-    take_corners(at);
+    advance_to_corner(at, next);
+    apply_corners(at);
   }
 }
 
-void TransientWalk::inputs(const WalkState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const {
+void TimeStepper::inputs(const StepperState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
     derivatives.segment<input_derivatives>(static_cast<Eigen::Index>(c) * input_derivatives) =
         all_derivatives(courses_[c].at(at.places[c], at.time), courses_[c].kappa(at.places[c]));

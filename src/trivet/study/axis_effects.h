@@ -10,13 +10,13 @@
 namespace trivet::study {
 
 /// Effect of the two numbers of a map on the answers of its rules, from 3 × 3 designs at three frequencies each.
-struct Influence {
-  std::vector<std::string> still;  ///< answers that are zero except for round-off in all of them
-  bool by_x = true, by_y = true;   ///< false: no answer changes its amplitude along this axis
+struct AxisEffects {
+  std::vector<std::string> zero_answers;  ///< answers that are zero except for round-off in all of them
+  bool by_x = true, by_y = true;          ///< false: no answer changes its amplitude along this axis
 };
 
 /// Reports no findings if one of these designs has no model or no answer.
-[[nodiscard]] Influence influence(const project::Case& variant, const project::MapRequest& request,
-                                  const std::vector<design::MapRule>& rules);
+[[nodiscard]] AxisEffects axis_effects(const project::Case& variant, const project::MapRequest& request,
+                                       const std::vector<design::MapRule>& rules);
 
 }  // namespace trivet::study

@@ -12,7 +12,7 @@ namespace trivet::foundation {
 /// Number of threads: `wanted`, or that of the machine if `wanted` is 0.
 [[nodiscard]] int thread_count(int wanted);
 
-struct PieceOptions {
+struct ParallelOptions {
   std::size_t size = 1;        ///< of a piece; independent of the number of threads, so that results are too
   int threads = 0;             ///< 0: number of threads of the machine
   Progress progress = {};      ///< called only on the calling thread
@@ -22,7 +22,7 @@ struct PieceOptions {
 /// Calls work(first, last) for all pieces [first, last) of [0, count), on several threads, each piece once, in any
 /// order. If each call writes only the results of its piece, they are identical for 1 or 16 threads. The first
 /// exception stops the other threads and is rethrown.
-void for_each_piece(std::size_t count, const PieceOptions& options,
-                    const std::function<void(std::size_t first, std::size_t last)>& work);
+void parallel_for(std::size_t count, const ParallelOptions& options,
+                  const std::function<void(std::size_t first, std::size_t last)>& work);
 
 }  // namespace trivet::foundation
