@@ -18,8 +18,8 @@ inline constexpr std::size_t longest_shown = 60;
 /// The same in double quotes, with "…" if it was cut.
 [[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = longest_shown);
 
-/// The text as one printable line of UTF-8: control characters as \x1b or \u202e, a line break as \n, bytes that are
-/// not UTF-8 as \xe9.
+/// The text as one printable line of UTF-8: control characters as `\x1b` or `\u202e`, a line break as `\n`, bytes that
+/// are not UTF-8 as `\xe9`.
 [[nodiscard]] std::string on_one_line(std::string_view text);
 
 /// Description of the first character not allowed in names: a control character, one that changes the writing
