@@ -43,7 +43,7 @@ class GuidedGround(unittest.TestCase):
     def test_a_ground_that_moves_along_a_guide_is_warned_of(self):
         found = self.warnings('translation = ["1 mm", 0, "1 mm"]')
         self.assertEqual(len(found), 1)
-        self.assertIn("leaves out x", json.dumps(found))
+        self.assertIn("is guided in x", json.dumps(found))
         self.assertIn("floor", json.dumps(found))
         force = {one["name"]: one["complex"][0] for one in self.answer["results"]}["mount.force.x"]
         self.assertAlmostEqual(abs(complex(*force)), 1e6 * 1e-3, delta=1e-3)  # the floor moves under the body
@@ -52,13 +52,13 @@ class GuidedGround(unittest.TestCase):
         self.assertEqual(self.warnings('translation = [0, 0, "1 mm"]'), [])
 
     def test_a_turning_floor_moves_the_body_at_its_place_too(self):
-        self.assertIn("leaves out x, ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]")))
+        self.assertIn("is guided in x, ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]")))
         self.assertIn("leaves out ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]\nat = [0, 0, 0.5]")))
 
     def test_directions_are_those_of_the_body(self):
         turned = 'orientation = {axis = "y", angle = "90 deg"}'  # its z is the x of the ground
         self.assertEqual(self.warnings('translation = ["1 mm", 0, 0]', turned), [])
-        self.assertIn("leaves out x", json.dumps(self.warnings('translation = [0, 0, "1 mm"]', turned)))
+        self.assertIn("is guided in x", json.dumps(self.warnings('translation = [0, 0, "1 mm"]', turned)))
 
     def test_single_supports_leave_the_guides_alone(self):
         self.assertEqual(self.warnings('elements = ["mount"]\ntranslation = ["1 mm", 0, 0]'), [])

@@ -103,7 +103,7 @@ class Map(unittest.TestCase):
         drawing.symlink_to(self.project)
         note.write_text("<html><svg></svg></html>")
         old.write_text('<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>')
-        self.refused_picture(drawing, "this is the project file itself")
+        self.refused_picture(drawing, "this is the project file")
         self.refused_picture(note, "exists and is not an SVG picture; choose another name")
         self.assertEqual((pathlib.Path(self.project).read_text(), note.read_text()), (ONE_MASS, "<html><svg></svg></html>"))
         run("map", self.project, "--points", "5", "--picture", str(old))

@@ -100,7 +100,7 @@ class Questions(unittest.TestCase):
         bare.write_text(MACHINE[:MACHINE.index("[limit_lines")])
         for question, words in (("orders", "speed"), ("transmissibility", "force"), ("shapes", "at ="), ("shock_spectrum", "band"), ("earthquake", "direction"), ("limit_lines", "[limit_lines.NAME]")):
             said = trivet(question, bare, code=2).stderr
-            self.assertIn(question + ": say", said)
+            self.assertIn(question + ": no", said)
             self.assertIn(words, said)
         self.assertIn("Mean power into the ground", trivet("power", bare).stdout)
 

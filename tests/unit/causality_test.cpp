@@ -166,7 +166,7 @@ TEST(Causality, AResonanceWithAWrongPhaseIsCaught) {
           checked(over_hertz([&](double w) { return wrong(hydromount(w, hertz, damping), w); }, 1, 50, rows));
       EXPECT_FALSE(check.passes) << name << " at " << hertz << " Hz, " << damping << ": " << check.verdict;
       EXPECT_TRUE(std::any_of(check.warnings.list().begin(), check.warnings.list().end(),
-                              [](const auto& p) { return p.finding.find("of k*") != std::string::npos; }));
+                              [](const auto& p) { return p.finding.find("k*") != std::string::npos; }));
     }
 }
 

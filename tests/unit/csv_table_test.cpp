@@ -93,7 +93,7 @@ TEST(CsvTable, RefusesWhatIsNoTextFile) {
   std::filesystem::remove(path);
   EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("no such file"));
   EXPECT_THAT(foundation::message(project::read_csv_table(testing::TempDir()).error().list().front()),
-              HasSubstr("no file"));
+              HasSubstr("not a file"));
 }
 
 TEST(CsvTable, OfTwoColumnsCalledNameIsRefused) {

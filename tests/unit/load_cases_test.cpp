@@ -53,7 +53,7 @@ TEST(IdentifiedStiffness, SaysThatNoLoadCaseTiltsAboutY) {
   const std::string said = first_message(identified_stiffness(one_at_a_time({0, 1, 2, 3, 5}, 2), arm));
   EXPECT_THAT(said, HasSubstr("no load case tilts K about y"));
   EXPECT_THAT(said, HasSubstr("20 of 21 constants"));
-  EXPECT_THAT(said, HasSubstr("not fixed: (θ_K y, θ_K y)"));
+  EXPECT_THAT(said, HasSubstr("not determined: (θ_K y, θ_K y)"));
 }
 
 TEST(IdentifiedStiffness, NamesAMotionThatIsOnlyMadeTogetherWithAnother) {
@@ -68,7 +68,7 @@ TEST(IdentifiedStiffness, NamesTheChannelThatIsMissing) {
   for (LoadCase& one : cases) one.wrench(11) = no_reading;
   const std::string said = first_message(identified_stiffness(cases, arm));
   EXPECT_THAT(said, HasSubstr("moment z at K was not measured"));
-  EXPECT_THAT(said, HasSubstr("not fixed: (θ_K z, θ_K z)"));
+  EXPECT_THAT(said, HasSubstr("not determined: (θ_K z, θ_K z)"));
 }
 
 TEST(IdentifiedStiffness, AFullMatrixNeedsBothEndsMoved) {
@@ -95,7 +95,7 @@ TEST(IdentifiedStiffness, NamesAMistypedReadingAndNoOther) {
   EXPECT_EQ(fit.outliers[0].load_case, 4);
   EXPECT_EQ(fit.outliers[0].channel, 8);
   EXPECT_NEAR(fit.outliers[0].deviation, 25, 3);
-  EXPECT_THAT(foundation::message(fit.warnings.list().front()), HasSubstr("load case 'case 5': force z at K is"));
+  EXPECT_THAT(foundation::message(fit.warnings.list().front()), HasSubstr("load case 'case 5': force z at K deviates"));
 }
 
 TEST(IdentifiedStiffness, NamesEveryReadingOfACaseWithTheWrongSign) {

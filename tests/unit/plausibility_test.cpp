@@ -275,7 +275,7 @@ TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
     return plausibility::overturning_notes(test::project(text).base().system);
   };
   EXPECT_THAT(guided(0, -1.2), IsEmpty());
-  EXPECT_THAT(guided(-1.2, 0.3), ElementsAre(testing::HasSubstr("turns it on by 3532 N m/rad")));  // m g · 1.2 m
+  EXPECT_THAT(guided(-1.2, 0.3), ElementsAre(testing::HasSubstr("overturning moment of 3532 N m/rad")));  // m g · 1.2 m
 }
 
 TEST(Plausibility, FindsTheWorstAxisOfTilting) {
