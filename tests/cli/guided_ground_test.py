@@ -53,7 +53,7 @@ class GuidedGround(unittest.TestCase):
 
     def test_a_turning_floor_moves_the_body_at_its_place_too(self):
         self.assertIn("is guided in x, ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]")))
-        self.assertIn("leaves out ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]\nat = [0, 0, 0.5]")))
+        self.assertIn("is guided in ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]\nat = [0, 0, 0.5]")))
 
     def test_directions_are_those_of_the_body(self):
         turned = 'orientation = {axis = "y", angle = "90 deg"}'  # its z is the x of the ground
