@@ -12,10 +12,11 @@ namespace {
 
 tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding,
                                              std::string remedy) {
-  foundation::Problems problems;
-  problems.error("matrix file", std::move(finding), "it must be a readable file with a matrix in it", std::move(remedy))
-      .origin = {path.string(), 0, 0};
-  return tl::make_unexpected(std::move(problems));
+  return foundation::failure({.origin = {path.string()},
+                              .subject = "matrix file",
+                              .finding = std::move(finding),
+                              .rule = "it must be a readable file with a matrix in it",
+                              .remedy = std::move(remedy)});
 }
 
 }  // namespace

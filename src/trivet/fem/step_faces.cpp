@@ -50,9 +50,7 @@ Save "faces.msh";
 
 tl::unexpected<Problems> refused(const std::string& subject, const std::string& finding, const std::string& rule,
                                  const std::string& remedy) {
-  Problems problems;
-  problems.error(subject, finding, rule, remedy);
-  return tl::unexpected(problems);
+  return foundation::failure({.subject = subject, .finding = finding, .rule = rule, .remedy = remedy});
 }
 
 std::vector<double> read_volumes(std::istream& stream) {

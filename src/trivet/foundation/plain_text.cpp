@@ -58,6 +58,12 @@ std::string quoted(std::string_view text, std::size_t longest) {
   return "\"" + shortened(text, longest) + (text.size() > longest ? "…\"" : "\"");
 }
 
+std::string comma_separated(const std::vector<std::string>& names, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += (i == 0 ? "" : ", ") + shortened(names[i]);
+  return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
+}
+
 std::string on_one_line(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// External text for terminals, tables and pictures.
 namespace trivet::foundation {
@@ -17,6 +18,9 @@ inline constexpr std::size_t longest_shown = 60;
 
 /// The same in double quotes, with "…" if it was cut.
 [[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = longest_shown);
+
+/// "A, B and 3 more": at most `most` names, each shortened.
+[[nodiscard]] std::string comma_separated(const std::vector<std::string>& names, std::size_t most = 12);
 
 /// The text as one printable line of UTF-8: control characters as `\x1b` or `\u202e`, a line break as `\n`, bytes that
 /// are not UTF-8 as `\xe9`.

@@ -82,6 +82,12 @@ void Problems::sort_by_origin() {
                 [&](const Problem& p) { return !seen.emplace(p.severity, p.subject, p.finding, p.rule).second; });
 }
 
+tl::unexpected<Problems> failure(Problem problem) {
+  Problems problems;
+  problems.add(std::move(problem));
+  return tl::unexpected<Problems>(std::move(problems));
+}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t longest_compared = 64;  // a longer key is not a typing error
   constexpr std::size_t most_compared = 2000;   // with more names, a suggestion would take seconds per typing error

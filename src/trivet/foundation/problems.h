@@ -56,6 +56,9 @@ class Problems {
 template <typename T>
 using Expected = tl::expected<T, Problems>;
 
+/// The result of a function that failed with one problem.
+[[nodiscard]] tl::unexpected<Problems> failure(Problem problem);
+
 /// The name among `candidates` that was probably meant, or an empty string.
 [[nodiscard]] std::string nearest_name(std::string_view name, const std::vector<std::string>& candidates);
 

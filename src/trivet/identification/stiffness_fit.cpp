@@ -10,6 +10,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/identification/outliers.h"
 #include "trivet/identification/rig_regression.h"
 #include "trivet/identification/unexcited_motions.h"
@@ -23,12 +24,6 @@ Eigen::MatrixXd motions(const std::vector<LoadCase>& cases, const Eigen::Vector3
   if (unknowns == Unknowns::full_symmetric) return all;
   // Motion of K relative to the rigid motion of N; it equals the wrench at K of a unit block.
   return elements::from_moved_end(Matrix6::Identity(), arm).bottomRows<6>() * all;
-}
-
-std::string listed(const std::vector<std::string>& words, std::size_t most) {
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, words.size()); ++i) text += (text.empty() ? "" : ", ") + words[i];
-  return words.size() > most ? text + fmt::format(" and {} more", words.size() - most) : text;
 }
 
 /// Channels that were never measured, at ends where others were.
@@ -58,14 +53,15 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
   for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
     if (fit.null_space.row(rig.basis.unit.size() + static_cast<Eigen::Index>(o)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back("the zero offset of " + channel_words(rig.offset_channel[o]));
-  problems.error("load_cases",
-                 fmt::format("{} readings determine {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
-                             rig.regression.design.cols(),
-                             reasons.empty() ? "the readings depend on each other" : listed(reasons, 12)),
-                 "every constant must affect a reading; not determined: " + listed(unknown, 12),
-                 unknowns == Unknowns::self_balanced ? "add load cases with these motions, or measure these channels"
-                                                     : "add load cases with these motions at both ends, "
-                                                       "or identify the 21 constants of a self-balanced element");
+  problems.error(
+      "load_cases",
+      fmt::format("{} readings determine {} of {} constants: {}", rig.regression.measured.size(), fit.rank,
+                  rig.regression.design.cols(),
+                  reasons.empty() ? "the readings depend on each other" : foundation::comma_separated(reasons)),
+      "every constant must affect a reading; not determined: " + foundation::comma_separated(unknown),
+      unknowns == Unknowns::self_balanced ? "add load cases with these motions, or measure these channels"
+                                          : "add load cases with these motions at both ends, "
+                                            "or identify the 21 constants of a self-balanced element");
   return problems;
 }
 
@@ -163,9 +159,10 @@ void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options
   for (int i = 0; i < 12; ++i)
     if (result.half_width(i, i) > std::abs(result.stiffness(i, i))) vague.push_back(coordinate_words(i));
   if (!vague.empty())
-    result.warnings.warning("load_cases", "the stiffness of " + listed(vague, 12) + " is smaller than its uncertainty",
-                            fmt::format("its {:.3g} % interval contains 0", 100 * options.confidence),
-                            "move these coordinates more, or measure with less noise");
+    result.warnings.warning(
+        "load_cases", "the stiffness of " + foundation::comma_separated(vague) + " is smaller than its uncertainty",
+        fmt::format("its {:.3g} % interval contains 0", 100 * options.confidence),
+        "move these coordinates more, or measure with less noise");
   if (result.lowest_eigenvalue <
       -elements::rounding_of_data - 2 * std::min(result.scaled_rigid_residual, elements::refused_residual))
     result.warnings.warning(

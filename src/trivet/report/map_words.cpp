@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
 
 namespace trivet::report {
@@ -14,14 +15,6 @@ namespace {
 /// Is an axis too short for ticks with complete numbers?
 bool is_narrow(const project::MapAxis& axis) {
   return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to));
-}
-
-/// "A, B and 3 more"
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 6;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
 }
 
 bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
@@ -64,11 +57,13 @@ std::vector<std::string> undrawn_cases(const study::DesignMap& map) {
                                     results::axis_value(*mark.y, map.request.y), verdict));
   }
   std::vector<std::string> sentences;
-  if (!outside.empty()) sentences.push_back("Outside the frame: " + listed(outside) + ".");
+  if (!outside.empty()) sentences.push_back("Outside the frame: " + foundation::comma_separated(outside, 6) + ".");
   if (!another.empty())
-    sentences.push_back("Not drawn because they differ from this map by more than the two numbers: " + listed(another) +
+    sentences.push_back("Not drawn because they differ from this map by more than the two numbers: " +
+                        foundation::comma_separated(another, 6) + ".");
+  if (!failed.empty())
+    sentences.push_back("Not drawn because they could not be computed: " + foundation::comma_separated(failed, 6) +
                         ".");
-  if (!failed.empty()) sentences.push_back("Not drawn because they could not be computed: " + listed(failed) + ".");
   return sentences;
 }
 

@@ -26,9 +26,7 @@ constexpr const char* gmsh_time_limit = "TRIVET_GMSH_SECONDS";
 constexpr double longest_time = 604800;  // [s] a week
 
 tl::unexpected<Problems> refused(const std::string& finding, const std::string& rule, const std::string& remedy) {
-  Problems problems;
-  problems.error("file", finding, rule, remedy);
-  return tl::unexpected(problems);
+  return foundation::failure({.subject = "file", .finding = finding, .rule = rule, .remedy = remedy});
 }
 
 foundation::Expected<void> check_step(const std::filesystem::path& file) {

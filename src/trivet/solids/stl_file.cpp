@@ -53,12 +53,11 @@ class Builder {
 };
 
 tl::unexpected<Problems> refused(const std::filesystem::path& file, const std::string& finding, int line = 0) {
-  Problems problems;
-  problems.error("file",
-                 fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(", line {}", line) : "", finding),
-                 "an STL file holds triangles, as binary records or as text from 'solid' to 'endsolid'",
-                 "export the part again as STL");
-  return tl::unexpected(problems);
+  return foundation::failure(
+      {.subject = "file",
+       .finding = fmt::format("{}{}: {}", file.string(), line > 0 ? fmt::format(", line {}", line) : "", finding),
+       .rule = "an STL file holds triangles, as binary records or as text from 'solid' to 'endsolid'",
+       .remedy = "export the part again as STL"});
 }
 
 bool finite(const Corner& c) { return std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]); }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/motion_words.h"
 #include "trivet/project/analyses/transmissibility_question.h"
 #include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/question_answer.h"
@@ -14,11 +15,7 @@ namespace trivet::study {
 namespace {
 
 std::string direction_words(const response::Direction& direction) {
-  const Eigen::Vector3d axis = direction.axis.normalized();
-  for (int i = 0; i < 3; ++i)
-    if (std::abs(axis(i)) > 1 - 1e-12) return std::string(direction.rotation ? "about " : "along ") + "xyz"[i];
-  return fmt::format("{} ({:.3g}, {:.3g}, {:.3g})", direction.rotation ? "about" : "along", axis.x(), axis.y(),
-                     axis.z());
+  return (direction.rotation ? "about " : "along ") + modal::direction_words(direction.axis.normalized());
 }
 
 TransmissibilityResult answer_transmissibility(const CaseContext& c, const project::TransmissibilityQuestion& asked,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/toml_text.h"
 
@@ -23,7 +24,7 @@ void refuse_new_name(const Node& base, const Node& change, const std::string& pa
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems
       .error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
-             guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?")
+             guess.empty() ? "it has: " + foundation::comma_separated(base.keys) : "did you mean \"" + guess + "\"?")
       .origin = change.origin;
 }
 

@@ -77,12 +77,6 @@ std::string rule_of_cell(std::string_view cell) {
   return "a cell is a finite number with a decimal point, or empty if not measured";
 }
 
-std::string names_listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const auto& name : names) text += (text.empty() ? "" : ", ") + foundation::shortened(name);
-  return text;
-}
-
 /// Separator of a header: the first of tab, semicolon, comma in it.
 char separator_of(std::string_view header) {
   return header.find('\t') != std::string_view::npos ? '\t' : header.find(';') != std::string_view::npos ? ';' : ',';
@@ -204,10 +198,10 @@ class Reader {
 
 tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, std::string finding,
                                              std::string remedy) {
-  foundation::Problems problems;
-  problems.error("", std::move(finding), "a table must be a readable text file", std::move(remedy)).origin = {
-      path.string(), 0, 0};
-  return tl::make_unexpected(std::move(problems));
+  return foundation::failure({.origin = {path.string()},
+                              .finding = std::move(finding),
+                              .rule = "a table must be a readable text file",
+                              .remedy = std::move(remedy)});
 }
 
 }  // namespace
@@ -326,7 +320,7 @@ foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::
     }
     const std::string guess = foundation::nearest_name(wanted[i], table.columns);
     problems
-        .error("", "no column " + wanted[i], "the columns are: " + names_listed(table.columns),
+        .error("", "no column " + wanted[i], "the columns are: " + foundation::comma_separated(table.columns),
                guess.empty() ? "add it or rename one" : "did you mean " + guess + "?")
         .origin = {table.source, 0, 0};
   }

@@ -6,18 +6,6 @@
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::project {
-namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 12;
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < most; ++i)
-    text += (i > 0 ? ", " : "") + foundation::shortened(names[i]);
-  return names.size() > most ? text + ", …" : text;
-}
-
-}  // namespace
-
 const Node* KnownModel::unchanged(const char* table, const std::string& name, const Node& now) const {
   const Node* parts = document.find(table);
   const Node* before = parts ? parts->find(name) : nullptr;
@@ -37,8 +25,9 @@ std::optional<std::size_t> body_named(TableReader& reader, const std::string& ke
   const auto& known = in_file.bodies;
   if (in_file.bodies_unknown || std::find(known.begin(), known.end(), *name) != known.end()) return std::nullopt;
   const std::string guess = foundation::nearest_name(*name, known);
-  reader.error(key, foundation::quoted(*name), "no body has this name",
-               guess.empty() ? "the bodies are: " + listed(known) : "did you mean \"" + guess + "\"?");
+  reader.error(
+      key, foundation::quoted(*name), "no body has this name",
+      guess.empty() ? "the bodies are: " + foundation::comma_separated(known) : "did you mean \"" + guess + "\"?");
   return std::nullopt;
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 tl::unexpected<foundation::Problems> refused(const std::filesystem::path& path, const std::string& kind,
                                              std::string finding, std::string remedy) {
-  foundation::Problems problems;
-  problems.error("", std::move(finding), "the " + kind + " must be a readable text file", std::move(remedy)).origin = {
-      path.string(), 0, 0};
-  return tl::make_unexpected(std::move(problems));
+  return foundation::failure({.origin = {path.string()},
+                              .finding = std::move(finding),
+                              .rule = "the " + kind + " must be a readable text file",
+                              .remedy = std::move(remedy)});
 }
 
 }  // namespace

@@ -141,9 +141,10 @@ std::string finding_of(const toml::parse_error& error, std::string_view text) {
 
 tl::unexpected<foundation::Problems> refused(foundation::Origin origin, std::string finding, std::string rule,
                                              std::string remedy) {
-  foundation::Problems problems;
-  problems.error("", std::move(finding), std::move(rule), std::move(remedy)).origin = std::move(origin);
-  return tl::make_unexpected(std::move(problems));
+  return foundation::failure({.origin = std::move(origin),
+                              .finding = std::move(finding),
+                              .rule = std::move(rule),
+                              .remedy = std::move(remedy)});
 }
 
 }  // namespace
