@@ -9,6 +9,7 @@
 #include "hard_cases.h"
 #include "rival.h"
 #include "rivals/fixed_lu.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
@@ -96,7 +97,7 @@ int main() {
     report.add(c, "Trivet, direct", direct.response.data(), direct_limit, backward_limit);
     std::printf("    recomputed with pivoting: %d\n", direct.fallbacks);
 
-    Eigen::MatrixXcd q(6, static_cast<Eigen::Index>(c.omega.size()));
+    Eigen::MatrixXcd q(6, to_index(c.omega.size()));
     if (by_poles(matrices, c, q)) report.add(c, "Trivet, poles", q.data(), pole_limit(c), backward_limit);
     else std::puts("  Trivet, poles                declined: solved directly");
 
@@ -108,7 +109,7 @@ int main() {
       report.add(c, name, q.data());
     }
     const auto file = [&](const char* name, const auto& x) {
-      write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+      write_numbers(folder.path() / name, x.data(), to_size(x.size()));
     };
     file("A", c.system.A), file("B", c.system.B), file("K", c.system.K), file("H", c.system.load), file("p", c.omega);
     if (octave) octave->read(), python->read();

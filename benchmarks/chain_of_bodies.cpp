@@ -10,6 +10,7 @@
 #include "measure.h"
 #include "quad.h"
 #include "rivals/lapack.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
@@ -23,7 +24,7 @@ using numerics::DynamicMatrices;
 void dense(const DynamicMatrices& m, const Eigen::VectorXd& load, double omega, Complex* q) {
   Eigen::MatrixXcd z = m.at(omega);
   const auto n = static_cast<lapack_int>(load.size()), one = lapack_int{1};
-  std::vector<lapack_int> pivots(static_cast<std::size_t>(n));
+  std::vector<lapack_int> pivots(to_size(n));
   lapack_int info = 0;
   for (Eigen::Index i = 0; i < n; ++i) q[i] = load[i];
   LAPACK_zgesv(&n, &one, z.data(), &n, pivots.data(), q, &n, &info);
@@ -32,12 +33,11 @@ void dense(const DynamicMatrices& m, const Eigen::VectorXd& load, double omega, 
 /// A body is coupled to the next: 11 diagonals on either side.
 void banded(const DynamicMatrices& m, const Eigen::VectorXd& load, double omega, Complex* q) {
   const lapack_int n = static_cast<lapack_int>(load.size()), one = 1, side = 11, height = 3 * side + 1;
-  std::vector<Complex> z(static_cast<std::size_t>(n * height));
-  std::vector<lapack_int> pivots(static_cast<std::size_t>(n));
+  std::vector<Complex> z(to_size(n * height));
+  std::vector<lapack_int> pivots(to_size(n));
   for (lapack_int j = 0; j < n; ++j)
     for (lapack_int i = std::max(0, j - side); i < std::min(n, j + side + 1); ++i)
-      z[static_cast<std::size_t>(j * height + 2 * side + i - j)] =
-          Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
+      z[to_size(j * height + 2 * side + i - j)] = Complex(m.K(i, j) - omega * omega * m.A(i, j), omega * m.B(i, j));
   lapack_int info = 0;
   for (Eigen::Index i = 0; i < n; ++i) q[i] = load[i];
   LAPACK_zgbsv(&n, &side, &side, &one, z.data(), &height, pivots.data(), q, &n, &info);
@@ -78,12 +78,12 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
   options.every_backward_error = false;
   numerics::SweepPlanes planes;
   const auto ours = [&] { numerics::sweep(m, load, omega, planes, options); };
-  Eigen::MatrixXcd q(n, static_cast<Eigen::Index>(few));
+  Eigen::MatrixXcd q(n, to_index(few));
   Sparse sparse(m);
   const std::size_t stride = many / few;
   const auto all = [&](const auto& solve) {
     return [&, solve] {
-      for (std::size_t k = 0; k < few; ++k) solve(omega[k * stride], q.data() + static_cast<Eigen::Index>(k) * n);
+      for (std::size_t k = 0; k < few; ++k) solve(omega[k * stride], q.data() + to_index(k) * n);
     };
   };
   const auto by_dense = all([&](double w, Complex* x) { dense(m, load, w, x); });
@@ -97,7 +97,7 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
   const auto check = [&](const char* method, const Eigen::MatrixXcd& x) {
     double worst = 0;
     for (std::size_t k = 0; k < checks; ++k) {
-      const double error = forward_error(x.data() + static_cast<Eigen::Index>(k) * n, truth[k], scale);
+      const double error = forward_error(x.data() + to_index(k) * n, truth[k], scale);
       worst = error <= worst ? worst : error;
     }
     std::printf("  error of %-40s %.1e at %zu frequencies\n", method, worst, checks);
@@ -105,11 +105,11 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
     return worst;
   };
   ours();
-  const auto chosen = [&](std::size_t k) { return static_cast<Eigen::Index>(k * stride); };
-  Eigen::MatrixXcd mine(n, static_cast<Eigen::Index>(few));
+  const auto chosen = [&](std::size_t k) { return to_index(k * stride); };
+  Eigen::MatrixXcd mine(n, to_index(few));
   for (std::size_t k = 0; k < few; ++k) {
-    mine.col(static_cast<Eigen::Index>(k)).real() = planes.re.row(chosen(k)).transpose();
-    mine.col(static_cast<Eigen::Index>(k)).imag() = planes.im.row(chosen(k)).transpose();
+    mine.col(to_index(k)).real() = planes.re.row(chosen(k)).transpose();
+    mine.col(to_index(k)).imag() = planes.im.row(chosen(k)).transpose();
   }
   std::printf("  recomputed with pivoting: %d\n", planes.fallbacks);
   const double error = check("Trivet", mine);
@@ -120,7 +120,7 @@ void chain(int bodies, std::size_t few, std::size_t many, bool last) {
     by_band();
     double worst = 0;
     for (std::size_t k = 0; k < few; ++k) {
-      const auto c = static_cast<Eigen::Index>(k);
+      const auto c = to_index(k);
       const double difference =
           (mine.col(c) - q.col(c)).cwiseProduct(scale).norm() / q.col(c).cwiseProduct(scale).norm();
       worst = difference <= worst ? worst : difference;

@@ -2,6 +2,7 @@
 // How long do the exact highest amplitudes of all six coordinates of a design take? Compared with loops over 10,000
 // frequencies, which miss them if damping is light.
 #include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/foundation/index.h"
 
 #include <algorithm>
 #include <array>
@@ -104,7 +105,7 @@ int main() {
   const PaperMachine one = machine_of(designs, 0);
   const foundation::TemporaryFolder folder;
   const auto file = [&](const char* name, const auto& x) {
-    write_numbers(folder.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+    write_numbers(folder.path() / name, x.data(), to_size(x.size()));
   };
   file("A", one.A), file("B", one.B), file("K", one.K), file("H", one.load), file("p", grid);
   Rival octave("sweep.m", folder.path()), python("sweep.py", folder.path());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/sweep_workspace.h"
 
@@ -22,7 +23,7 @@ inline void solve_directly(const numerics::DynamicMatrices& matrices, const nume
   for (long at = 0; at < count; at += numerics::SweepWorkspace::chunk) {
     const long taken = std::min(numerics::SweepWorkspace::chunk, count - at);
     const numerics::Planes to{result.re.data() + at, result.im.data() + at, count};
-    const numerics::Planes q = workspace.solve(&omega[static_cast<std::size_t>(at)], taken, false, to);
+    const numerics::Planes q = workspace.solve(&omega[to_size(at)], taken, false, to);
     for (long j = 0; j < matrices.size() && q.re != to.re; ++j) {  // a chunk that is not full
       std::copy_n(q.re + j * q.stride, taken, to.re + j * to.stride);
       std::copy_n(q.im + j * q.stride, taken, to.im + j * to.stride);

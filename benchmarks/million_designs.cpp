@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long do the highest amplitudes (or also the peaks) of a million designs take, and are they right? Usage:
 // million_designs [designs] [highest|peaks]
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/design_peaks.h"
 
 #include <fmt/format.h>
@@ -67,7 +68,7 @@ int main(int count, char** arguments) {
     const double start = thread_seconds();
     const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
     seconds += thread_seconds() - start;
-    for (const numerics::DesignStatus s : peaks.status) ++status[static_cast<std::size_t>(s)];
+    for (const numerics::DesignStatus s : peaks.status) ++status[to_size(s)];
     worst = std::max(worst, worst_miss(designs, peaks, 1, misses));
   }
   fmt::print(

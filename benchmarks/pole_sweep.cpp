@@ -6,6 +6,7 @@
 
 #include "rivals/lapack.h"
 #include "sweep_problem.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {
@@ -18,7 +19,7 @@ void sweep(std::size_t count, const char* size, int turns) {
   const numerics::DynamicMatrices matrices{problem.machine.A, problem.machine.B, problem.machine.K, {}, true};
   const Eigen::VectorXcd h = problem.machine.load.cast<std::complex<double>>();
   const double items = static_cast<double>(count);
-  const Eigen::Map<const Eigen::ArrayXd> omega(problem.omega.data(), static_cast<Eigen::Index>(count));
+  const Eigen::Map<const Eigen::ArrayXd> omega(problem.omega.data(), to_index(count));
   Eigen::ArrayXXd re(count, 6), im(count, 6);
   Eigen::MatrixXcd q(6, count), other(6, count);
   const auto ready = numerics::PoleSweep::try_build(matrices, h);

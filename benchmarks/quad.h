@@ -7,6 +7,8 @@
 #include <complex>
 #include <vector>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::benchmarks {
 
 using Quad = __float128;
@@ -29,11 +31,8 @@ template <typename Matrix, typename Vector>
 std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const Matrix& K, const Vector& h,
                                        double omega) {
   const int n = static_cast<int>(h.size());
-  std::vector<std::vector<QuadComplex>> z(static_cast<std::size_t>(n),
-                                          std::vector<QuadComplex>(static_cast<std::size_t>(n) + 1));
-  const auto at = [&](int i, int j) -> QuadComplex& {
-    return z[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-  };
+  std::vector<std::vector<QuadComplex>> z(to_size(n), std::vector<QuadComplex>(to_size(n) + 1));
+  const auto at = [&](int i, int j) -> QuadComplex& { return z[to_size(i)][to_size(j)]; };
   const Quad w = omega;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) at(i, j) = {Quad(K(i, j)) - w * w * Quad(A(i, j)), w * Quad(B(i, j))};
@@ -43,18 +42,18 @@ std::vector<QuadComplex> quad_solution(const Matrix& A, const Matrix& B, const M
     int pivot = j;
     for (int i = j + 1; i < n; ++i)
       if (size(at(i, j)) > size(at(pivot, j))) pivot = i;
-    std::swap(z[static_cast<std::size_t>(j)], z[static_cast<std::size_t>(pivot)]);
+    std::swap(z[to_size(j)], z[to_size(pivot)]);
     const QuadComplex d = inverse(at(j, j));
     for (int i = j + 1; i < n; ++i) {
       const QuadComplex factor = at(i, j) * d;
       for (int k = j + 1; k <= n; ++k) at(i, k) = at(i, k) - factor * at(j, k);
     }
   }
-  std::vector<QuadComplex> q(static_cast<std::size_t>(n));
+  std::vector<QuadComplex> q(to_size(n));
   for (int i = n - 1; i >= 0; --i) {
     QuadComplex sum = at(i, n);
-    for (int k = i + 1; k < n; ++k) sum = sum - at(i, k) * q[static_cast<std::size_t>(k)];
-    q[static_cast<std::size_t>(i)] = sum * inverse(at(i, i));
+    for (int k = i + 1; k < n; ++k) sum = sum - at(i, k) * q[to_size(k)];
+    q[to_size(i)] = sum * inverse(at(i, i));
   }
   return q;
 }
@@ -64,7 +63,7 @@ template <typename Values, typename Scale>
 double forward_error(const Values& x, const std::vector<QuadComplex>& q, const Scale& s) {
   double difference = 0, largest = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
+    const auto k = to_index(i);
     const std::complex<double> value = x[k];
     const QuadComplex d = QuadComplex{value.real(), value.imag()} - q[i];
     const double scale = s[k];

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "support/lyapunov.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 
@@ -96,9 +97,8 @@ const Machine& machine_once() {
 }
 
 Eigen::VectorXd rms_of(const response::RandomResponse& random) {
-  Eigen::VectorXd result(static_cast<Eigen::Index>(random.answers.size()));
-  for (std::size_t i = 0; i < random.answers.size(); ++i)
-    result(static_cast<Eigen::Index>(i)) = random.answers[i].rms.value();
+  Eigen::VectorXd result(to_index(random.answers.size()));
+  for (std::size_t i = 0; i < random.answers.size(); ++i) result(to_index(i)) = random.answers[i].rms.value();
   return result;
 }
 
@@ -109,11 +109,11 @@ Eigen::VectorXd by_trapezoids(const assembly::Loading& load, int points) {
   const response::FrequencyResponse swept = response::frequency_response(m.assembled, m.channels, load, omega);
   Eigen::VectorXd density(points);
   for (int i = 0; i < points; ++i)
-    density(i) = excitation::density(m.spectrum, omega[static_cast<std::size_t>(i)]) *
-        (i == 0 || i == points - 1 ? 0.5 : 1) * (omega[1] - omega[0]);
-  Eigen::VectorXd result(static_cast<Eigen::Index>(m.channels.size()));
+    density(i) = excitation::density(m.spectrum, omega[to_size(i)]) * (i == 0 || i == points - 1 ? 0.5 : 1) *
+        (omega[1] - omega[0]);
+  Eigen::VectorXd result(to_index(m.channels.size()));
   for (std::size_t c = 0; c < m.channels.size(); ++c)
-    result(static_cast<Eigen::Index>(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));
+    result(to_index(c)) = std::sqrt(swept.curves[c].value.cwiseAbs2().dot(density));
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "rival.h"
+#include "trivet/foundation/index.h"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -76,7 +77,7 @@ std::string Rival::ask(const std::string& request) {
 std::vector<std::complex<double>> Rival::answers(const std::string& name) {
   ask("answer " + name);
   std::ifstream file(folder_ / (name + ".answer"), std::ios::binary | std::ios::ate);
-  std::vector<std::complex<double>> values(static_cast<std::size_t>(file.tellg()) / sizeof(std::complex<double>));
+  std::vector<std::complex<double>> values(to_size(file.tellg()) / sizeof(std::complex<double>));
   file.seekg(0);
   file.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(values.size() * sizeof(values[0])));
   return values;

@@ -11,6 +11,7 @@
 #include "quad.h"
 #include "rival.h"
 #include "rivals/fixed_lu.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 
 namespace trivet::benchmarks {
@@ -19,7 +20,7 @@ class SweepProblem {
  public:
   explicit SweepProblem(std::size_t count, double to = 200) : omega(even_frequencies(count, to)) {
     const auto file = [&](const char* name, const auto& x) {
-      write_numbers(folder_.path() / name, x.data(), static_cast<std::size_t>(x.size()));
+      write_numbers(folder_.path() / name, x.data(), to_size(x.size()));
     };
     file("A", machine.A), file("B", machine.B), file("K", machine.K), file("H", machine.load), file("p", omega);
     for (std::size_t i = 0; i < count; i += std::max<std::size_t>(1, count / 400)) checked_.push_back(i);
@@ -27,7 +28,7 @@ class SweepProblem {
     for (int k = 0; k < 6; ++k) {
       const double place = std::sqrt(squares[k]) / to * static_cast<double>(count);
       for (double i = place - 5; i < place + 5; ++i)
-        if (i >= 0 && i < static_cast<double>(count)) checked_.push_back(static_cast<std::size_t>(i));
+        if (i >= 0 && i < static_cast<double>(count)) checked_.push_back(to_size(i));
     }
     for (const std::size_t i : checked_)
       truth_.push_back(quad_solution(machine.A, machine.B, machine.K, machine.load, omega[i]));

@@ -14,6 +14,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/sampled_signal.h"
 #include "trivet/foundation/child_process.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/project.h"
 #include "trivet/response/transient/transient.h"
@@ -70,7 +71,7 @@ Eigen::MatrixXd by_trivet() {
   const response::TransientResponse r =
       response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, m.options);
   Eigen::MatrixXd q(6, r.time.size());
-  for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[static_cast<std::size_t>(k)].values.transpose();
+  for (Eigen::Index k = 0; k < 6; ++k) q.row(k) = r.curves[to_size(k)].values.transpose();
   return q;
 }
 
@@ -84,8 +85,7 @@ Eigen::MatrixXd by_newmark(int parts) {
   Vector6 q = Vector6::Zero(), v = Vector6::Zero(), a = A.inverse() * (machine_.direction * machine_.samples[0]);
   result.col(0) = q;
   for (Eigen::Index i = 0; i < steps; ++i) {
-    const double from = machine_.samples[static_cast<std::size_t>(i)],
-                 to = machine_.samples[static_cast<std::size_t>(i + 1)];
+    const double from = machine_.samples[to_size(i)], to = machine_.samples[to_size(i + 1)];
     for (int part = 1; part <= parts; ++part) {
       const Vector6 q_ahead = q + h * v + h * h / 4 * a, v_ahead = v + h / 2 * a;
       a = inverse * (machine_.direction * (from + (to - from) * part / parts) - B * v_ahead - K * q_ahead);
@@ -136,7 +136,7 @@ void compare_with_scipy(const Eigen::MatrixXd& q) {
   for (const Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K}) data << matrix->transpose().reshaped() << "\n";
   data << machine().direction << "\n";
   for (Eigen::Index i = 0; i <= steps; ++i) {
-    data << machine().samples[static_cast<std::size_t>(i)] << "\n";
+    data << machine().samples[to_size(i)] << "\n";
     for (Eigen::Index k = 0; k < 6; ++k) data << q(k, i) << "\n";
   }
   code << script;

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/results/text_table.h"
 
 namespace trivet::cli {
@@ -60,7 +61,7 @@ std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
     header.push_back(fmt::format("{} {} [{}]", end, study::component_name(j), j < 3 ? "m" : "rad"));
   TextTable table(header);
   for (int i = 0; i < 12; ++i) {
-    std::vector<std::string> row = {i < 6 ? "N" : "K", loads[static_cast<std::size_t>(i % 6)]};
+    std::vector<std::string> row = {i < 6 ? "N" : "K", loads[to_size(i % 6)]};
     for (int j = first_column; j < first_column + 6; ++j) {
       const double scale = std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
       row.push_back(number_text(std::abs(matrix(i, j)) <= round_off * scale ? 0.0 : matrix(i, j)));

@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/explanation_json.h"
 #include "trivet/results/text_table.h"
@@ -55,8 +56,8 @@ std::string modes_table(const study::Explanation& explanation, const study::Expl
   int rows = 0;
   for (const response::ModeShare& mode : peak.shares.modes) {
     if (std::abs(mode.share) < worth_an_element) continue;
-    table.add({std::to_string(mode.mode), rounded_percent(mode.share),
-               explanation.modes.list[static_cast<std::size_t>(mode.mode - 1)].name});
+    table.add(
+        {std::to_string(mode.mode), rounded_percent(mode.share), explanation.modes.list[to_size(mode.mode - 1)].name});
     ++rows;
   }
   if (std::abs(peak.shares.beyond_modes) >= worth_an_element)

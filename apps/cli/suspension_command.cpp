@@ -10,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/results/suspension_json.h"
@@ -83,7 +84,7 @@ std::string decoupling_text(const modal::BodySuspension& suspension) {
     std::vector<std::string> row = {number_text(mode.angular_frequency.value_or(nothing) / two_pi, 5)};
     for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
     if (heavy_elements) row.push_back(percent(mode.in_elements));
-    row.emplace_back(model::coordinate_names[static_cast<std::size_t>(mode.purest)]);
+    row.emplace_back(model::coordinate_names[to_size(mode.purest)]);
     row.push_back(percent(mode.decoupling()));
     table.add(row);
   }

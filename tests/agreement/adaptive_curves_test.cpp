@@ -9,6 +9,7 @@
 
 #include "support/projects.h"
 #include "support/random_system.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/frequency_grid.h"
 
@@ -62,8 +63,7 @@ class Lines {
   };
   [[nodiscard]] Point at(double w) const {
     const auto above = std::upper_bound(omega_.begin(), omega_.end() - 1, w) - omega_.begin();
-    const double a = y_(above - 1), b = y_(above), from = omega_[static_cast<std::size_t>(above) - 1],
-                 to = omega_[static_cast<std::size_t>(above)];
+    const double a = y_(above - 1), b = y_(above), from = omega_[to_size(above) - 1], to = omega_[to_size(above)];
     if (w == from) return {a, a};
     if (w == to) return {b, b};
     return {a + (b - a) * (w - from) / (to - from), std::max(a, b)};
@@ -97,7 +97,7 @@ void expect_like_uniform_points(const Picture& p, int allowed_solves = most_solv
     const Lines lines(p.drawn, c);
     double worst = 0, worst_at = 0;
     for (std::size_t i = 0; i < omega.size(); ++i) {
-      const double y = std::abs(truth.curves[c].value(static_cast<Eigen::Index>(i)));
+      const double y = std::abs(truth.curves[c].value(to_index(i)));
       const Lines::Point point = lines.at(omega[i]);
       if (!std::isfinite(y) || !std::isfinite(point.higher) || y < invisible * highest[c]) continue;
       const double deviation = std::abs(point.value - y) / std::max(y, near_zero * point.higher);
@@ -246,7 +246,7 @@ TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawSayHowFarTheyAreOf
       *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]")
            .response;
   EXPECT_LE(answer.curves.solves, most_solves);
-  EXPECT_GT(answer.curves.angular_frequency.size(), static_cast<std::size_t>(answer.curves.solves));
+  EXPECT_GT(answer.curves.angular_frequency.size(), to_size(answer.curves.solves));
   EXPECT_GT(answer.curves.interpolation_error, 0);
   EXPECT_LE(answer.curves.interpolation_error, 1e-4);
 }

@@ -9,6 +9,7 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/response/steady/deep_check.h"
@@ -48,10 +49,10 @@ Eigen::MatrixXcd coordinates(const model::System& system) {
 /// Motion of the bodies rigidly attached to the ground: their six coordinates, one below the other, per unit of g about
 /// the ground origin.
 Eigen::MatrixXd followed(const model::System& system) {
-  Eigen::MatrixXd r(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
+  Eigen::MatrixXd r(6 * to_index(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Pose& pose = system.bodies()[b].pose;
-    r.middleRows<6>(6 * static_cast<Eigen::Index>(b)) =
+    r.middleRows<6>(6 * to_index(b)) =
         spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position);
   }
   return r;
@@ -94,9 +95,8 @@ TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
   const Eigen::VectorXcd carried = followed(system).bottomRows<6>().cast<Complex>() * g;
   for (Eigen::Index j = 0; j < 6; ++j)
     for (Eigen::Index i = 0; i < curves[0].value.size(); ++i)
-      EXPECT_NEAR(std::abs(curves[static_cast<std::size_t>(j)].value(i) - carried(j) -
-                           curves[static_cast<std::size_t>(6 + j)].value(i)),
-                  0, round_off * std::abs(carried(j)));
+      EXPECT_NEAR(std::abs(curves[to_size(j)].value(i) - carried(j) - curves[to_size(6 + j)].value(i)), 0,
+                  round_off * std::abs(carried(j)));
 }
 
 TEST(BaseMotion, GivenByAccelerationIsGivenByDisplacement) {
@@ -109,7 +109,7 @@ TEST(BaseMotion, GivenByAccelerationIsGivenByDisplacement) {
     other.excitations[0].action.derivative = derivative;
     const Eigen::MatrixXcd given = coordinates(test::checked(other));
     for (Eigen::Index i = 0; i < given.cols(); ++i) {
-      const Complex factor = std::pow(Complex(0, frequencies[static_cast<std::size_t>(i)]), derivative);
+      const Complex factor = std::pow(Complex(0, frequencies[to_size(i)]), derivative);
       EXPECT_LT(difference(given.col(i) * factor, by_displacement.col(i)), round_off);
     }
   }
@@ -211,7 +211,7 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
     const Eigen::VectorXd y = curves[c].value.cwiseAbs();
     for (Eigen::Index i = 1; i + 1 < y.size(); ++i) {
       if (!(y(i) > y(i - 1) * (1 + 1e-9) && y(i) > y(i + 1) * (1 + 1e-9))) continue;
-      const double w = scan[static_cast<std::size_t>(i)];
+      const double w = scan[to_size(i)];
       bool there = false;
       for (const response::Peak& peak : peaks.list)
         if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points &&

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "support/matchers.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
@@ -47,7 +48,7 @@ class Assembly {
       m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
     m.K.topLeftCorner(sizes[0], sizes[0]) = positive(sizes[0], 1000);
     for (const auto& [i, j] : edges) {
-      const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+      const auto a = to_size(i), b = to_size(j);
       const Index together = sizes[a] + sizes[b];
       std::vector<Index> rows;
       for (Index k = 0; k < sizes[a]; ++k) rows.push_back(first[a] + k);
@@ -248,9 +249,9 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
                                        error.data()},
                                       memory);
   for (Index f = 0; f < count; ++f) {
-    Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(f)]);
+    Eigen::MatrixXcd z = m.at(omega[to_size(f)]);
     for (Index k = 0; k < entries; ++k) {
-      const auto [i, j] = free[static_cast<std::size_t>(k)];
+      const auto [i, j] = free[to_size(k)];
       z(i, j) += added(f, k);
       if (i != j) z(j, i) += added(f, k);
     }
@@ -260,7 +261,7 @@ TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
     const Eigen::VectorXcd found = re.row(f).transpose().cast<std::complex<double>>() +
         std::complex<double>(0, 1) * im.row(f).transpose().cast<std::complex<double>>();
     EXPECT_LE((found - truth).norm() / truth.norm(), condition_share * static_cast<double>(n) * exact.condition())
-        << omega[static_cast<std::size_t>(f)];
+        << omega[to_size(f)];
     EXPECT_LE(error(f), numerics::accepted_backward_error);
   }
 }
@@ -373,9 +374,9 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
 
 std::size_t filled(const Edges& edges, Index bodies) {
   Assembly random(12);
-  const DynamicMatrices m = random.bodies(Sizes(static_cast<std::size_t>(bodies), 6), edges, 0.1);
-  const numerics::BlockElimination found = numerics::block_elimination(
-      couplings_of(m), m.blocks, std::vector<bool>(static_cast<std::size_t>(m.size()), true));
+  const DynamicMatrices m = random.bodies(Sizes(to_size(bodies), 6), edges, 0.1);
+  const numerics::BlockElimination found =
+      numerics::block_elimination(couplings_of(m), m.blocks, std::vector<bool>(to_size(m.size()), true));
   std::size_t below = 0;
   for (const auto& column : found.below) below += column.size();
   return below - edges.size();
@@ -392,8 +393,8 @@ TEST(BlockElimination, ALoadIsEliminatedLastWhereThatCostsNothing) {
   Assembly random(13);
   const DynamicMatrices m = random.bodies(Sizes(12, 6), chain(12), 0.1);
   for (const Index body : {0, 5, 11}) {
-    std::vector<bool> loaded(static_cast<std::size_t>(m.size()), false);
-    loaded[static_cast<std::size_t>(6 * body + 2)] = true;
+    std::vector<bool> loaded(to_size(m.size()), false);
+    loaded[to_size(6 * body + 2)] = true;
     const numerics::BlockElimination found = numerics::block_elimination(couplings_of(m), m.blocks, loaded);
     EXPECT_EQ(found.rows.back() / 6, body);
   }
@@ -404,7 +405,7 @@ TEST(BlockElimination, BodiesAreFoundInTheCouplings) {
   for (const Sizes& sizes : {Sizes(10, 6), Sizes(10, 3), Sizes{6, 3, 6, 3, 6, 3}}) {
     const auto bodies = static_cast<Index>(sizes.size());
     DynamicMatrices m = random.bodies(sizes, chain(bodies), 0.1);
-    const std::vector<bool> loaded(static_cast<std::size_t>(m.size()), true);
+    const std::vector<bool> loaded(to_size(m.size()), true);
     const double named = numerics::cost(numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded));
     m.blocks.clear();
     EXPECT_LE(numerics::cost(numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded)), 1.3 * named);
@@ -419,9 +420,9 @@ TEST(BlockElimination, BodiesWithZerosInTheirCouplingsAreNotCutIntoSmallBlocks) 
   for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K})
     for (Index i = 0; i < m.size(); ++i)
       for (Index j = 0; j < m.size(); ++j)
-        if (pattern[static_cast<std::size_t>(i % 6)][j % 6] == '.') (*matrix)(i, j) = 0;
+        if (pattern[to_size(i % 6)][j % 6] == '.') (*matrix)(i, j) = 0;
   m.blocks.clear();
-  std::vector<bool> loaded(static_cast<std::size_t>(m.size()), false);
+  std::vector<bool> loaded(to_size(m.size()), false);
   std::fill(loaded.end() - 6, loaded.end(), true);
   const numerics::BlockElimination found = numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded);
   EXPECT_EQ(found.count(), 10);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/foundation/index.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,7 @@ void expect_agreement(const numerics::Designs& designs, const numerics::DesignPe
   for (Eigen::Index d = 0; d < designs.count(); d += every) {
     const auto curves = by_discs(designs, d, derivative, options.from, options.to);
     for (Eigen::Index j = 0; j < n; ++j) {
-      const Searched expected = summary(curves[static_cast<std::size_t>(j)]);
+      const Searched expected = summary(curves[to_size(j)]);
       EXPECT_NEAR(peaks.highest(d, j), expected.highest, tolerance * expected.highest)
           << "design " << d << ", coordinate " << j;
       if (options.count_peaks) {
@@ -151,7 +152,7 @@ TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
     numerics::DesignPeakOptions alone;
     alone.rows = rows.row(c);
     if (c == 2) alone.rows_on_velocity = on_velocity.row(c);
-    alone.derivative = {together.derivative[static_cast<std::size_t>(c)]};
+    alone.derivative = {together.derivative[to_size(c)]};
     const numerics::DesignPeaks one = numerics::design_peaks(designs, alone);
     for (Eigen::Index d = 0; d < designs.count(); ++d) {
       EXPECT_NEAR(all.highest(d, c), one.highest(d, 0), 1e-9 * one.highest(d, 0)) << "design " << d << ", answer " << c;
@@ -181,7 +182,7 @@ TEST(DesignPeaks, AreNowhereExceededByDirectSolutions) {
       for (Eigen::Index j = 0; j < 6; ++j)
         ASSERT_LE(std::abs(q(j)), (1 + miss) * peaks.highest(d, j)) << d << " " << omega;
     }
-    ASSERT_NE(peaks.status[static_cast<std::size_t>(d)], numerics::DesignStatus::undecided) << d;
+    ASSERT_NE(peaks.status[to_size(d)], numerics::DesignStatus::undecided) << d;
   }
 }
 

@@ -11,6 +11,7 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/steady/deep_check.h"
@@ -48,8 +49,7 @@ Eigen::VectorXcd condensed_response(const model::System& system, const assembly:
     const Eigen::MatrixXcd local =
         ends.transpose() * elements::dynamic_stiffness(system.elements()[e].law, omega) * ends;
     for (Eigen::Index i = 0; i < map.end_columns; ++i)
-      for (Eigen::Index j = 0; j < map.end_columns; ++j)
-        z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
+      for (Eigen::Index j = 0; j < map.end_columns; ++j) z(map.rows[to_size(i)], map.rows[to_size(j)]) += local(i, j);
   }
   const Eigen::VectorXcd load = assembly::harmonic_loading(system, assembled).force.at(0).head(n);
   return numerics::lu_solution(z, load);
@@ -70,7 +70,7 @@ TEST(RelaxingElements, InternalCoordinatesGiveTheComplexStiffness) {
         const Eigen::VectorXcd direct = condensed_response(system, assembled, omega);
         const double size = direct.cwiseAbs().maxCoeff();
         for (Eigen::Index i = 0; i < direct.size(); ++i)
-          EXPECT_LE(std::abs(fast.curves[static_cast<std::size_t>(i)].value(0) - direct(i)), solved_twice * size)
+          EXPECT_LE(std::abs(fast.curves[to_size(i)].value(0) - direct(i)), solved_twice * size)
               << elements::law_description(law) << " at " << omega;
       }
     }
@@ -88,13 +88,12 @@ TEST(RelaxingElements, ForcesOnTheGroundBalanceTheBody) {
       assembled, assembly::channels(system, assembled, {"coordinates"}, assembly::MotionQuantity::displacement), load,
       {omega});
   Eigen::VectorXcd motion(6);
-  for (std::size_t j = 0; j < 6; ++j) motion(static_cast<Eigen::Index>(j)) = q.curves[j].value(0);
+  for (std::size_t j = 0; j < 6; ++j) motion(to_index(j)) = q.curves[j].value(0);
   const Eigen::VectorXcd inertia = -omega * omega * (assembled.matrices.A.topLeftCorner(6, 6) * motion);
   const Eigen::Matrix3d turn = system.bodies()[0].pose.rotation;
   const Eigen::Vector3cd transmitted = turn * (load.head<3>() - inertia.head<3>());
   for (std::size_t j = 0; j < 3; ++j)
-    EXPECT_LE(std::abs(response.curves[j].value(0) - transmitted(static_cast<Eigen::Index>(j))),
-              solved_twice * transmitted.norm());
+    EXPECT_LE(std::abs(response.curves[j].value(0) - transmitted(to_index(j))), solved_twice * transmitted.norm());
 }
 
 TEST(RelaxingElements, EveryRootSolvesTheCondensedSystem) {

@@ -8,6 +8,7 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/modal/roots.h"
@@ -76,7 +77,7 @@ int compare(const model::System& system, const response::Question& asked, const 
     }
   }
   int compared = 0;
-  for (std::size_t p = 0; p < table.parameters.size(); p += static_cast<std::size_t>(how.every)) {
+  for (std::size_t p = 0; p < table.parameters.size(); p += to_size(how.every)) {
     const response::Parameter& parameter = table.parameters[p];
     const double step = how.step * (parameter.size == 0.01 ? 1 : 0.2);
     std::vector<std::array<double, 2>> difference(places.size(), {0, 0});
@@ -326,7 +327,7 @@ double input_power(const model::System& system, const response::Question& asked,
   const Eigen::VectorXcd load = asked.load(system, assembled).force.at(omega);
   double power = 0;
   for (std::size_t i = 0; i < curves.curves.size(); ++i)
-    power += 0.5 * omega * (std::conj(curves.curves[i].value(0)) * load(static_cast<Eigen::Index>(i))).imag();
+    power += 0.5 * omega * (std::conj(curves.curves[i].value(0)) * load(to_index(i))).imag();
   return power;
 }
 
@@ -381,7 +382,7 @@ TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
     for (std::size_t j = 0; j < 6; ++j)
       power -= 0.5 *
           (std::conj(force.curves[j].value(0)) * std::complex<double>(0, omega) *
-           description.excitations[0].action.amplitude(static_cast<Eigen::Index>(j)))
+           description.excitations[0].action.amplitude(to_index(j)))
               .real();
     EXPECT_THAT(shares.dissipated_power, RelativelyNear(power, round_off));
     double stored = 0, one = shares.beyond_modes;

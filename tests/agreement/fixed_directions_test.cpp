@@ -15,6 +15,7 @@
 #include "support/projects.h"
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/machinery/power.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 #include "trivet/response/steady/deep_check.h"
@@ -228,8 +229,7 @@ TEST(FixedDirections, LetASlowGroundCarryEveryMachineWithIt) {
       const spatial::Vector6 rigid = spatial::both_blocks(pose.rotation).transpose() *
           spatial::rigid_motion(pose.position - action.at) * action.amplitude.real();
       for (std::size_t j = 0; j < 6; ++j)
-        EXPECT_NEAR(std::abs(found.response->curves.curves[6 * b + j].value(0) - rigid(static_cast<Eigen::Index>(j))),
-                    0, square_ratio)
+        EXPECT_NEAR(std::abs(found.response->curves.curves[6 * b + j].value(0) - rigid(to_index(j))), 0, square_ratio)
             << text;
     }
     EXPECT_TRUE(found.response->deep.passed) << text;
@@ -251,7 +251,7 @@ TEST(FixedDirections, TakePartInTheBalanceOfPower) {
           flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
       EXPECT_GT(flow.by_ground(i), 0);
       EXPECT_NEAR(flow.by_ground(i), lost, round_off * flow.dissipated.col(i).cwiseAbs().maxCoeff())
-          << flow.angular_frequency[static_cast<std::size_t>(i)];
+          << flow.angular_frequency[to_size(i)];
     }
   }
 }
@@ -283,7 +283,7 @@ TEST(FixedDirections, LostByTheFastAssemblyAreSeenByTheSecondSolver) {
   const assembly::Assembled whole = assembly::assemble(system);
   assembly::Assembled lost = whole;
   for (assembly::ElementMap& map : lost.elements) {
-    const std::string& name = system.elements()[static_cast<std::size_t>(&map - lost.elements.data())].name;
+    const std::string& name = system.elements()[to_size(&map - lost.elements.data())].name;
     if (!name.ends_with(".foundation")) map.ground_ends.setZero();
   }
   lost.ground.K.setZero();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "support/projects.h"
+#include "trivet/foundation/index.h"
 
 namespace {
 
@@ -146,7 +147,7 @@ modes = {}
   const study::Answers found = answers(text);
   const double k = 1 / (1 / 2e5 + 1 / 3e5);
   for (Eigen::Index i = 0; i < 2; ++i) {
-    const double w = found.response->curves.angular_frequency[static_cast<std::size_t>(i)];
+    const double w = found.response->curves.angular_frequency[to_size(i)];
     EXPECT_NEAR(test::value(*found.response, "machine.z", i).real(), 5 / (k - 100 * w * w),
                 1e-12 * std::abs(5 / (k - 100 * w * w)));
     EXPECT_NEAR(test::value(*found.response, "mount.force.z", i).real(), 5 * k / (k - 100 * w * w), 1e-9);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "support/matchers.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
@@ -158,7 +159,7 @@ TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
   EXPECT_EQ(found.singular, 0);
   EXPECT_LE(found.backward_error.maxCoeff(), accepted_backward_error);
   for (Index i = 0; i < 2; ++i) {
-    Eigen::MatrixXcd z = m.at(omega[static_cast<std::size_t>(i)]);
+    Eigen::MatrixXcd z = m.at(omega[to_size(i)]);
     z(19, 19) = 0;
     EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(),
               1e-9);  // residual ≪ 1, with entries up to some 1000

@@ -6,6 +6,7 @@
 
 #include "support/hard_cases.h"
 #include "support/matchers.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/linalg/refined_solution.h"
@@ -27,7 +28,7 @@ TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsC
     const Eigen::VectorXd d = numerics::unit_scale(hard.m.A);
     const DynamicMatrices scaled = numerics::scaled(hard.m, d);
     for (std::size_t i = 0; i < omega.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(i);
+      const auto column = to_index(i);
       if (!found.response.col(column).allFinite()) continue;
       EXPECT_LE(found.backward_error(column), numerics::accepted_backward_error) << hard.name << " at " << omega[i];
       const std::complex<long double> iw(0, omega[i]);

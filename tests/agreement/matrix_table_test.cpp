@@ -12,6 +12,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "support/random_system.h"
+#include "trivet/foundation/index.h"
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/answers.h"
 
@@ -76,7 +77,7 @@ Eigen::VectorXcd answer(const std::string& file, const std::string& extra) {
   std::vector<Complex> values;
   for (const auto& curve : answers.response->curves.curves)
     values.insert(values.end(), curve.value.begin(), curve.value.end());
-  return Eigen::Map<const Eigen::VectorXcd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  return Eigen::Map<const Eigen::VectorXcd>(values.data(), to_index(values.size()));
 }
 
 TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
@@ -99,7 +100,7 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   const std::array<const char*, 6> letters = {"x", "y", "z", "rx", "ry", "rz"};
   const std::string directions = folder.table(
       "directions.csv", 6, [](int i, int j) { return i == j; },
-      [&](int i, int) { return std::string("k_") + letters[static_cast<std::size_t>(i)]; },
+      [&](int i, int) { return std::string("k_") + letters[to_size(i)]; },
       [](int row) -> Eigen::MatrixXcd { return constants(row).asDiagonal(); });
   const Eigen::VectorXcd expected = answer(
       directions,

@@ -9,6 +9,7 @@
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -176,7 +177,7 @@ std::vector<std::pair<double, double>> scanned_maxima(const std::vector<double>&
       double left = y(i), right = y(i);
       while (a > 0 && y(a - 1) <= y(i)) left = std::min(left, y(--a));
       while (b + 1 < y.size() && y(b + 1) <= y(i)) right = std::min(right, y(++b));
-      if (y(i) - std::max(left, right) > floor) found.emplace_back(grid[static_cast<std::size_t>(i)], y(i));
+      if (y(i) - std::max(left, right) > floor) found.emplace_back(grid[to_size(i)], y(i));
     }
   return found;
 }

@@ -10,6 +10,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/response/steady/deep_check.h"
@@ -173,7 +174,7 @@ TEST(Physics, EveryRootMakesTheDynamicMatrixSingular) {
     const model::System system = test::checked(test::RandomSystem(v.seed).description(v.bodies, v.damping));
     const numerics::DynamicMatrices m = assembly::assemble(system).matrices;
     const modal::Roots roots = modal::roots(system);
-    EXPECT_EQ(roots.list.size(), static_cast<std::size_t>(m.lossy() ? m.size() : 2 * m.size()));
+    EXPECT_EQ(roots.list.size(), to_size(m.lossy() ? m.size() : 2 * m.size()));
     for (const modal::Root& root : roots.list) {
       const Eigen::MatrixXcd z = root.eigenvalue * root.eigenvalue * m.A.cast<std::complex<double>>() +
           root.eigenvalue * m.B.cast<std::complex<double>>() + m.complex_stiffness();

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "support/hard_cases.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
@@ -40,18 +41,18 @@ struct Comparison {
 
 Comparison compare(const DynamicMatrices& given, const Eigen::VectorXcd& load, double omega,
                    const Eigen::VectorXcd& q) {
-  const auto n = static_cast<std::size_t>(given.size());
+  const auto n = to_size(given.size());
   const Eigen::VectorXd d = numerics::unit_scale(given.A);
   std::vector<std::vector<QuadComplex>> z(n, std::vector<QuadComplex>(n));
   std::vector<QuadComplex> x(n);
   double norm = 0, residual = 0, size = 0, h = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
+    const auto row = to_index(i);
     x[i] = {Quad(d(row)) * load(row).real(), Quad(d(row)) * load(row).imag()};
     QuadComplex r = x[i];
     double sum = 0;
     for (std::size_t j = 0; j < n; ++j) {
-      const auto column = static_cast<Eigen::Index>(j);
+      const auto column = to_index(j);
       const Quad scale = Quad(d(row)) * d(column);
       z[i][j] = {scale * (Quad(given.K(row, column)) - Quad(omega) * omega * given.A(row, column)),
                  scale * Quad(omega) * given.B(row, column)};
@@ -77,7 +78,7 @@ Comparison compare(const DynamicMatrices& given, const Eigen::VectorXcd& load, d
   for (std::size_t i = n; i-- > 0;) {
     for (std::size_t j = i + 1; j < n; ++j) x[i] = x[i] - z[i][j] * x[j];
     x[i] = x[i] / z[i][i];
-    const auto row = static_cast<Eigen::Index>(i);
+    const auto row = to_index(i);
     const QuadComplex difference = QuadComplex{Quad(q(row).real()) / d(row), Quad(q(row).imag()) / d(row)} - x[i];
     error = std::hypot(error, modulus(difference)), exact = std::hypot(exact, modulus(x[i]));
   }
@@ -89,13 +90,13 @@ struct Answer {
   bool proven = false;
 };
 Answer response(const PoleSweep& poles, const std::vector<double>& omega, Eigen::Index n) {
-  const auto count = static_cast<Eigen::Index>(omega.size());
+  const auto count = to_index(omega.size());
   Answer answer{Eigen::ArrayXXd(count, n), Eigen::ArrayXXd(count, n)};
   answer.proven = poles.response(Eigen::Map<const Eigen::ArrayXd>(omega.data(), count), answer.re, answer.im);
   return answer;
 }
 Eigen::VectorXcd at(const Answer& answer, std::size_t i) {
-  const auto row = static_cast<Eigen::Index>(i);
+  const auto row = to_index(i);
   return answer.re.row(row).matrix().transpose() + std::complex<double>(0, 1) * answer.im.row(row).matrix().transpose();
 }
 
@@ -235,7 +236,7 @@ TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne)
           one.re.row(f).transpose().matrix() + numerics::Complex(0, 1) * one.im.row(f).transpose().matrix();
       differs = differs || q != direct.response.col(f);
       EXPECT_LE((q - direct.response.col(f)).norm(), round_off_at_resonances * q.norm())
-          << hard.name << " at " << omega[static_cast<std::size_t>(f)];
+          << hard.name << " at " << omega[to_size(f)];
     }
     EXPECT_TRUE(differs) << hard.name << ": solved directly";
   }

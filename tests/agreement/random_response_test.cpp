@@ -10,6 +10,7 @@
 #include "support/lyapunov.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -64,7 +65,7 @@ excitation::Spectrum two_pieces(double from, double middle, double to) {
 /// Mean squares of the `derivative`-th derivatives of all channels, by Simpson's rule between breakpoints.
 Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& channels,
                        const response::RandomLoading& loading, int steps, int derivative = 0) {
-  Eigen::VectorXd total = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()));
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(to_index(channels.size()));
   const std::vector<double> ends = excitation::breakpoints(loading.inputs[0].spectrum);
   for (std::size_t piece = 1; piece < ends.size(); ++piece) {
     // Just inside, so that a step of the density is evaluated on the correct side.
@@ -81,13 +82,12 @@ Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& chan
           (i == 0 || i == steps ? 1
                : i % 2 == 1     ? 4
                                 : 2) *
-          std::pow(omega[static_cast<std::size_t>(i)], 2 * derivative);
-      const Eigen::MatrixXcd density = excitation::density_matrix(inputs, omega[static_cast<std::size_t>(i)]);
+          std::pow(omega[to_size(i)], 2 * derivative);
+      const Eigen::MatrixXcd density = excitation::density_matrix(inputs, omega[to_size(i)]);
       for (std::size_t k = 0; k < channels.size(); ++k) {
-        Eigen::VectorXcd h_k(static_cast<Eigen::Index>(responses.size()));
-        for (std::size_t r = 0; r < responses.size(); ++r)
-          h_k(static_cast<Eigen::Index>(r)) = responses[r].curves[k].value(i);
-        total(static_cast<Eigen::Index>(k)) += weight * h_k.dot(density * h_k).real();
+        Eigen::VectorXcd h_k(to_index(responses.size()));
+        for (std::size_t r = 0; r < responses.size(); ++r) h_k(to_index(r)) = responses[r].curves[k].value(i);
+        total(to_index(k)) += weight * h_k.dot(density * h_k).real();
       }
     }
   }
@@ -96,12 +96,12 @@ Eigen::VectorXd summed(const Case& c, const std::vector<assembly::Channel>& chan
 
 void expect_mean_squares(const response::RandomResponse& response, const Eigen::VectorXd& expected, double tolerance,
                          bool of_derivative = false) {
-  ASSERT_EQ(response.answers.size(), static_cast<std::size_t>(expected.size()));
+  ASSERT_EQ(response.answers.size(), to_size(expected.size()));
   for (std::size_t c = 0; c < response.answers.size(); ++c) {
     const response::RandomAnswer& answer = response.answers[c];
     const std::optional<double> rms = of_derivative ? answer.rms_of_derivative : answer.rms;
     ASSERT_TRUE(rms) << answer.name << ": " << answer.reason;
-    EXPECT_NEAR(*rms * *rms / expected(static_cast<Eigen::Index>(c)), 1, tolerance) << answer.name;
+    EXPECT_NEAR(*rms * *rms / expected(to_index(c)), 1, tolerance) << answer.name;
   }
 }
 

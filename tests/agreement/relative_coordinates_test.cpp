@@ -9,6 +9,7 @@
 
 #include "support/shaken_machine.h"
 #include "trivet/excitation/pulses.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/vanishing_ends.h"
@@ -164,7 +165,7 @@ void expect_same_response(const model::Description& machine, const std::vector<d
   for (std::size_t c = 0; c < found.size(); ++c)
     for (Eigen::Index i = 0; i < std::ssize(omega); ++i)
       EXPECT_LE(std::abs(found[c].value(i) - wanted[c].value(i)), round_off * wanted[c].value.cwiseAbs().maxCoeff())
-          << found[c].name << " at " << omega[static_cast<std::size_t>(i)];
+          << found[c].name << " at " << omega[to_size(i)];
 }
 
 const std::vector<double> from_rest_on = {0, 1e-9, 1e-4, 1, 30},
@@ -199,9 +200,9 @@ TEST(RelativeCoordinates, HoldForTheDampingOfTheSystemAsAWhole) {
 /// Puts massless ground points under both feet that flex in `directions` and move with the ground in the others.
 void put_on_impedances(model::Description& machine, const std::vector<int>& directions, test::RandomSystem& draw) {
   for (std::size_t e = 0; e < 2; ++e) {
-    const auto count = static_cast<Eigen::Index>(directions.size());
+    const auto count = to_index(directions.size());
     Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
-    for (Eigen::Index i = 0; i < count; ++i) shape(directions[static_cast<std::size_t>(i)], i) = 1;
+    for (Eigen::Index i = 0; i < count; ++i) shape(directions[to_size(i)], i) = 1;
     model::Element joint, &element = machine.elements[e];
     joint.name = element.name + ".foundation";
     joint.type = "foundation";
@@ -246,9 +247,8 @@ TEST(RelativeCoordinates, HaveTheLimitOfElementsWithMass) {
     EXPECT_LE(std::abs(found[j].value(0) - found[j].value(1)), 1e-3 * std::abs(found[j].value(1))) << found[j].name;
   const Eigen::VectorXd carried = base.system.bodies()[0].pose.rotation.transpose().col(0);
   for (Eigen::Index j = 0; j < 3; ++j) {
-    const Complex wanted = space[static_cast<std::size_t>(j)].value(0) + carried(j) / (0.01 * 0.01),
-                  was = found[static_cast<std::size_t>(j)].value(1);
-    EXPECT_LE(std::abs(was - wanted), 1e-9 * carried.norm() / (0.01 * 0.01)) << found[static_cast<std::size_t>(j)].name;
+    const Complex wanted = space[to_size(j)].value(0) + carried(j) / (0.01 * 0.01), was = found[to_size(j)].value(1);
+    EXPECT_LE(std::abs(was - wanted), 1e-9 * carried.norm() / (0.01 * 0.01)) << found[to_size(j)].name;
   }
 }
 

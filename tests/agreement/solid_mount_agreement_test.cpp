@@ -14,6 +14,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/fem/preload.h"
 #include "trivet/fem/shapes.h"
+#include "trivet/foundation/index.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {
@@ -118,14 +119,14 @@ class CalculiX {
  private:
   void write_input(double young, double nu) const {
     constexpr std::array<int, 20> serendipity{0, 1, 2, 3, 4, 5, 6, 7, 8, 11, 13, 9, 16, 18, 19, 17, 10, 12, 14, 15};
-    std::vector<bool> used(static_cast<std::size_t>(mesh_.nodes.cols()), false);
+    std::vector<bool> used(to_size(mesh_.nodes.cols()), false);
     std::ostringstream elements;
     for (Eigen::Index e = 0; e < mesh_.elements.cols(); ++e) {
       elements << e + 1;
       int written = 0;
       for (const int a : serendipity) {
         elements << (++written == 11 ? ",\n" : ", ") << mesh_.elements(a, e) + 1;
-        used[static_cast<std::size_t>(mesh_.elements(a, e))] = true;
+        used[to_size(mesh_.elements(a, e))] = true;
       }
       elements << "\n";
     }
@@ -133,19 +134,19 @@ class CalculiX {
     file.precision(16);
     file << "*NODE, NSET=ALL\n";
     for (Eigen::Index a = 0; a < mesh_.nodes.cols(); ++a)
-      if (used[static_cast<std::size_t>(a)])
+      if (used[to_size(a)])
         file << a + 1 << ", " << mesh_.nodes(0, a) << ", " << mesh_.nodes(1, a) << ", " << mesh_.nodes(2, a) << "\n";
     file << "*ELEMENT, TYPE=C3D20R, ELSET=SOLID\n" << elements.str() << "*NSET, NSET=PLATE\n";
     for (const int a : mesh_.plate_k)
-      if (used[static_cast<std::size_t>(a)]) file << a + 1 << ",\n";
+      if (used[to_size(a)]) file << a + 1 << ",\n";
     file << "*MATERIAL, NAME=RUBBER\n*ELASTIC\n"
          << young << ", " << nu << "\n*SOLID SECTION, ELSET=SOLID, MATERIAL=RUBBER\n";
     for (int motion = 0; motion < 6; ++motion) {
       file << "*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n";
       for (const int a : mesh_.plate_n)
-        if (used[static_cast<std::size_t>(a)]) file << a + 1 << ", 1, 3, 0\n";
+        if (used[to_size(a)]) file << a + 1 << ", 1, 3, 0\n";
       for (const int a : mesh_.plate_k) {
-        if (!used[static_cast<std::size_t>(a)]) continue;
+        if (!used[to_size(a)]) continue;
         const Eigen::Vector3d u = spatial::rigid_motion(mesh_.nodes.col(a) - frame_.point_k).topRows<3>().col(motion);
         for (int c = 0; c < 3; ++c) file << a + 1 << ", " << c + 1 << ", " << c + 1 << ", " << u(c) << "\n";
       }

@@ -9,6 +9,7 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/elements/viscoelastic.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/power.h"
@@ -84,14 +85,14 @@ TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
       const assembly::Assembled assembled = assembly::assemble(system);
       const response::PowerFlow flow =
           response::power_flow(system, assembled, assembly::harmonic_loading(system, assembled), frequencies);
-      for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i) {
+      for (Eigen::Index i = 0; i < to_index(frequencies.size()); ++i) {
         const double in = flow.by_forces(i) + flow.by_ground(i);
         const double out =
             flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
         const double scale =
             std::abs(flow.by_forces(i)) + std::abs(flow.by_ground(i)) + flow.dissipated.col(i).cwiseAbs().sum();
         EXPECT_NEAR(in, out, digits * scale)
-            << static_cast<int>(damping) << " " << seed << " " << frequencies[static_cast<std::size_t>(i)];
+            << static_cast<int>(damping) << " " << seed << " " << frequencies[to_size(i)];
         EXPECT_GE(flow.dissipated.col(i).minCoeff(), -digits * scale);
         EXPECT_EQ(out > digits * scale, damping != Damping::none);
         EXPECT_EQ(flow.dissipated_by_foundations(i) > 0, damping == Damping::foundation);
@@ -121,8 +122,7 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
           power += product.real();
           size += std::abs(product);
         }
-        EXPECT_NEAR(flow.into_ground(static_cast<Eigen::Index>(m), i), power, digits * size)
-            << static_cast<int>(damping);
+        EXPECT_NEAR(flow.into_ground(to_index(m), i), power, digits * size) << static_cast<int>(damping);
       }
     }
     EXPECT_THAT(flow.into_ground_in_total(0), RelativelyNear(flow.into_ground(0, 0) + flow.into_ground(1, 0), digits));
@@ -156,7 +156,7 @@ TEST(Transmissibility, OfForceIsThatOfDisplacement) {
       const auto motion = response::displacement_transmission(system, assembled, {"body 1.tip"}, there, here);
       const auto felt = response::frequency_response(assembled, force.channels, force.loading, frequencies);
       const auto followed = response::frequency_response(assembled, motion.channels, motion.loading, frequencies);
-      for (Eigen::Index i = 0; i < static_cast<Eigen::Index>(frequencies.size()); ++i)
+      for (Eigen::Index i = 0; i < to_index(frequencies.size()); ++i)
         EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0,
                     digits * (1 + std::abs(felt.curves[0].value(i))));
       const auto slowly = response::frequency_response(assembled, force.channels, force.loading, {1e-3});
@@ -186,7 +186,7 @@ TEST(Crossover, LeavesNothingAboveOneBehindIt) {
       for (std::size_t c = 0; c < found.size(); ++c) {
         double last_above = 0;
         for (std::size_t i = 0; i < scan.size(); ++i)
-          if (std::abs(curves.curves[c].value(static_cast<Eigen::Index>(i))) > 1 + 1e-9) last_above = scan[i];
+          if (std::abs(curves.curves[c].value(to_index(i))) > 1 + 1e-9) last_above = scan[i];
         ASSERT_TRUE(found[c].angular_frequency.has_value());
         EXPECT_NEAR(*found[c].angular_frequency, last_above, 0.003 * last_above) << "one step of the scan";
         EXPECT_GE(*found[c].angular_frequency, last_above);
@@ -226,8 +226,8 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
       const auto single = response::frequency_response(assembled, channels, assembly::loading(assembled, harmonic),
                                                        {1.5 * found.speed[i]});
       for (std::size_t c = 0; c < channels.size(); ++c)
-        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(static_cast<Eigen::Index>(i)) - single.curves[c].value(0)),
-                    0, digits * std::abs(single.curves[c].value(0)));
+        EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(to_index(i)) - single.curves[c].value(0)), 0,
+                    digits * std::abs(single.curves[c].value(0)));
     }
   }
 }
@@ -242,7 +242,7 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
       const auto channels = assembly::channels(system, assembled, {word}, assembly::MotionQuantity::displacement);
       const auto curves = response::frequency_response(assembled, channels, loading, {40});
       Eigen::Matrix<Complex, 6, 1> motion;
-      for (int j = 0; j < 6; ++j) motion(j) = curves.curves[static_cast<std::size_t>(j)].value(0);
+      for (int j = 0; j < 6; ++j) motion(j) = curves.curves[to_size(j)].value(0);
       motion.head<3>() = (axes * motion.head<3>()).eval();
       motion.tail<3>() = (axes * motion.tail<3>()).eval();
       EXPECT_EQ(place.name, word);
@@ -298,8 +298,7 @@ TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
         response::compared_with_limit(assembled, channels[0], loading, roots.poles, peaks, line, {10, 500});
     double least = 1e300;
     for (std::size_t i = 0; i < scan.size(); ++i) {
-      const double margin =
-          response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(static_cast<Eigen::Index>(i));
+      const double margin = response::zero_to_peak_limit(line, std::clamp(scan[i], 10.0, 500.0)) / level(to_index(i));
       least = std::min(least, margin);
       const bool inside = std::any_of(found.exceeded.begin(), found.exceeded.end(),
                                       [&](const response::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });

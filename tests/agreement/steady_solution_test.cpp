@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Elements with frequency-dependent stiffness, evaluated by several threads at once.
 #include "trivet/response/steady/steady_solution.h"
+#include "trivet/foundation/index.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +35,7 @@ TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
   ASSERT_TRUE(alone.response.allFinite());
   ASSERT_EQ(alone.response.size(), together.response.size());
   EXPECT_EQ(std::memcmp(alone.response.data(), together.response.data(),
-                        static_cast<std::size_t>(alone.response.size()) * sizeof(std::complex<double>)),
+                        to_size(alone.response.size()) * sizeof(std::complex<double>)),
             0);
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "support/hard_cases.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
@@ -65,7 +66,7 @@ double worst_backward_error(const DynamicMatrices& m, const Load& load, const st
                             const Eigen::MatrixXcd& response) {
   double worst = 0;
   for (std::size_t i = 0; i < omega.size(); ++i) {
-    const Eigen::VectorXcd q = response.col(static_cast<Eigen::Index>(i));
+    const Eigen::VectorXcd q = response.col(to_index(i));
     if (q.allFinite()) worst = std::max(worst, true_backward_error(m, load.at(omega[i]), omega[i], q));
   }
   return worst;
@@ -127,8 +128,7 @@ TEST_P(SweepKernels, TheBackwardErrorOfAWrongSolutionIsTheTrueOne) {
     std::vector<double> omega = frequencies(count, 0.3), load(2 * n * count), q(2 * n * count), error(count);
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t f = 0; f < count; ++f) {
-        const Complex here = d(static_cast<Eigen::Index>(i)) * h(static_cast<Eigen::Index>(i)),
-                      x = wrong(static_cast<Eigen::Index>(i));
+        const Complex here = d(to_index(i)) * h(to_index(i)), x = wrong(to_index(i));
         load[i * count + f] = here.real(), load[(n + i) * count + f] = here.imag();
         q[i * count + f] = x.real(), q[(n + i) * count + f] = x.imag();
       }
@@ -160,8 +160,8 @@ TEST_P(SweepKernels, ATailIsSolvedLikeAWholePack) {
     sweep(m, load, some, planes, quick);
     for (std::size_t i = 0; i < count; ++i)
       for (Eigen::Index j = 0; j < 6; ++j) {
-        EXPECT_EQ(planes.re(static_cast<Eigen::Index>(i), j), whole(j, static_cast<Eigen::Index>(i)).real()) << count;
-        EXPECT_EQ(planes.im(static_cast<Eigen::Index>(i), j), whole(j, static_cast<Eigen::Index>(i)).imag()) << count;
+        EXPECT_EQ(planes.re(to_index(i), j), whole(j, to_index(i)).real()) << count;
+        EXPECT_EQ(planes.im(to_index(i), j), whole(j, to_index(i)).imag()) << count;
       }
   }
 }
@@ -180,8 +180,8 @@ TEST_P(SweepKernels, PivotedLanesSolveWhatHasNoLeadingPivots) {
   const Eigen::VectorXcd h = random_vector(7, 9);
   for (int i = 0; i < 7; ++i)
     for (int f = 0; f < count; ++f) {
-      load[static_cast<std::size_t>(i * count + f)] = h(i).real() * (f + 1);
-      load[static_cast<std::size_t>((7 + i) * count + f)] = h(i).imag() * (f + 1);
+      load[to_size(i * count + f)] = h(i).real() * (f + 1);
+      load[to_size((7 + i) * count + f)] = h(i).imag() * (f + 1);
     }
   const sweep_kernels::Batch batch{omega.data(), count,        {load.data(), load.data() + 7 * count, count},
                                    {},           scale.data(), {q.data(), q.data() + 7 * count, count},
@@ -189,8 +189,7 @@ TEST_P(SweepKernels, PivotedLanesSolveWhatHasNoLeadingPivots) {
   EXPECT_TRUE(sweep_kernels::solve_pivoted(z, batch));
   for (int f = 0; f < count; ++f) {
     Eigen::VectorXcd found(7);
-    for (int i = 0; i < 7; ++i)
-      found(i) = {q[static_cast<std::size_t>(i * count + f)], q[static_cast<std::size_t>((7 + i) * count + f)]};
+    for (int i = 0; i < 7; ++i) found(i) = {q[to_size(i * count + f)], q[to_size((7 + i) * count + f)]};
     EXPECT_LE(true_backward_error(m, h * (f + 1), 1.0, found), 1e-15) << f;
   }
 }
@@ -203,9 +202,7 @@ TEST(Sweep, IsTheSameByteForByteOnOneThreadAndSixteen) {
     one.threads = 1, sixteen.threads = 16;
     const SweepResult a = sweep(cases[which].m, test::load(), omega, one),
                       b = sweep(cases[which].m, test::load(), omega, sixteen);
-    EXPECT_EQ(std::memcmp(a.response.data(), b.response.data(),
-                          sizeof(Complex) * static_cast<std::size_t>(a.response.size())),
-              0)
+    EXPECT_EQ(std::memcmp(a.response.data(), b.response.data(), sizeof(Complex) * to_size(a.response.size())), 0)
         << cases[which].name;
     EXPECT_EQ(a.fallbacks, b.fallbacks);
   }

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <random>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/batch/sweep_maxima.h"
 #include "trivet/numerics/lanes/instruction_set.h"
@@ -54,7 +55,7 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
       for (Eigen::Index j = 0; j < n; ++j) {
         Eigen::Index where = 0;
         EXPECT_NEAR(found.amplitude(0, j), all.row(j).maxCoeff(&where), round_off * found.amplitude(0, j));
-        EXPECT_EQ(found.angular_frequency(0, j), omega[static_cast<std::size_t>(where)]);
+        EXPECT_EQ(found.angular_frequency(0, j), omega[to_size(where)]);
       }
       EXPECT_LE((together.amplitude.row(d) / found.amplitude.row(0) - 1).abs().maxCoeff(), two_ways);
       EXPECT_TRUE((together.angular_frequency.row(d) == found.angular_frequency.row(0)).all());
@@ -90,8 +91,7 @@ TEST(SweepMaxima, AreTheSameByteForByteOnOneThreadAndSixteen) {
   const SweepMaxima one = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
   const SweepMaxima sixteen =
       sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 16, .progress = {}});
-  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(),
-                        sizeof(double) * static_cast<std::size_t>(one.amplitude.size())),
+  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(), sizeof(double) * to_size(one.amplitude.size())),
             0);
   EXPECT_EQ(one.fallbacks, sixteen.fallbacks);
 }

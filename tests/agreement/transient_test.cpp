@@ -12,6 +12,7 @@
 #include "support/transient.h"
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/sampled_signal.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -94,7 +95,7 @@ TEST(Transient, MeetsRungeKuttaOnSkewBodiesUnderForcesOfAllKindsOfPieces) {
       assembled.matrices, [&](double t) -> Eigen::VectorXd { return excitation::state(mixed(), t).value * h; }, 0.01,
       r.time.size(), corners_of(mixed()), 400);
   for (std::size_t k = 0; k < 12; ++k)
-    EXPECT_THAT(r.curves[k].values, NearVector(other.row(static_cast<Eigen::Index>(k)).transpose().eval(), truncation))
+    EXPECT_THAT(r.curves[k].values, NearVector(other.row(to_index(k)).transpose().eval(), truncation))
         << r.curves[k].name;
 }
 
@@ -135,7 +136,7 @@ TEST(Transient, OfABaseByOffDiagonalBlocksIsThatOfRelativeCoordinatesUnderInerti
   // r: motion of each body with the base, in its axes at its pole. q_r = q − r g, A q̈_r + B q̇_r + K q_r = −A r g̈.
   Eigen::VectorXd r(12);
   for (int b = 0; b < 2; ++b) {
-    const spatial::Pose& pose = system.bodies()[static_cast<std::size_t>(b)].pose;
+    const spatial::Pose& pose = system.bodies()[to_size(b)].pose;
     r.segment<6>(6 * b) =
         spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position) * direction;
   }
@@ -179,8 +180,7 @@ TEST(Transient, OfABaseGivenByAccelerationOrVelocityIsThatOfTheSameDisplacement)
                                       until(0.5, 0.003)));
   for (int derivative = 1; derivative < 3; ++derivative)
     for (std::size_t k = 0; k < answers[0].curves.size(); ++k)
-      EXPECT_THAT(answers[static_cast<std::size_t>(derivative)].curves[k].values,
-                  NearVector(answers[0].curves[k].values, round_off))
+      EXPECT_THAT(answers[to_size(derivative)].curves[k].values, NearVector(answers[0].curves[k].values, round_off))
           << answers[0].curves[k].name;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/design/design_family.h"
+#include "trivet/foundation/index.h"
 
 namespace {
 
@@ -35,7 +36,7 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
   const numerics::Designs designs = family->designs(points);
   for (std::size_t d = 0; d < points.size(); ++d) {
     const design::PlainDesign exact = design_of(points[d].x * points[d].x, points[d].y);
-    const auto row = static_cast<Eigen::Index>(d);
+    const auto row = to_index(d);
     EXPECT_NEAR(designs.K(row, 0), exact.K(0, 0), 1e-13 * exact.K(0, 0));
     EXPECT_NEAR(designs.B(row, 1), exact.B(1, 0), 1e-13 * exact.B(0, 0));
     EXPECT_NEAR(designs.load(row, 1), exact.load(1), 1e-13 * exact.load(1));

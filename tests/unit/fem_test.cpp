@@ -16,6 +16,7 @@
 #include "trivet/fem/preload.h"
 #include "trivet/fem/shapes.h"
 #include "trivet/fem/substructuring.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {
@@ -110,7 +111,7 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
   const bool curved = mesh.kind == fem::Mesh::Kind::hex27;
   const Eigen::MatrixXd shift = 0.02 * random_matrix(3, mesh.nodes.cols(), 7);
   for (Eigen::Index a = 0; a < mesh.nodes.cols() && curved; ++a)
-    if (inside[static_cast<std::size_t>(a)]) mesh.nodes.col(a) += shift.col(a);
+    if (inside[to_size(a)]) mesh.nodes.col(a) += shift.col(a);
   Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, mesh.nodes.cols());
   const Eigen::Matrix3Xd all = (gradient - Eigen::Matrix3d::Identity()) * mesh.nodes;
   const Eigen::Vector4d corner_pressure = Eigen::Vector4d::Constant(pressure);
@@ -126,7 +127,7 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
   }
   double worst = 0;
   for (Eigen::Index a = 0; a < mesh.nodes.cols(); ++a)
-    if (inside[static_cast<std::size_t>(a)]) worst = std::max(worst, forces.col(a).cwiseAbs().maxCoeff());
+    if (inside[to_size(a)]) worst = std::max(worst, forces.col(a).cwiseAbs().maxCoeff());
   return worst / scale;
 }
 
@@ -158,14 +159,13 @@ TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
     centres(0, e) = e;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        whole(unknowns.back()[static_cast<std::size_t>(i)], unknowns.back()[static_cast<std::size_t>(j)]) +=
-            matrices.back()(i, j);
+        whole(unknowns.back()[to_size(i)], unknowns.back()[to_size(j)]) += matrices.back()(i, j);
   }
   fem::Substructuring substructuring(unknowns, centres, inner, retained);
   const Eigen::MatrixXd solution = whole.topLeftCorner(inner, inner).lu().solve(whole.topRightCorner(inner, retained));
   const Eigen::MatrixXd expected =
       whole.bottomRightCorner(retained, retained) - whole.bottomLeftCorner(retained, inner) * solution;
-  const auto matrix = [&](int e) { return matrices[static_cast<std::size_t>(e)]; };
+  const auto matrix = [&](int e) { return matrices[to_size(e)]; };
   const auto one = substructuring.condense(matrix, true, 1, {}), two = substructuring.condense(matrix, true, 2, {});
   EXPECT_LT((one.matrix - expected).cwiseAbs().maxCoeff(), round_off * expected.cwiseAbs().maxCoeff());
   EXPECT_EQ(one.matrix, two.matrix);
@@ -237,7 +237,7 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
                 m.nodes.rightCols(n) = m.nodes.leftCols(n).colwise() + Eigen::Vector3d(1, 0, 0);
                 m.elements.conservativeResize(27, 2 * e);
                 m.elements.rightCols(e) = m.elements.leftCols(e).array() + static_cast<int>(n);
-                m.material.resize(static_cast<std::size_t>(2 * e), 0);
+                m.material.resize(to_size(2 * e), 0);
               }),
               HasSubstr("is not bonded to a plate"));
   EXPECT_THAT(first_finding(sound, {fem::Material{.c10 = -1, .bulk_modulus = 1}}), HasSubstr("must be > 0"));

@@ -5,6 +5,7 @@
 
 #include "support/map_outcomes.h"
 #include "trivet/design/margin_lines.h"
+#include "trivet/foundation/index.h"
 
 namespace {
 
@@ -20,7 +21,7 @@ TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
   EXPECT_EQ(drawn.columns.back(), 999);
   const design::MapGrid nodes = drawn.nodes();
   for (const int k : {0, 1, 100, 239, 240})
-    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[static_cast<std::size_t>(k)] / 999.0, 1e-15);
+    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[to_size(k)] / 999.0, 1e-15);
 }
 
 TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {

@@ -6,6 +6,7 @@
 #include "support/matchers.h"
 #include "support/random_system.h"
 #include "trivet/assembly/assembled.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/quadratic_roots.h"
 #include "trivet/numerics/peaks/response_series.h"
@@ -77,7 +78,7 @@ TEST(Sweep, IsTheSameForAnyNumberOfFrequencies) {
   for (int i = 0; i < 19; ++i) omega.push_back(7.0 * i);
   const SweepResult together = sweep(m, h, omega);
   for (std::size_t i = 0; i < omega.size(); ++i)
-    EXPECT_EQ(together.response.col(static_cast<Eigen::Index>(i)), sweep(m, h, {omega[i]}).response.col(0))
+    EXPECT_EQ(together.response.col(to_index(i)), sweep(m, h, {omega[i]}).response.col(0))
         << "a lane must not depend on its neighbours";
 }
 

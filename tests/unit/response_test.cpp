@@ -5,6 +5,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
 #include "trivet/response/steady/frequency_grid.h"
@@ -62,11 +63,9 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
       const double w = truth.response->curves.angular_frequency[i];
       while (k + 2 < omega.size() && omega[k + 1] < w) ++k;
       const double share = (w - omega[k]) / (omega[k + 1] - omega[k]);
-      const auto at = [&](std::size_t j) {
-        return std::abs(answers.response->curves.curves[c].value(static_cast<Eigen::Index>(j)));
-      };
+      const auto at = [&](std::size_t j) { return std::abs(answers.response->curves.curves[c].value(to_index(j))); };
       EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1),
-                  std::abs(truth.response->curves.curves[c].value(static_cast<Eigen::Index>(i))), 0.004 * top);
+                  std::abs(truth.response->curves.curves[c].value(to_index(i))), 0.004 * top);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/msh_file.h"
 #include "trivet/fem/step_mesh.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 
@@ -65,7 +66,7 @@ TEST_F(StepMeshing, BondsTheTwoEndsOfACylinder) {
   const Mesh& mesh = step->mesh;
   EXPECT_THAT(check_mesh(mesh, {rubber}).list(), ::testing::IsEmpty());
   EXPECT_EQ(mesh.elements.rows(), 10);
-  EXPECT_EQ(mesh.material.size(), static_cast<std::size_t>(mesh.elements.cols()));
+  EXPECT_EQ(mesh.material.size(), to_size(mesh.elements.cols()));
   for (const int node : mesh.plate_n) EXPECT_NEAR(mesh.nodes(2, node), 0, on_the_face);
   for (const int node : mesh.plate_k) EXPECT_NEAR(mesh.nodes(2, node), 25 * mm, on_the_face);
   std::vector<int> on_end;
@@ -131,7 +132,7 @@ TEST_F(StepMeshing, JoinsTouchingSolidsAndNumbersThemAsMaterials) {
   for (Eigen::Index e = 0; e < step->mesh.elements.cols(); ++e) {
     double z = 0;
     for (int k = 0; k < 4; ++k) z += step->mesh.nodes(2, step->mesh.elements(k, e)) / 4;
-    EXPECT_EQ(step->mesh.material[static_cast<std::size_t>(e)], z < 10 * mm ? 0 : z < 14 * mm ? 1 : 2);
+    EXPECT_EQ(step->mesh.material[to_size(e)], z < 10 * mm ? 0 : z < 14 * mm ? 1 : 2);
   }
 }
 

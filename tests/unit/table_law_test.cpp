@@ -7,6 +7,7 @@
 
 #include "support/matchers.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {
@@ -21,7 +22,7 @@ StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vect
                        .storage = {},
                        .loss = {},
                        .interpolation = interpolation};
-  table.storage = Eigen::Map<const Eigen::VectorXd>(storage.data(), static_cast<Eigen::Index>(storage.size()));
+  table.storage = Eigen::Map<const Eigen::VectorXd>(storage.data(), to_index(storage.size()));
   table.loss = 0.1 * table.storage;
   return table;
 }
@@ -30,7 +31,7 @@ TEST(StiffnessTable, GivesItsKnotsBack) {
   for (const Interpolation way : {Interpolation::linear, Interpolation::monotone_cubic}) {
     const StiffnessTable table = over_frequencies({0, 10, 30, 100}, {1e5, 3e5, 2.5e5, 8e5}, way);
     for (int i = 0; i < 4; ++i) {
-      const auto k = dynamic_stiffness(table, table.angular_frequencies[static_cast<std::size_t>(i)], 0);
+      const auto k = dynamic_stiffness(table, table.angular_frequencies[to_size(i)], 0);
       EXPECT_THAT(k.real(), test::RelativelyNear(table.storage(i, 0), 1e-14));
       EXPECT_THAT(k.imag(), test::RelativelyNear(table.loss(i, 0), 1e-14));
     }

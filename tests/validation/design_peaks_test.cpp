@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/batch/design_peaks.h"
+#include "trivet/foundation/index.h"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,10 @@ using numerics::DesignStatus;
 
 /// A mass of 2 kg on 200 N/m, ω0 = 10 rad/s, with a force of 3 N, for these damping ratios.
 numerics::Designs single_masses(const std::vector<double>& zeta) {
-  const auto count = static_cast<Eigen::Index>(zeta.size());
+  const auto count = to_index(zeta.size());
   numerics::Designs designs{Eigen::ArrayXXd::Constant(count, 1, 2), Eigen::ArrayXXd(count, 1),
                             Eigen::ArrayXXd::Constant(count, 1, 200), Eigen::ArrayXXd::Constant(1, 1, 3)};
-  for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[static_cast<std::size_t>(i)] * 20;
+  for (Eigen::Index i = 0; i < count; ++i) designs.B(i, 0) = 2 * zeta[to_size(i)] * 20;
   return designs;
 }
 
@@ -29,7 +30,7 @@ TEST(DesignPeaks, OfASingleMassStandBelowItsNaturalFrequency) {  // [Ewins2000]:
   const std::vector<double> zeta = {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
   for (std::size_t i = 0; i < zeta.size(); ++i) {
-    const auto d = static_cast<Eigen::Index>(i);
+    const auto d = to_index(i);
     const double z = zeta[i], height = 3.0 / 200 / (2 * z * std::sqrt(1 - z * z));
     EXPECT_NEAR(peaks.highest(d, 0), height, tolerance(z) * height) << z;
     EXPECT_NEAR(peaks.highest_at(d, 0), 10 * std::sqrt(1 - 2 * z * z), 1e-8) << z;
@@ -43,7 +44,7 @@ TEST(DesignPeaks, AreNoneFromSeventyOnePercentOfCriticalDampingOn) {
   const std::vector<double> zeta = {0.7072, 0.8, 0.999, 1, 1.0001, 3, 100};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
   for (std::size_t i = 0; i < zeta.size(); ++i) {
-    const auto d = static_cast<Eigen::Index>(i);
+    const auto d = to_index(i);
     EXPECT_NEAR(peaks.highest(d, 0), 0.015, 1e-14) << zeta[i];
     EXPECT_EQ(peaks.highest_at(d, 0), 0) << zeta[i];
     EXPECT_EQ(peaks.peaks(d, 0), 0) << zeta[i];
@@ -83,7 +84,7 @@ TEST(DesignPeaks, OfVelocityStandAtTheNaturalFrequencyWhateverTheDamping) {
   options.derivative = {1};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta), options);
   for (std::size_t i = 0; i < zeta.size(); ++i) {
-    const auto d = static_cast<Eigen::Index>(i);
+    const auto d = to_index(i);
     EXPECT_NEAR(peaks.highest_at(d, 0), 10, 1e-6) << zeta[i];
     EXPECT_NEAR(peaks.highest(d, 0), 3 / (2 * zeta[i] * 20), 1e-11 / zeta[i]) << zeta[i];
     EXPECT_EQ(peaks.peaks(d, 0), 1) << zeta[i];

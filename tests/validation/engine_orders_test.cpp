@@ -12,6 +12,7 @@
 
 #include "support/matchers.h"
 #include "trivet/excitation/slider_crank.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {
@@ -59,8 +60,8 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
       const double second = -cosine - l * (cosine * cosine - sine * sine) / root -
           l * l * l * std::pow(sine * cosine, 2) / std::pow(root, 3);
       double inertia = 0, product = 0;
-      for (int n = 0; n <= count; ++n) inertia += all[static_cast<std::size_t>(n)] * std::cos(n * phi);
-      for (int n = 0; n <= 2 * count; ++n) product += torque[static_cast<std::size_t>(n)] * std::sin(n * phi);
+      for (int n = 0; n <= count; ++n) inertia += all[to_size(n)] * std::cos(n * phi);
+      for (int n = 0; n <= 2 * count; ++n) product += torque[to_size(n)] * std::sin(n * phi);
       EXPECT_NEAR(-inertia, second, 1e-12);
       EXPECT_NEAR(product, first * second, 1e-12);
     }

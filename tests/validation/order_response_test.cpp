@@ -10,6 +10,7 @@
 #include "support/guided_mass.h"
 #include "support/matchers.h"
 #include "support/random_system.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/machinery/campbell.h"
 #include "trivet/response/machinery/limit_line.h"
@@ -55,7 +56,7 @@ struct Solved {
 double amplitude_at(const response::RunUp& run_up, std::size_t order, std::size_t curve, double speed) {
   for (std::size_t i = 0; i < run_up.speed.size(); ++i)
     if (std::abs(run_up.speed[i] - speed) < 1e-12 * speed)
-      return std::abs(run_up.orders[order].curves[curve].value(static_cast<Eigen::Index>(i)));
+      return std::abs(run_up.orders[order].curves[curve].value(to_index(i)));
   ADD_FAILURE() << "no speed " << speed;
   return 0;
 }
@@ -133,8 +134,7 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
                  r = omega / natural;
     const double transmitted =
         std::sqrt((1 + 4 * ratio * ratio * r * r) / (std::pow(1 - r * r, 2) + 4 * ratio * ratio * r * r));
-    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(static_cast<Eigen::Index>(i))),
-                RelativelyNear(force * transmitted, series_end))
+    EXPECT_THAT(std::abs(found.orders[0].curves[0].value(to_index(i))), RelativelyNear(force * transmitted, series_end))
         << omega;
   }
   ASSERT_EQ(found.critical.size(), 1u);

@@ -6,6 +6,7 @@
 
 #include "support/matchers.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
@@ -71,8 +72,7 @@ TEST(Paper, EigenvaluesOfTheMassMatrix) {
   for (const auto& [file, values] : expected) {
     const Eigen::VectorXd found =
         numerics::symmetric_eigenvalues(assembly::assemble(paper(file).base().system).matrices.A);
-    for (int i = 0; i < 6; ++i)
-      EXPECT_THAT(found(i), RelativelyNear(values[static_cast<std::size_t>(i)], printed_digits)) << file;
+    for (int i = 0; i < 6; ++i) EXPECT_THAT(found(i), RelativelyNear(values[to_size(i)], printed_digits)) << file;
   }
 }
 

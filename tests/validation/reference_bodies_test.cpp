@@ -9,6 +9,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/foundation/index.h"
 
 namespace {
 
@@ -102,8 +103,7 @@ TEST(Inertia, ImpossibleOnesAreRefusedAndTheCorrectedOneAccepted) {
     ASSERT_TRUE(allowed.has_value());
     EXPECT_EQ(allowed->base().warnings.list().empty(), given.physical) << given.name;
     const Eigen::Vector3d moments = spatial::principal_inertia(allowed->base().system.bodies()[0].mass).moments;
-    for (int i = 0; i < 3; ++i)
-      EXPECT_NEAR(moments(i), given.central[static_cast<std::size_t>(i)], digits * 100) << given.name;
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(moments(i), given.central[to_size(i)], digits * 100) << given.name;
     if (!given.physical) {
       const auto& list = refused_or_not.error().list();
       EXPECT_TRUE(std::any_of(list.begin(), list.end(), [](const auto& p) {

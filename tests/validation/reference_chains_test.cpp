@@ -10,6 +10,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/foundation/index.h"
 
 namespace {
 
@@ -39,7 +40,7 @@ TEST(Sdld02, EightMassesBetweenWallsInAnyDirection) {
     const modal::Modes modes = modal::modes(project.base().system);
     ASSERT_EQ(modes.list.size(), 8u);
     for (int j = 0; j < 8; ++j) {
-      const double hertz = *modes.list[static_cast<std::size_t>(j)].angular_frequency / turn;
+      const double hertz = *modes.list[to_size(j)].angular_frequency / turn;
       EXPECT_THAT(hertz, RelativelyNear(published[j], published_digits));
       EXPECT_THAT(
           hertz,
@@ -130,7 +131,7 @@ TEST(Sdld21, HarmonicResponseOfTheDampedChain) {
                     force_on("m4", 1) + response_at(hertz));
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   for (std::size_t i = 0; i < hertz.size(); ++i) {
-    const auto found = test::value(*answers.response, "m4.x", static_cast<Eigen::Index>(i));
+    const auto found = test::value(*answers.response, "m4.x", to_index(i));
     const std::complex<double> published(table[i][1], table[i][2]), exact(table[i][3], table[i][4]);
     EXPECT_LE(std::abs(found - published), published_digits * std::abs(published)) << hertz[i] << " Hz";
     EXPECT_LE(std::abs(found - exact), all_digits * std::abs(exact)) << hertz[i] << " Hz";
@@ -154,7 +155,7 @@ TEST(Sdld313, HystereticDampingWithItsComplexStaticLimit) {
       test::project(test::chain({10, 5}, {28000, 28000}, {}, {0.1, 0}) + force_on("m2", 100) + response_at(hertz));
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   for (std::size_t i = 0; i < hertz.size(); ++i) {
-    const auto found = test::value(*answers.response, "m2.x", static_cast<Eigen::Index>(i));
+    const auto found = test::value(*answers.response, "m2.x", to_index(i));
     const std::complex<double> published(table[i][1], table[i][2]), exact(table[i][3], table[i][4]);
     EXPECT_LE(std::abs(found - published), published_digits * std::abs(published)) << hertz[i] << " Hz";
     EXPECT_LE(std::abs(found - exact), all_digits * std::abs(exact)) << hertz[i] << " Hz";

@@ -10,6 +10,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/spectrum.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
@@ -87,7 +88,7 @@ TEST(RelativeMotion, OfAMassOverAShakenGroundIsTheClosedFormFromRestToHighFreque
     const double stiffness = 7.3 * o.natural * o.natural, damping = 2 * ratio * 7.3 * o.natural;
     for (std::size_t i = 0; i < omega.size(); ++i) {
       const Complex z = -2.0 / o.denominator(omega[i]), force = -(stiffness + Complex(0, omega[i]) * damping) * z;
-      const auto at = static_cast<Eigen::Index>(i);
+      const auto at = to_index(i);
       for (const std::size_t c : {0, 1})
         EXPECT_LE(std::abs(found.curves[c].value(at) - z), round_off * std::abs(z))
             << omega[i] << " rad/s, ratio " << ratio;

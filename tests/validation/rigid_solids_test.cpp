@@ -11,6 +11,7 @@
 #include "support/matchers.h"
 #include "support/step_shapes.h"
 #include "support/stl_shapes.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/solids/rigid_solid.h"
 
@@ -115,7 +116,7 @@ test::Triangles l_block_surface() {
     surface.push_back({at(i, 0), at(i + 1, 1), at(i, 1)});
   }
   for (const auto& [a, b, c] : {std::array{0, 1, 4}, {0, 4, 7}, {1, 2, 3}, {1, 3, 4}, {7, 4, 5}, {7, 5, 6}}) {
-    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b), k = static_cast<std::size_t>(c);
+    const auto i = to_size(a), j = to_size(b), k = to_size(c);
     surface.push_back({at(i, 1), at(j, 1), at(k, 1)});
     surface.push_back({at(i, 0), at(k, 0), at(j, 0)});
   }

@@ -10,6 +10,7 @@
 #include "support/transient.h"
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/shock_spectrum.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace {
@@ -209,8 +210,7 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
       test::transient(m.system, m.assembled, {"coordinates"}, {}, options, assembly::MotionQuantity::velocity);
   const auto energy = [&](Eigen::Index i) {
     Eigen::Vector3d x, dx;
-    for (int k = 0; k < 3; ++k)
-      x(k) = q.curves[static_cast<std::size_t>(k)].values(i), dx(k) = v.curves[static_cast<std::size_t>(k)].values(i);
+    for (int k = 0; k < 3; ++k) x(k) = q.curves[to_size(k)].values(i), dx(k) = v.curves[to_size(k)].values(i);
     return x.dot(m.assembled.matrices.K * x) + dx.dot(m.assembled.matrices.A * dx);
   };
   ASSERT_EQ(q.time.size(), 100001);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::assembly {
 namespace {
 
@@ -39,7 +41,7 @@ Loading following(const Ground& ground, const Loading& loading) {
       const Eigen::Matrix<std::complex<double>, 6, 1> moved = value.segment<6>(rows.front());
       if (!std::all_of(rows.begin(), rows.end(), [&](Eigen::Index row) { return value.segment<6>(row) == moved; }))
         continue;
-      value.segment<6>(ground.followed_row() + 6 * static_cast<Eigen::Index>(t)) += moved;
+      value.segment<6>(ground.followed_row() + 6 * to_index(t)) += moved;
       for (const Eigen::Index row : rows) value.segment<6>(row).setZero();
     }
     result.motion.add({term.power, term.delay, value});

@@ -9,6 +9,7 @@
 #include "trivet/assembly/following.h"
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -23,13 +24,13 @@ using spatial::Matrix6;
 /// Adds six rows from `first_row` on to the column of one coordinate; each coordinate has one column.
 void add_column(Eigen::MatrixXd& ends, std::vector<Eigen::Index>& rows, int first_row, Eigen::Index row,
                 const spatial::Vector6& column) {
-  const auto known = static_cast<std::size_t>(std::find(rows.begin(), rows.end(), row) - rows.begin());
+  const auto known = to_size(std::find(rows.begin(), rows.end(), row) - rows.begin());
   if (known == rows.size()) {
     rows.push_back(row);
     ends.conservativeResize(Eigen::NoChange, ends.cols() + 1);
     ends.rightCols<1>().setZero();
   }
-  ends.col(static_cast<Eigen::Index>(known)).segment<6>(first_row) += column;
+  ends.col(to_index(known)).segment<6>(first_row) += column;
 }
 
 /// First ground coordinates of the ends that are on the ground, and of the places with fixed directions.
@@ -121,7 +122,7 @@ void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>
                    const std::vector<Eigen::Index>& columns, double factor, Eigen::MatrixXd& global) {
   for (Eigen::Index i = 0; i < local.rows(); ++i)
     for (Eigen::Index j = 0; j < local.cols(); ++j)
-      global(rows[static_cast<std::size_t>(i)], columns[static_cast<std::size_t>(j)]) += factor * local(i, j);
+      global(rows[to_size(i)], columns[to_size(j)]) += factor * local(i, j);
 }
 
 void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
@@ -189,7 +190,7 @@ void add_system_damping(const model::SystemDamping& damping, numerics::DynamicMa
     const auto modes = numerics::generalized_modes(massive.K, massive.A, true);
     Eigen::VectorXd twice(modes.lambda.size());
     for (Eigen::Index i = 0; i < twice.size(); ++i) {
-      const double ratio = given->ratios.size() == 1 ? given->ratios[0] : given->ratios[static_cast<std::size_t>(i)];
+      const double ratio = given->ratios.size() == 1 ? given->ratios[0] : given->ratios[to_size(i)];
       twice(i) = 2 * ratio * std::sqrt(std::max(modes.lambda(i), 0.0));
     }
     const Eigen::MatrixXd a_phi = massive.A * modes.shapes;
@@ -270,8 +271,7 @@ void Assembled::add_frequency_dependent(std::complex<double> omega, double near,
     const Eigen::MatrixXcd ends = map.ends.topLeftCorner(12, map.end_columns);
     const Eigen::MatrixXcd local = ends.transpose() * map.dynamic_stiffness(omega, near) * ends;
     for (Eigen::Index i = 0; i < local.rows(); ++i)
-      for (Eigen::Index j = 0; j < local.cols(); ++j)
-        z(map.rows[static_cast<std::size_t>(i)], map.rows[static_cast<std::size_t>(j)]) += local(i, j);
+      for (Eigen::Index j = 0; j < local.cols(); ++j) z(map.rows[to_size(i)], map.rows[to_size(j)]) += local(i, j);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/layout.h"
+#include "trivet/foundation/index.h"
 #include "trivet/model/system.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 
@@ -36,7 +37,7 @@ struct ElementMap {
     Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> d =
         Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1>::Zero(ends.rows());
     for (Eigen::Index j = 0; j < ends.cols(); ++j)
-      d += ends.col(j).template cast<typename Vector::Scalar>() * q(rows[static_cast<std::size_t>(j)]);
+      d += ends.col(j).template cast<typename Vector::Scalar>() * q(rows[to_size(j)]);
     return d;
   }
   /// Contribution of a ground motion g; a motion that everything follows counts only if it causes forces.
@@ -45,7 +46,7 @@ struct ElementMap {
     Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1> d =
         Eigen::Matrix<typename Vector::Scalar, Eigen::Dynamic, 1>::Zero(ends.rows());
     for (Eigen::Index j = 0; j < ground_ends.cols(); ++j)
-      d += ground_ends.col(j).template cast<typename Vector::Scalar>() * g(ground_rows[static_cast<std::size_t>(j)]);
+      d += ground_ends.col(j).template cast<typename Vector::Scalar>() * g(ground_rows[to_size(j)]);
     if (resists_following) d += followed_ends.template cast<typename Vector::Scalar>() * g.tail(followed_ends.cols());
     return d;
   }
@@ -75,19 +76,16 @@ struct Ground {
   Eigen::ArrayXd round_off;                     ///< of a row times each column of R, as a share of the terms
 
   [[nodiscard]] Eigen::Index followed_row() const {
-    return 6 + 6 * static_cast<Eigen::Index>(ends.size());
+    return 6 + 6 * to_index(ends.size());
   }  ///< first row of the followed coordinates
-  [[nodiscard]] Eigen::Index followed() const {
-    return 6 * static_cast<Eigen::Index>(together.size());
-  }  ///< their number
+  [[nodiscard]] Eigen::Index followed() const { return 6 * to_index(together.size()); }  ///< their number
   [[nodiscard]] Eigen::Index size() const { return followed_row() + followed(); }
   /// Sums the columns in space over all that moves together: one column per followed coordinate.
   template <typename Matrix>
   [[nodiscard]] Matrix gathered(const Matrix& of_ground) const {
     Matrix result = Matrix::Zero(of_ground.rows(), followed());
     for (std::size_t t = 0; t < together.size(); ++t)
-      for (const Eigen::Index row : together[t])
-        result.middleCols(6 * static_cast<Eigen::Index>(t), 6) += of_ground.middleCols(row, 6);
+      for (const Eigen::Index row : together[t]) result.middleCols(6 * to_index(t), 6) += of_ground.middleCols(row, 6);
     return result;
   }
 };

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "trivet/assembly/following.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -56,7 +57,7 @@ class Builder {
   std::string motion_unit(int j) const {
     static constexpr std::array<const char*, 3> translation = {"m", "m/s", "m/s²"},
                                                 rotation = {"rad", "rad/s", "rad/s²"};
-    return (j < 3 ? translation : rotation)[static_cast<std::size_t>(derivative_)];
+    return (j < 3 ? translation : rotation)[to_size(derivative_)];
   }
 
   std::vector<Channel> coordinates(std::size_t b) const {
@@ -64,8 +65,8 @@ class Builder {
     for (int j = 0; j < 6; ++j) {
       const Eigen::Index row = assembled_.layout.row(b, j);
       if (row < 0) continue;
-      Channel channel = empty(system_.bodies()[b].name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
-                              motion_unit(j), derivative_);
+      Channel channel =
+          empty(system_.bodies()[b].name + "." + model::coordinate_names[to_size(j)], motion_unit(j), derivative_);
       channel.on_displacement(row) = 1;
       result.push_back(std::move(channel));
     }
@@ -76,9 +77,8 @@ class Builder {
     const Matrix6 x = spatial::rigid_motion(point.at);
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
-      Channel channel = empty(
-          system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[static_cast<std::size_t>(j)],
-          motion_unit(j), derivative_);
+      Channel channel = empty(system_.bodies()[b].name + "." + point.name + "." + model::coordinate_names[to_size(j)],
+                              motion_unit(j), derivative_);
       for (int i = 0; i < 6; ++i)
         if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
       result.push_back(std::move(channel));
@@ -91,7 +91,7 @@ class Builder {
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
       Channel channel = filled(j);
-      channel.name = name + "." + model::coordinate_names[static_cast<std::size_t>(j)];
+      channel.name = name + "." + model::coordinate_names[to_size(j)];
       channel.unit = motion_unit(j);
       channel.derivative = derivative_;
       result.push_back(std::move(channel));
@@ -155,11 +155,9 @@ class Builder {
     const Eigen::MatrixXd on_free = pick * map.ends.topRows<12>(), on_ground = pick * map.ground_ends.topRows<12>();
     return motions(name, [&](int j) {
       Channel channel = empty({}, {}, derivative_);
-      for (Eigen::Index c = 0; c < on_free.cols(); ++c)
-        channel.on_displacement(map.rows[static_cast<std::size_t>(c)]) += on_free(j, c);
+      for (Eigen::Index c = 0; c < on_free.cols(); ++c) channel.on_displacement(map.rows[to_size(c)]) += on_free(j, c);
       Eigen::VectorXd of_ground = Eigen::VectorXd::Zero(assembled_.ground.size());
-      for (Eigen::Index c = 0; c < on_ground.cols(); ++c)
-        of_ground(map.ground_rows[static_cast<std::size_t>(c)]) += on_ground(j, c);
+      for (Eigen::Index c = 0; c < on_ground.cols(); ++c) of_ground(map.ground_rows[to_size(c)]) += on_ground(j, c);
       set_ground(channel, of_ground);
       return channel;
     });
@@ -211,7 +209,7 @@ class Builder {
       (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
     for (Eigen::Index j = 0; j < map.end_columns; ++j)
       for (int i = 0; i < 6; ++i) {
-        const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[static_cast<std::size_t>(j)]);
+        const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[to_size(j)]);
         double typical = force * (moment_row ? lever : 1) * (rotation_column ? lever : 1);
         if (moment_row && rotation_column) typical += moment;
         if (std::abs(rows(i, j)) <= round_off * typical) rows(i, j) = 0;
@@ -238,7 +236,7 @@ class Builder {
                    mass = on_n(map.matrices.mass);
     WrenchRows rows = no_wrench();
     for (Eigen::Index j = 0; j < map.ends.cols() && !map.frequency_dependent(); ++j) {
-      const Eigen::Index row = map.rows[static_cast<std::size_t>(j)];
+      const Eigen::Index row = map.rows[to_size(j)];
       rows.on_displacement.col(row) += stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
       rows.on_velocity.col(row) += damping.col(j);
       rows.on_acceleration.col(row) += mass.col(j);
@@ -249,7 +247,7 @@ class Builder {
     const Matrix6x ground_stiffness = of_ground(map.matrices.stiffness),
                    ground_damping = of_ground(map.matrices.damping), ground_mass = of_ground(map.matrices.mass);
     for (Eigen::Index j = 0; j < map.ground_ends.cols() && !map.frequency_dependent(); ++j) {
-      const Eigen::Index row = map.ground_rows[static_cast<std::size_t>(j)];
+      const Eigen::Index row = map.ground_rows[to_size(j)];
       rows.ground_displacement.col(row) += ground_stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
       rows.ground_velocity.col(row) += ground_damping.col(j);
       rows.ground_acceleration.col(row) += ground_mass.col(j);
@@ -297,7 +295,7 @@ class Builder {
                                                          "moment.x", "moment.y", "moment.z"};
     std::vector<Channel> result;
     for (int j = 0; j < 6; ++j) {
-      Channel channel = empty(name + "." + parts[static_cast<std::size_t>(j)], j < 3 ? "N" : "N m", 0);
+      Channel channel = empty(name + "." + parts[to_size(j)], j < 3 ? "N" : "N m", 0);
       channel.on_displacement = rows.on_displacement.row(j).transpose();
       channel.on_velocity = rows.on_velocity.row(j).transpose();
       channel.on_acceleration = rows.on_acceleration.row(j).transpose();

@@ -7,6 +7,7 @@
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/orthogonal.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -97,11 +98,11 @@ Eigen::MatrixXd followed_ends(const ElementMap& map, const Ground& ground) {
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j)
     for (std::size_t t = 0; t < ground.together.size(); ++t)
       for (const Eigen::Index first : ground.together[t])
-        if (const Eigen::Index part = map.ground_rows[static_cast<std::size_t>(j)] - first; part >= 0 && part < 6)
-          ends.col(6 * static_cast<Eigen::Index>(t) + part) += map.ground_ends.col(j);
+        if (const Eigen::Index part = map.ground_rows[to_size(j)] - first; part >= 0 && part < 6)
+          ends.col(6 * to_index(t) + part) += map.ground_ends.col(j);
   Eigen::MatrixXd terms = ends.cwiseAbs();
   for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
-    const Eigen::RowVectorXd follow = ground.R.row(map.rows[static_cast<std::size_t>(j)]);
+    const Eigen::RowVectorXd follow = ground.R.row(map.rows[to_size(j)]);
     ends += map.ends.col(j) * follow;
     terms += map.ends.col(j).cwiseAbs() * follow.cwiseAbs();
   }
@@ -125,7 +126,7 @@ void follow_inside(Assembled& assembled) {
     map.followed_ends.bottomRows(inner) = -numerics::smallest_solution(
         own, product(K.bottomLeftCorner(inner, 12), map.followed_ends.topRows(12), stress_free(assembled.ground)));
     for (Eigen::Index i = 0; i < inner; ++i)
-      R.row(map.rows[static_cast<std::size_t>(map.end_columns + i)]) = map.followed_ends.row(12 + i);
+      R.row(map.rows[to_size(map.end_columns + i)]) = map.followed_ends.row(12 + i);
   }
 }
 
@@ -147,7 +148,7 @@ Columns coupled(const model::System& system, const Assembled& assembled, const P
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
                           damping = map.ends.transpose() * forces.damping;
     for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
-      const Eigen::Index row = map.rows[static_cast<std::size_t>(i)];
+      const Eigen::Index row = map.rows[to_size(i)];
       c.K.row(row) += stiffness.row(i);
       c.B.row(row) += damping.row(i);
       c.K_loss.row(row) += map.matrices.loss_factor * stiffness.row(i);

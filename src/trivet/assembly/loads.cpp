@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <complex>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -33,14 +34,14 @@ void add_element_weight(const model::System& system, std::size_t index, const Ei
   fall.segment<3>(0) = model::end_in_ground(system.bodies(), system.elements()[index].n).rotation.transpose() * gravity;
   fall.segment<3>(6) = model::end_in_ground(system.bodies(), system.elements()[index].k).rotation.transpose() * gravity;
   const Eigen::VectorXd weight = map.ends.transpose() * (map.matrices.mass * fall);
-  for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += weight(j);
+  for (Eigen::Index j = 0; j < weight.size(); ++j) load(map.rows[to_size(j)]) += weight(j);
 }
 
 /// Adds the forces at rest of a preloaded element on its bodies.
 void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorXd& load) {
   if (!law.preload) return;
   const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * *law.preload);
-  for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[static_cast<std::size_t>(j)]) += on_bodies(j);
+  for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[to_size(j)]) += on_bodies(j);
 }
 
 }  // namespace
@@ -119,7 +120,7 @@ void add_frequency_dependent(const Assembled& assembled, const Loading& loading,
     const Eigen::VectorXcd moved = map.moved_by_ground(g).head(12);
     const Eigen::VectorXcd force =
         map.ends.topLeftCorner(12, map.end_columns).transpose().cast<std::complex<double>>() * (stiffness * moved);
-    for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[static_cast<std::size_t>(j)]) -= force(j);
+    for (Eigen::Index j = 0; j < force.size(); ++j) h(map.rows[to_size(j)]) -= force(j);
   }
 }
 

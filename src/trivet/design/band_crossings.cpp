@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::design {
 namespace {
 
@@ -72,7 +74,7 @@ BandCrossings band_crossings(const MapGrid& grid, const std::vector<DesignOutcom
         last->upwards == p.edge.upwards;  // several modes of one pair
     result.pairs += !same;
     last = &p.edge;
-    const auto steps = static_cast<std::size_t>((p.edge.upwards ? grid.ny : grid.nx) - 1);
+    const auto steps = to_size((p.edge.upwards ? grid.ny : grid.nx) - 1);
     std::size_t& points = result.points[p.edge.upwards ? 1 : 0];
     points = std::max(points, (steps << p.halvings) + 1);
   }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/modal/highest_frequency.h"
@@ -128,10 +129,10 @@ std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::
   std::vector<std::size_t> designs;
   for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
     if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& rule) {
-          const double at = found.highest_at(d, static_cast<Eigen::Index>(rule.channel));
+          const double at = found.highest_at(d, to_index(rule.channel));
           return rule.kind == DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
         }))
-      designs.push_back(static_cast<std::size_t>(d));
+      designs.push_back(to_size(d));
   return designs;
 }
 
@@ -157,7 +158,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     const numerics::DesignPeaks inside =
         again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
     for (std::size_t k = 0; k < again.size(); ++k) {
-      found.highest.row(static_cast<Eigen::Index>(again[k])) = inside.highest.row(static_cast<Eigen::Index>(k));
+      found.highest.row(to_index(again[k])) = inside.highest.row(to_index(k));
       found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);  // the worse of both
     }
   }
@@ -169,13 +170,13 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
       continue;
     }
     for (std::size_t r = 0; r < values.size(); ++r) {
-      const auto row = static_cast<Eigen::Index>(d), channel = static_cast<Eigen::Index>(set_.rules[r].channel);
+      const auto row = to_index(d), channel = to_index(set_.rules[r].channel);
       values[r] = set_.rules[r].kind == DesignRule::Kind::amplitude ? found.highest(row, channel)
                                                                     : found.largest_rise(row, channel);
     }
     outcomes[d] = outcome_of(governing(set_, values));
     for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k)
-      count_mode(modes.lambda(static_cast<Eigen::Index>(d), k), set_.band, outcomes[d]);
+      count_mode(modes.lambda(to_index(d), k), set_.band, outcomes[d]);
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : fallback);
   }
   const std::lock_guard lock(noting_);
@@ -246,8 +247,7 @@ JudgedDesign DesignEvaluation::judged_design(const model::System& system) const 
 void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
   const std::string kind = without_numbers(rule);
   const std::lock_guard lock(noting_);
-  const auto known =
-      static_cast<std::size_t>(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
+  const auto known = to_size(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
   if (known == missing_kinds_.size()) {
     missing_kinds_.push_back(kind);
     report_.missing.push_back({words, 0, index});

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 
 namespace trivet::design {
@@ -107,17 +108,17 @@ PlainDesignOrReason plain_design(const assembly::Assembled& assembled, const std
   if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
   if (m.lossy()) return {{}, "loss factors"};
   if (!m.symmetric) return {{}, "matrices that are not symmetric"};
-  if (static_cast<Eigen::Index>(numerics::massive_rows(m.A).size()) < m.size()) return {{}, "coordinates without mass"};
+  if (to_index(numerics::massive_rows(m.A).size()) < m.size()) return {{}, "coordinates without mass"};
   if (!loading.motion.vanishes()) return {{}, "a moving ground"};
   if (!loading.force.is_constant()) return {{}, "a force that changes with frequency"};
   const auto load = real_load(loading.force);
   if (!load) return {{}, "forces of different phases"};
   PlainDesign design{m.A, m.B, m.K, *load, {}, {}, {}};
-  const auto answers = static_cast<Eigen::Index>(channels.size());
+  const auto answers = to_index(channels.size());
   design.rows = Eigen::MatrixXd::Zero(answers, m.size());
   design.rows_on_velocity = design.rows;
   for (Eigen::Index c = 0; c < answers; ++c) {
-    const assembly::Channel& channel = channels[static_cast<std::size_t>(c)];
+    const assembly::Channel& channel = channels[to_size(c)];
     const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) ||
         (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
     if (other) return {{}, "forces of elements with mass or loss"};
@@ -130,10 +131,10 @@ PlainDesignOrReason plain_design(const assembly::Assembled& assembled, const std
 
 Eigen::VectorXd DesignFamily::Along::weights(double value) const {
   const double t = logarithmic ? std::log(value) : value;
-  Eigen::VectorXd w = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(nodes.size()));
+  Eigen::VectorXd w = Eigen::VectorXd::Ones(to_index(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k)
     for (std::size_t l = 0; l < nodes.size(); ++l)
-      if (l != k) w(static_cast<Eigen::Index>(k)) *= (t - nodes[l]) / (nodes[k] - nodes[l]);
+      if (l != k) w(to_index(k)) *= (t - nodes[l]) / (nodes[k] - nodes[l]);
   return w;
 }
 
@@ -163,7 +164,7 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(
                                     : nodes_between(variable.from, variable.to, count)};
       Eigen::MatrixXd values(exact[0].size(), count);
       for (int k = 0; k < count; ++k) {
-        const double node = along.nodes[static_cast<std::size_t>(k)];
+        const double node = along.nodes[to_size(k)];
         const auto design = source(k == 0               ? variable.from
                                        : k + 1 == count ? variable.to
                                        : logarithmic    ? std::exp(node)
@@ -206,7 +207,7 @@ FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& 
   family.x_ = *along_x;
   family.y_ = *along_y;
   const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
-  family.values_.resize(packed(family.first_).size(), static_cast<Eigen::Index>(nx * ny));
+  family.values_.resize(packed(family.first_).size(), to_index(nx * ny));
   const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
     return k == 0                     ? v.from
         : k + 1 == along.nodes.size() ? v.to
@@ -217,7 +218,7 @@ FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& 
     for (std::size_t i = 0; i < nx; ++i) {
       const auto design = plain_design_at({value(x, family.x_, i), value(y, family.y_, j)});
       if (!design) return declined("");
-      family.values_.col(static_cast<Eigen::Index>(j * nx + i)) = packed(*design);
+      family.values_.col(to_index(j * nx + i)) = packed(*design);
     }
   for (const FamilyPoint& share : check_points()) {
     const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
@@ -234,20 +235,19 @@ FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& 
 }
 
 numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {
-  const auto count = static_cast<Eigen::Index>(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
-  const auto nx = static_cast<Eigen::Index>(x_.nodes.size()), ny = static_cast<Eigen::Index>(y_.nodes.size());
+  const auto count = to_index(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
+  const auto nx = to_index(x_.nodes.size()), ny = to_index(y_.nodes.size());
   numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle),
                             Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
   for (Eigen::Index first = 0; first < count;) {  // points with the same y share its weights
-    const double y = points[static_cast<std::size_t>(first)].y;
+    const double y = points[to_size(first)].y;
     Eigen::Index last = first;
-    while (last < count && points[static_cast<std::size_t>(last)].y == y) ++last;
+    while (last < count && points[to_size(last)].y == y) ++last;
     const Eigen::VectorXd of_y = y_.weights(y);
     Eigen::MatrixXd along_x = Eigen::MatrixXd::Zero(values_.rows(), nx);
     for (Eigen::Index j = 0; j < ny; ++j) along_x += of_y(j) * values_.middleCols(j * nx, nx);
     Eigen::MatrixXd of_x(last - first, nx);
-    for (Eigen::Index d = first; d < last; ++d)
-      of_x.row(d - first) = x_.weights(points[static_cast<std::size_t>(d)].x).transpose();
+    for (Eigen::Index d = first; d < last; ++d) of_x.row(d - first) = x_.weights(points[to_size(d)].x).transpose();
     Eigen::Index row = 0;
     for (Eigen::ArrayXXd* part : {&designs.A, &designs.B, &designs.K, &designs.load}) {
       part->middleRows(first, last - first).matrix().noalias() =

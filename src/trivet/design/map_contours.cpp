@@ -6,6 +6,8 @@
 #include <map>
 #include <utility>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::design {
 namespace {
 
@@ -72,9 +74,7 @@ class Tracing {
   [[nodiscard]] bool real(int i, int j) const { return i >= 0 && j >= 0 && i < grid_.nx && j < grid_.ny; }
   [[nodiscard]] bool inside(int i, int j) const { return real(i, j) && inside_(grid_.index(i, j)); }
   [[nodiscard]] std::size_t key(int i, int j, bool upwards) const {
-    return 2 *
-        (static_cast<std::size_t>(j + 1) * static_cast<std::size_t>(grid_.nx + 2) + static_cast<std::size_t>(i + 1)) +
-        (upwards ? 1 : 0);
+    return 2 * (to_size(j + 1) * to_size(grid_.nx + 2) + to_size(i + 1)) + (upwards ? 1 : 0);
   }
 
   /// The crossing of an edge; if the edge leads out of the grid, its node inside the grid.
@@ -93,7 +93,7 @@ class Tracing {
     const auto crossing = [&](int e) { return vertex(i + (e == 1 ? 1 : 0), j + (e == 2 ? 1 : 0), e == 1 || e == 3); };
     std::vector<int> entering, leaving;  // edges at which a turn around the cell enters and leaves the region
     for (int e = 0; e < 4; ++e) {
-      const bool from = corner[static_cast<std::size_t>(e)], to = corner[static_cast<std::size_t>((e + 1) % 4)];
+      const bool from = corner[to_size(e)], to = corner[to_size((e + 1) % 4)];
       if (!from && to) entering.push_back(e);
       if (from && !to) leaving.push_back(e);
     }

@@ -4,6 +4,8 @@
 #include <functional>
 #include <vector>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::design {
 
 /// A place on a map: 0 … 1 along each axis.
@@ -16,10 +18,8 @@ using MapLine = std::vector<MapPlace>;
 struct MapGrid {
   int nx = 2, ny = 2;
 
-  [[nodiscard]] std::size_t count() const { return static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny); }
-  [[nodiscard]] std::size_t index(int i, int j) const {
-    return static_cast<std::size_t>(j) * static_cast<std::size_t>(nx) + static_cast<std::size_t>(i);
-  }
+  [[nodiscard]] std::size_t count() const { return to_size(nx) * to_size(ny); }
+  [[nodiscard]] std::size_t index(int i, int j) const { return to_size(j) * to_size(nx) + to_size(i); }
   [[nodiscard]] MapPlace place(int i, int j) const {
     return {static_cast<double>(i) / (nx - 1), static_cast<double>(j) / (ny - 1)};
   }

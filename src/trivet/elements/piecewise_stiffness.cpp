@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::elements {
 
 PiecewiseStiffness::PiecewiseStiffness(const StiffnessTable& table) : knots_(table.angular_frequencies) {
@@ -10,20 +12,19 @@ PiecewiseStiffness::PiecewiseStiffness(const StiffnessTable& table) : knots_(tab
     const double from = knots_[i], width = knots_[i + 1] - from;
     std::array<std::complex<double>, 4> samples;
     for (int k = 0; k < 4; ++k)
-      samples[static_cast<std::size_t>(k)] =
-          dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
+      samples[to_size(k)] = dynamic_stiffness(table, k == 3 ? knots_[i + 1] : from + width * k / 3.0, 0);
     pieces_.push_back(samples);
   }
 }
 
 std::complex<double> PiecewiseStiffness::at(std::complex<double> omega, double near) const {
   const auto above = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, near);
-  const std::size_t i = static_cast<std::size_t>(above - knots_.begin()) - 1;
+  const std::size_t i = to_size(above - knots_.begin()) - 1;
   const std::complex<double> t = 3.0 * (omega - knots_[i]) / (knots_[i + 1] - knots_[i]);
   // Lagrange's form.
   std::complex<double> sum = 0;
   for (int j = 0; j < 4; ++j) {
-    std::complex<double> term = pieces_[i][static_cast<std::size_t>(j)];
+    std::complex<double> term = pieces_[i][to_size(j)];
     for (int k = 0; k < 4; ++k)
       if (k != j) term *= (t - double(k)) / double(j - k);
     sum += term;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "trivet/elements/viscoelastic.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
@@ -52,17 +53,16 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
   constexpr int points_per_decade = 12;
   const std::vector<double> frequencies = grid(band, static_cast<int>(std::ceil(points_per_decade * decades(band))));
   const std::vector<double> times = candidate_times(law, band, per_decade);
-  const auto rows = static_cast<Eigen::Index>(frequencies.size()),
-             columns = static_cast<Eigen::Index>(times.size()) + 1;
+  const auto rows = to_index(frequencies.size()), columns = to_index(times.size()) + 1;
   const double dashpot = 1 / band.to;  // unit of the dashpot column: of the size of the others
   Eigen::MatrixXd a(2 * rows, columns);
   Eigen::VectorXd b(2 * rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const double w = frequencies[static_cast<std::size_t>(i)];
+    const double w = frequencies[to_size(i)];
     const Complex exact = relative_modulus(Viscoelastic(law), w);
     const auto set = [&](Eigen::Index j, Complex value) { a(2 * i, j) = value.real(), a(2 * i + 1, j) = value.imag(); };
     for (Eigen::Index j = 0; j + 1 < columns; ++j)
-      set(j, (relative_modulus(Zener{1, times[static_cast<std::size_t>(j)]}, w) - 1.0) / exact);
+      set(j, (relative_modulus(Zener{1, times[to_size(j)]}, w) - 1.0) / exact);
     set(columns - 1, Complex(0, w * dashpot) / exact);
     const Complex target = (exact - 1.0) / exact;
     b(2 * i) = target.real(), b(2 * i + 1) = target.imag();
@@ -71,7 +71,7 @@ RationalForm fit(const FractionalZener& law, const Band& band, double per_decade
   RationalForm form;
   form.viscous_time = x(columns - 1) * dashpot;
   for (Eigen::Index j = 0; j + 1 < columns; ++j)
-    if (x(j) > 0) form.ratios.push_back(x(j)), form.times.push_back(times[static_cast<std::size_t>(j)]);
+    if (x(j) > 0) form.ratios.push_back(x(j)), form.times.push_back(times[to_size(j)]);
   form.worst_error = worst_error(law, form, band);
   return form;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "trivet/elements/dimension_checks.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -53,7 +54,7 @@ Matrix12 sandwich(const Sandwich& s) {
   const SeriesPart part{std::holds_alternative<RubberDisc>(s.layer) ? rubber_disc(std::get<RubberDisc>(s.layer))
                                                                     : rubber_block(std::get<RubberBlock>(s.layer)),
                         {0, 0, layer_thickness(s)}};
-  const auto count = static_cast<std::size_t>(s.layers);
+  const auto count = to_size(s.layers);
   return in_series(std::vector(count, part), std::vector(count - 1, Eigen::Vector3d(0, 0, s.plate_thickness)));
 }
 

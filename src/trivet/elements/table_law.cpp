@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::elements {
@@ -21,7 +22,7 @@ bool is_empty(const StiffnessTable& table) { return table.storage.size() == 0 &&
 /// Interval i of a grid with x_i ≤ x ≤ x_{i+1}.
 std::size_t interval(const std::vector<double>& grid, double x) {
   const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, x);
-  return static_cast<std::size_t>(above - grid.begin()) - 1;
+  return to_size(above - grid.begin()) - 1;
 }
 
 void require_inside(const std::vector<double>& grid, double x, const char* quantity, double unit_size,
@@ -35,9 +36,7 @@ void require_inside(const std::vector<double>& grid, double x, const char* quant
 /// Slope at knot i: weighted harmonic mean of the secants, 0 at an extremum (Fritsch and Butland 1984); at an end
 /// three-point, limited.
 double slope(const std::vector<double>& x, const Eigen::Ref<const Eigen::VectorXd>& y, std::size_t i) {
-  const auto secant = [&](std::size_t k) {
-    return (y(static_cast<Eigen::Index>(k) + 1) - y(static_cast<Eigen::Index>(k))) / (x[k + 1] - x[k]);
-  };
+  const auto secant = [&](std::size_t k) { return (y(to_index(k) + 1) - y(to_index(k))) / (x[k + 1] - x[k]); };
   const auto end_slope = [](double h0, double h1, double d0, double d1) {
     const double three_point = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
     if (three_point * d0 <= 0) return 0.0;
@@ -56,8 +55,7 @@ double over_frequency(const StiffnessTable& t, const Eigen::Ref<const Eigen::Vec
   if (t.angular_frequencies.empty()) return column(0);
   const std::vector<double>& grid = t.angular_frequencies;
   const std::size_t i = interval(grid, x);
-  const double h = grid[i + 1] - grid[i], s = (x - grid[i]) / h, y0 = column(static_cast<Eigen::Index>(i)),
-               y1 = column(static_cast<Eigen::Index>(i) + 1);
+  const double h = grid[i + 1] - grid[i], s = (x - grid[i]) / h, y0 = column(to_index(i)), y1 = column(to_index(i) + 1);
   if (t.interpolation == Interpolation::linear) return y0 + s * (y1 - y0);
   const double d0 = slope(grid, column, i), d1 = slope(grid, column, i + 1);
   return y0 + s * s * (3 - 2 * s) * (y1 - y0) + h * s * (1 - s) * ((1 - s) * d0 - s * d1);
@@ -67,7 +65,7 @@ double over_both(const StiffnessTable& t, const Eigen::MatrixXd& values, double 
   if (t.amplitudes.empty()) return over_frequency(t, values.col(0), angular_frequency);
   const std::size_t i = interval(t.amplitudes, amplitude);
   const double share = (amplitude - t.amplitudes[i]) / (t.amplitudes[i + 1] - t.amplitudes[i]);
-  const auto column = static_cast<Eigen::Index>(i);
+  const auto column = to_index(i);
   return (1 - share) * over_frequency(t, values.col(column), angular_frequency) +
       share * over_frequency(t, values.col(column + 1), angular_frequency);
 }
@@ -98,8 +96,8 @@ foundation::Problems check(const StiffnessTable& t, const std::string& subject) 
   foundation::Problems problems;
   check_grid(problems, subject, t.angular_frequencies, "frequency");
   check_grid(problems, subject, t.amplitudes, "amplitude");
-  const auto rows = static_cast<Eigen::Index>(std::max<std::size_t>(1, t.angular_frequencies.size()));
-  const auto columns = static_cast<Eigen::Index>(std::max<std::size_t>(1, t.amplitudes.size()));
+  const auto rows = to_index(std::max<std::size_t>(1, t.angular_frequencies.size()));
+  const auto columns = to_index(std::max<std::size_t>(1, t.amplitudes.size()));
   for (const auto& [values, quantity] : {std::pair{&t.storage, "storage"}, std::pair{&t.loss, "loss"}}) {
     if (values->rows() != rows || values->cols() != columns)
       problems.error(subject, fmt::format("{} × {} {} stiffnesses", values->rows(), values->cols(), quantity),
@@ -122,7 +120,7 @@ ComplexMatrix12 dynamic_stiffness(const TableLaw& law, const Eigen::Vector3d& ar
                                   const Vector6& amplitudes) {
   Vector6 storage = Vector6::Zero(), loss = Vector6::Zero();
   for (int i = 0; i < 6; ++i) {
-    const StiffnessTable& table = law.directions[static_cast<std::size_t>(i)];
+    const StiffnessTable& table = law.directions[to_size(i)];
     if (is_empty(table)) continue;
     const std::complex<double> value = dynamic_stiffness(table, angular_frequency, amplitudes(i));
     storage(i) = value.real();

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/exchange/matrix_entries.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::exchange {
 namespace {
@@ -84,10 +85,10 @@ foundation::Expected<NamedMatrix> read_csv_matrix(std::string_view text, const s
   }
   if (problems.any()) return problems.refused();
   NamedMatrix matrix;
-  const auto order = static_cast<Eigen::Index>(rows.values.size());
+  const auto order = to_index(rows.values.size());
   matrix.values.resize(order, order);
   for (Eigen::Index i = 0; i < order; ++i)
-    matrix.values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows.values[static_cast<std::size_t>(i)].data(), order);
+    matrix.values.row(i) = Eigen::Map<const Eigen::RowVectorXd>(rows.values[to_size(i)].data(), order);
   matrix.warnings = problems.all();
   return matrix;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
@@ -27,19 +28,19 @@ struct Partition {
 
 std::string row_name(const NamedMatrix& matrix, int row) {
   if (matrix.labels.empty()) return fmt::format("row {}", row + 1);
-  const Label& label = matrix.labels[static_cast<std::size_t>(row)];
+  const Label& label = matrix.labels[to_size(row)];
   return fmt::format("node {}, component {}", label.node, label.component);
 }
 
 /// All rows that are not retained, except rows without entries, which do not affect the result.
 std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int>& retained,
                                 foundation::Problems& problems) {
-  std::vector<bool> kept(static_cast<std::size_t>(matrix.values.rows()), false);
-  for (const int row : retained) kept[static_cast<std::size_t>(row)] = true;
+  std::vector<bool> kept(to_size(matrix.values.rows()), false);
+  for (const int row : retained) kept[to_size(row)] = true;
   std::vector<int> rows;
   int empty = 0, first_empty = 0;
   for (int i = 0; i < matrix.values.rows(); ++i) {
-    if (kept[static_cast<std::size_t>(i)]) continue;
+    if (kept[to_size(i)]) continue;
     const bool complex_zero =
         matrix.imaginary.size() == 0 || (matrix.imaginary.row(i).isZero(0) && matrix.imaginary.col(i).isZero(0));
     if (matrix.values.row(i).isZero(0) && matrix.values.col(i).isZero(0) && complex_zero) {
@@ -69,7 +70,7 @@ std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, con
   Eigen::Index smallest_pivot = 0;
   const double pivot = factors.pivots().cwiseAbs().minCoeff(&smallest_pivot);
   const double condition = pivot > singular_below ? factors.reciprocal_condition() : 0;
-  const std::string weakest = row_name(matrix, parts.condensed[static_cast<std::size_t>(smallest_pivot)]);
+  const std::string weakest = row_name(matrix, parts.condensed[to_size(smallest_pivot)]);
   if (!(condition > singular_below)) {
     problems.error("condensation", fmt::format("{} can move without force", weakest),
                    "the condensed part must be supported by the ends",
@@ -158,7 +159,7 @@ void add_plate(const Rows& rows, const RigidEnd& end, const std::string& subject
       if (row == rows.end()) continue;
       found = true;
       parts.retained.push_back(row->second);
-      const auto index = static_cast<Eigen::Index>(parts.retained.size()) - 1;
+      const auto index = to_index(parts.retained.size()) - 1;
       parts.motion.conservativeResize(index + 1, Eigen::NoChange);
       parts.motion.row(index).setZero();
       parts.motion.row(index).segment<6>(first_column) = motion.row(i);

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::exchange {
 namespace {
 
@@ -34,7 +36,7 @@ foundation::Expected<std::string> file_bytes(const std::filesystem::path& path) 
   if (!stream) return refused(path, std::strerror(errno), "check its permissions");
   std::string bytes, chunk(1u << 16, '\0');
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0) {
-    bytes.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
+    bytes.append(chunk, 0, to_size(stream.gcount()));
     if (bytes.size() > largest_matrix_file)
       return refused(path, fmt::format("larger than {} MiB", largest_matrix_file >> 20),
                      "condense the model to its interface nodes first");

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "trivet/exchange/matrix_entries.h"
+#include "trivet/foundation/index.h"
 
 static_assert(std::endian::native == std::endian::little, "the numbers of a file are copied as they are");
 
@@ -91,8 +92,7 @@ foundation::Expected<NamedMatrix> read_numpy_array(std::string_view bytes, const
   const auto header = text ? read_header(*text, problems) : std::nullopt;
   if (!header) return problems.refused();
   const int order = header->order, parts = header->is_complex ? 2 : 1;
-  const std::size_t wanted = sizeof(double) * static_cast<std::size_t>(parts) * static_cast<std::size_t>(order) *
-      static_cast<std::size_t>(order);
+  const std::size_t wanted = sizeof(double) * to_size(parts) * to_size(order) * to_size(order);
   if (bytes.size() != wanted) {
     problems.error(0, "numbers", fmt::format("{} bytes", bytes.size()),
                    fmt::format("a {0} × {0} matrix of this type has {1}", order, wanted),
@@ -105,8 +105,8 @@ foundation::Expected<NamedMatrix> read_numpy_array(std::string_view bytes, const
   for (int i = 0; i < order; ++i)
     for (int j = 0; j < order; ++j) {
       double number[2] = {0, 0};
-      const std::size_t index = static_cast<std::size_t>(header->by_columns ? j * order + i : i * order + j);
-      const std::size_t size = sizeof(double) * static_cast<std::size_t>(parts);
+      const std::size_t index = to_size(header->by_columns ? j * order + i : i * order + j);
+      const std::size_t size = sizeof(double) * to_size(parts);
       std::memcpy(number, bytes.data() + index * size, size);
       matrix.values(i, j) = number[0];
       if (header->is_complex) matrix.imaginary(i, j) = number[1];

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "trivet/exchange/matrix_entries.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::exchange {
 namespace {
@@ -141,7 +142,7 @@ class UserElement {
       for (int place = 1; place <= count_; ++place) {
         if (list + 1 < lists_.size() && lists_[list + 1].place == place) ++list;
         for (const int component : lists_[list].components)
-          labels.push_back({nodes_.empty() ? place : nodes_[static_cast<std::size_t>(place - 1)], component});
+          labels.push_back({nodes_.empty() ? place : nodes_[to_size(place - 1)], component});
       }
     }
     return labels;

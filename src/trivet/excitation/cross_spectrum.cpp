@@ -10,6 +10,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::excitation {
@@ -43,10 +44,10 @@ foundation::Problems problems_of_pair(const InputPair& pair, std::size_t inputs,
 
 /// γ_jk e^{−iωτ}: the density matrix of inputs with unit spectra.
 Eigen::MatrixXcd correlation(const RandomInputs& inputs, double omega) {
-  const auto n = static_cast<Eigen::Index>(inputs.spectra.size());
+  const auto n = to_index(inputs.spectra.size());
   Eigen::MatrixXcd matrix = Eigen::MatrixXcd::Identity(n, n);
   for (const InputPair& pair : inputs.pairs) {
-    const auto j = static_cast<Eigen::Index>(pair.first), k = static_cast<Eigen::Index>(pair.second);
+    const auto j = to_index(pair.first), k = to_index(pair.second);
     matrix(j, k) = std::polar(std::sqrt(coherence(pair.coherence, omega)), -omega * pair.delay);
     matrix(k, j) = std::conj(matrix(j, k));
   }
@@ -75,9 +76,8 @@ double coherence(const Coherence& law, double omega) {
 Eigen::MatrixXcd density_matrix(const RandomInputs& inputs, double omega) {
   for (const InputPair& pair : inputs.pairs)
     refuse_errors(problems_of_pair(pair, inputs.spectra.size(), "pair of inputs"));
-  Eigen::VectorXd root(static_cast<Eigen::Index>(inputs.spectra.size()));
-  for (Eigen::Index j = 0; j < root.size(); ++j)
-    root(j) = std::sqrt(density(inputs.spectra[static_cast<std::size_t>(j)], omega));
+  Eigen::VectorXd root(to_index(inputs.spectra.size()));
+  for (Eigen::Index j = 0; j < root.size(); ++j) root(j) = std::sqrt(density(inputs.spectra[to_size(j)], omega));
   return root.asDiagonal() * correlation(inputs, omega) * root.asDiagonal();
 }
 

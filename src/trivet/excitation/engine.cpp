@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -34,7 +35,7 @@ std::vector<int> usual_firing_order(const EngineLayout& layout) {
 
 void require_permutation(std::vector<int> order, int count) {
   std::sort(order.begin(), order.end());
-  bool complete = order.size() == static_cast<std::size_t>(count);
+  bool complete = order.size() == to_size(count);
   for (std::size_t i = 0; complete && i < order.size(); ++i) complete = order[i] == static_cast<int>(i) + 1;
   if (!complete)
     throw foundation::InvalidInput(
@@ -96,16 +97,16 @@ std::vector<Cylinder> evenly_firing_cylinders(const EngineLayout& layout) {
   require_permutation(order, layout.cylinders);
   const double between_banks = layout.kind == EngineLayout::Kind::boxer ? pi : two_banks ? layout.bank_angle : 0;
   const int in_bank = two_banks ? layout.cylinders / 2 : layout.cylinders;
-  std::vector<Cylinder> cylinders(static_cast<std::size_t>(layout.cylinders));
+  std::vector<Cylinder> cylinders(to_size(layout.cylinders));
   for (int i = 0; i < layout.cylinders; ++i) {
-    Cylinder& c = cylinders[static_cast<std::size_t>(i)];
+    Cylinder& c = cylinders[to_size(i)];
     const bool second = i >= in_bank;
     c.bank_angle = (second ? -0.5 : 0.5) * between_banks;
     c.position = (0.5 * (in_bank - 1) - i % in_bank) * layout.spacing +
         (two_banks ? (second ? -0.5 : 0.5) * layout.bank_offset : 0);
   }
   for (std::size_t k = 0; k < order.size(); ++k) {
-    Cylinder& c = cylinders[static_cast<std::size_t>(order[k] - 1)];
+    Cylinder& c = cylinders[to_size(order[k] - 1)];
     c.firing_angle = static_cast<double>(k) * layout.strokes * pi / layout.cylinders;
     c.crank_angle = std::remainder(c.bank_angle - c.firing_angle, 2 * pi);
   }

@@ -10,6 +10,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/excitation/slider_crank.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -63,7 +64,7 @@ std::vector<Order> inertia_orders(const Engine& engine, int highest) {
   const double rotating = engine.rotating_mass * engine.crank_radius - engine.counterweight;
   std::vector<Order> orders;
   for (int n = 1; n <= highest; ++n) {
-    const auto k = static_cast<std::size_t>(n);
+    const auto k = to_size(n);
     Balance balance;
     for (const Cylinder& c : engine.cylinders) {
       const Complex phase = std::polar(1.0, n * (c.crank_angle - c.bank_angle));  // of cos nφ

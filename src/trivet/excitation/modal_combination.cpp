@@ -9,6 +9,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -60,7 +61,7 @@ double spectral_acceleration(const ResponseSpectrum& spectrum, double omega) {
         "natural frequency {:.6g} Hz: the response spectrum covers {:.6g} … {:.6g} Hz and is not extrapolated",
         omega / two_pi, w.front() / two_pi, w.back() / two_pi));
   const auto above = std::upper_bound(w.begin() + 1, w.end() - 1, omega);
-  const auto i = static_cast<std::size_t>(above - w.begin());
+  const auto i = to_size(above - w.begin());
   const double share = std::log(omega / w[i - 1]) / std::log(w[i] / w[i - 1]);
   return a[i - 1] * std::pow(a[i] / a[i - 1], share);
 }

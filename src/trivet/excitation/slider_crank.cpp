@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::excitation {
@@ -55,24 +56,24 @@ int negligible_order(double lambda) {
 std::vector<double> inertia_coefficients(double lambda, int highest) {
   require_rod_ratio(lambda);
   if (highest < 1) throw foundation::InvalidInput(fmt::format("highest order {}: it must be ≥ 1", highest));
-  std::vector<double> a(static_cast<std::size_t>(highest) + 1, 0);
+  std::vector<double> a(to_size(highest) + 1, 0);
   a[1] = 1;
   const Factors f = factors(lambda);
   for (int n = 2; n <= std::min(highest, negligible_order(lambda)); n += 2)
-    a[static_cast<std::size_t>(n)] = static_cast<double>(n) * n / lambda * root_coefficient(f, n / 2);
+    a[to_size(n)] = static_cast<double>(n) * n / lambda * root_coefficient(f, n / 2);
   return a;
 }
 
 std::vector<double> inertia_torque_coefficients(double lambda, int highest) {
   const int count = negligible_order(lambda);
   const std::vector<double> a = inertia_coefficients(lambda, count);
-  std::vector<double> g(static_cast<std::size_t>(highest) + 1, 0);
+  std::vector<double> g(to_size(highest) + 1, 0);
   for (int m = 1; m <= count; ++m)
     for (int n = 1; n <= count; ++n) {
-      const double share = 0.5 * a[static_cast<std::size_t>(m)] / m * a[static_cast<std::size_t>(n)];
-      if (m + n <= highest) g[static_cast<std::size_t>(m + n)] += share;
+      const double share = 0.5 * a[to_size(m)] / m * a[to_size(n)];
+      if (m + n <= highest) g[to_size(m + n)] += share;
       if (const int difference = std::abs(m - n); difference <= highest && m != n)
-        g[static_cast<std::size_t>(difference)] += m > n ? share : -share;
+        g[to_size(difference)] += m > n ? share : -share;
     }
   return g;
 }

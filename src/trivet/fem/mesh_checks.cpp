@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "trivet/fem/element_kernel.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::fem {
@@ -41,12 +42,12 @@ bool check_shape(const Mesh& mesh, Problems& problems) {
 }
 
 void check_materials(const Mesh& mesh, const std::vector<Material>& materials, Problems& problems) {
-  if (static_cast<Eigen::Index>(mesh.material.size()) != mesh.elements.cols())
+  if (to_index(mesh.material.size()) != mesh.elements.cols())
     problems.error("material",
                    fmt::format("{} material numbers for {} elements", mesh.material.size(), mesh.elements.cols()),
                    "every element has one material", "give each solid of the file a material");
   for (std::size_t e = 0; e < mesh.material.size(); ++e)
-    if (mesh.material[e] < 0 || static_cast<std::size_t>(mesh.material[e]) >= materials.size()) {
+    if (mesh.material[e] < 0 || to_size(mesh.material[e]) >= materials.size()) {
       problems.error("material", fmt::format("element {} has material {}", e, mesh.material[e]),
                      fmt::format("{} materials are given", materials.size()), "give each solid of the file a material");
       break;
@@ -66,11 +67,11 @@ void check_plates(const Mesh& mesh, Problems& problems) {
   if (mesh.plate_k.empty())
     problems.error("plate_k", "no nodes", "plate K must be bonded to a face of the solid",
                    "check which face is selected, and its position");
-  std::vector<char> on_n(static_cast<std::size_t>(mesh.nodes.cols()), 0);
-  for (const int node : mesh.plate_n) on_n[static_cast<std::size_t>(node)] = 1;
+  std::vector<char> on_n(to_size(mesh.nodes.cols()), 0);
+  for (const int node : mesh.plate_n) on_n[to_size(node)] = 1;
   int shared = 0, example = 0;
   for (const int node : mesh.plate_k)
-    if (on_n[static_cast<std::size_t>(node)]) {
+    if (on_n[to_size(node)]) {
       ++shared;
       example = node;
     }
@@ -109,46 +110,43 @@ void check_elements(const Mesh& mesh, Problems& problems) {
 
 /// Connected pieces of the solid: for each node the smallest node number of its piece.
 std::vector<int> pieces(const Mesh& mesh) {
-  std::vector<int> parent(static_cast<std::size_t>(mesh.nodes.cols()));
+  std::vector<int> parent(to_size(mesh.nodes.cols()));
   std::iota(parent.begin(), parent.end(), 0);
   const auto root = [&](int node) {
-    while (parent[static_cast<std::size_t>(node)] != node)
-      node = parent[static_cast<std::size_t>(node)] =
-          parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(node)])];
+    while (parent[to_size(node)] != node) node = parent[to_size(node)] = parent[to_size(parent[to_size(node)])];
     return node;
   };
   for (Eigen::Index e = 0; e < mesh.elements.cols(); ++e)
     for (Eigen::Index a = 1; a < mesh.elements.rows(); ++a) {
       const int one = root(mesh.elements(0, e)), other = root(mesh.elements(a, e));
-      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+      parent[to_size(std::max(one, other))] = std::min(one, other);
     }
-  for (int node = 0; node < mesh.nodes.cols(); ++node) parent[static_cast<std::size_t>(node)] = root(node);
+  for (int node = 0; node < mesh.nodes.cols(); ++node) parent[to_size(node)] = root(node);
   return parent;
 }
 
 void check_pieces(const Mesh& mesh, Problems& problems) {
   const std::vector<int> piece = pieces(mesh);
   std::vector<char> bonds(piece.size(), 0), used(piece.size(), 0);
-  for (const int node : mesh.plate_n) bonds[static_cast<std::size_t>(piece[static_cast<std::size_t>(node)])] |= 1;
-  for (const int node : mesh.plate_k) bonds[static_cast<std::size_t>(piece[static_cast<std::size_t>(node)])] |= 2;
-  for (const int node : mesh.elements.reshaped()) used[static_cast<std::size_t>(node)] = 1;
+  for (const int node : mesh.plate_n) bonds[to_size(piece[to_size(node)])] |= 1;
+  for (const int node : mesh.plate_k) bonds[to_size(piece[to_size(node)])] |= 2;
+  for (const int node : mesh.elements.reshaped()) used[to_size(node)] = 1;
   bool joined = false;
   for (std::size_t node = 0; node < piece.size(); ++node) {
     if (!used[node]) {
       problems.error("mesh",
-                     fmt::format("node {} at {} belongs to no element", node,
-                                 place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
+                     fmt::format("node {} at {} belongs to no element", node, place(mesh.nodes.col(to_index(node)))),
                      "every node must belong to an element", "remove points that only serve the drawing");
       return;
     }
     if (piece[node] != static_cast<int>(node)) continue;
     joined = joined || bonds[node] == 3;
     if (bonds[node] == 0)
-      problems.error("mesh",
-                     fmt::format("the piece with the point {} is not bonded to a plate",
-                                 place(mesh.nodes.col(static_cast<Eigen::Index>(node)))),
-                     "every piece of the solid must be bonded to a plate",
-                     "join the solids of the file, so that they share their faces");
+      problems.error(
+          "mesh",
+          fmt::format("the piece with the point {} is not bonded to a plate", place(mesh.nodes.col(to_index(node)))),
+          "every piece of the solid must be bonded to a plate",
+          "join the solids of the file, so that they share their faces");
   }
   if (!joined && !mesh.plate_n.empty() && !mesh.plate_k.empty())
     problems.error("mesh", "no piece connects plate N with plate K", "the solid must connect its plates",

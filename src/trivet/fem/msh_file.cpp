@@ -8,6 +8,8 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::fem {
 namespace {
 
@@ -23,7 +25,7 @@ class Reader {
   explicit Reader(const std::string& text) : next_(text.data()), end_(text.data() + text.size()) {}
 
   void find(std::string_view section) {
-    const std::string_view rest(next_, static_cast<std::size_t>(end_ - next_));
+    const std::string_view rest(next_, to_size(end_ - next_));
     const std::size_t place = rest.find(section);
     if (place == std::string_view::npos) throw Malformed{};
     next_ += place + section.size();
@@ -39,7 +41,7 @@ class Reader {
   }
   std::size_t count() {
     const auto value = number<std::size_t>();
-    if (value > static_cast<std::size_t>(end_ - next_)) throw Malformed{};  // less than one character each
+    if (value > to_size(end_ - next_)) throw Malformed{};  // less than one character each
     return value;
   }
   void skip_line() {
@@ -56,7 +58,7 @@ struct ElementBlock {
   int size;
   std::vector<int> nodes, entity;
   [[nodiscard]] Eigen::MatrixXi matrix() const {
-    return Eigen::Map<const Eigen::MatrixXi>(nodes.data(), size, static_cast<Eigen::Index>(entity.size()));
+    return Eigen::Map<const Eigen::MatrixXi>(nodes.data(), size, to_index(entity.size()));
   }
 };
 
@@ -67,7 +69,7 @@ MshFile parse(const std::string& text) {
 
   reader.find("$Nodes");
   MshFile mesh;
-  mesh.nodes.resize(3, static_cast<Eigen::Index>(reader.count()));
+  mesh.nodes.resize(3, to_index(reader.count()));
   std::unordered_map<int, int> index;
   for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i) {
     index[reader.number<int>()] = static_cast<int>(i);

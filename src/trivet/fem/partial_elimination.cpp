@@ -4,6 +4,8 @@
 #include <Eigen/Cholesky>
 #include <limits>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::fem {
 namespace {
 
@@ -46,7 +48,7 @@ void recover_leading(const Eigen::MatrixXd& multipliers, Eigen::VectorXd& values
 void add_symmetric(const Eigen::MatrixXd& part, const std::vector<int>& place, Eigen::MatrixXd& whole) {
   for (Eigen::Index j = 0; j < part.cols(); ++j)
     for (Eigen::Index i = j; i < part.rows(); ++i) {
-      const int row = place[static_cast<std::size_t>(i)], column = place[static_cast<std::size_t>(j)];
+      const int row = place[to_size(i)], column = place[to_size(j)];
       whole(std::max(row, column), std::min(row, column)) += part(i, j);
     }
 }

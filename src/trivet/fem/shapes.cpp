@@ -9,6 +9,7 @@
 
 #include "trivet/fem/reference_element.h"
 #include "trivet/fem/sections.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/part_size.h"
 
@@ -86,22 +87,21 @@ Mesh extruded(const Section& section, const Levels& levels) {
   const int points = static_cast<int>(section.points.cols()), count = static_cast<int>(levels.material.size());
   require_room(static_cast<double>(section.quads.size()), count);
   Mesh mesh;
-  mesh.nodes.resize(3, static_cast<Eigen::Index>(points) * (2 * count + 1));
+  mesh.nodes.resize(3, to_index(points) * (2 * count + 1));
   for (int l = 0; l <= 2 * count; ++l) {
-    const auto below = static_cast<std::size_t>(l / 2);
+    const auto below = to_size(l / 2);
     const double z = l % 2 == 0 ? levels.z[below] : 0.5 * (levels.z[below] + levels.z[below + 1]);
     for (int p = 0; p < points; ++p) mesh.nodes.col(p + points * l) << section.points.col(p), z;
   }
-  mesh.elements.resize(27, count * static_cast<Eigen::Index>(section.quads.size()));
+  mesh.elements.resize(27, count * to_index(section.quads.size()));
   Eigen::Index e = 0;
   for (int layer = 0; layer < count; ++layer)
     for (const auto& quad : section.quads) {
       for (std::size_t a = 0; a < 27; ++a) {
         const auto [i, j, k] = Hex27::lattice()[a];
-        mesh.elements(static_cast<Eigen::Index>(a), e) =
-            quad[static_cast<std::size_t>(i + 3 * j)] + points * (2 * layer + k);
+        mesh.elements(to_index(a), e) = quad[to_size(i + 3 * j)] + points * (2 * layer + k);
       }
-      mesh.material.push_back(levels.material[static_cast<std::size_t>(layer)]);
+      mesh.material.push_back(levels.material[to_size(layer)]);
       ++e;
     }
   return mesh;

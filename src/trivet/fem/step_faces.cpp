@@ -10,6 +10,7 @@
 #include <map>
 
 #include "trivet/fem/msh_file.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/solids/gmsh_program.h"
@@ -70,7 +71,7 @@ bool nearly_equal(const std::vector<double>& a, const std::vector<double>& b) {
 std::map<int, Eigen::Matrix3Xd> points_by_face(const MshFile& mesh, double unit) {
   std::map<int, std::vector<int>> nodes;
   for (std::size_t t = 0; t < mesh.face.size(); ++t)
-    for (int k = 0; k < 6; ++k) nodes[mesh.face[t]].push_back(mesh.triangles(k, static_cast<Eigen::Index>(t)));
+    for (int k = 0; k < 6; ++k) nodes[mesh.face[t]].push_back(mesh.triangles(k, to_index(t)));
   std::map<int, Eigen::Matrix3Xd> points;
   for (auto& [face, list] : nodes) {
     std::sort(list.begin(), list.end());

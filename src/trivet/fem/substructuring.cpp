@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "trivet/fem/partial_elimination.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::fem {
 namespace {
@@ -22,14 +23,14 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
   order_.resize(element_unknowns_.size());
   std::iota(order_.begin(), order_.end(), 0);
   divide(0, count, centres);
-  first_touch_.assign(static_cast<std::size_t>(first_retained), count);
-  last_touch_.assign(static_cast<std::size_t>(first_retained), -1);
+  first_touch_.assign(to_size(first_retained), count);
+  last_touch_.assign(to_size(first_retained), -1);
   for (int place = 0; place < count; ++place)
-    for (const int unknown : element_unknowns_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])])
+    for (const int unknown : element_unknowns_[to_size(order_[to_size(place)])])
       if (unknown < first_retained) {
-        auto& first = first_touch_[static_cast<std::size_t>(unknown)];
+        auto& first = first_touch_[to_size(unknown)];
         first = std::min(first, place);
-        last_touch_[static_cast<std::size_t>(unknown)] = place;
+        last_touch_[to_size(unknown)] = place;
       }
   number(0);
   operations_ = parts_[0].operations;
@@ -49,10 +50,7 @@ int Substructuring::split_index(int first, int last, const Eigen::Matrix3Xd& cen
   std::stable_sort(begin, end, [&](int a, int b) { return centres(axis, a) < centres(axis, b); });
   const int count = last - first, margin = std::max(1, (35 * count) / 100);
   int best = first + count / 2;
-  const auto gap = [&](int at) {
-    return centres(axis, order_[static_cast<std::size_t>(at)]) -
-        centres(axis, order_[static_cast<std::size_t>(at - 1)]);
-  };
+  const auto gap = [&](int at) { return centres(axis, order_[to_size(at)]) - centres(axis, order_[to_size(at - 1)]); };
   const double clear = 1.05 * gap(best) + 1e-9 * (high - low).maxCoeff();
   for (int away = 1; away <= count / 2 - margin; ++away)
     for (const int at : {first + count / 2 - away, first + count / 2 + away})
@@ -66,24 +64,24 @@ int Substructuring::divide(int first, int last, const Eigen::Matrix3Xd& centres)
   if (last - first > smallest_part) {
     const int middle = split_index(first, last, centres);
     const int left = divide(first, middle, centres), right = divide(middle, last, centres);
-    parts_[static_cast<std::size_t>(self)].left = left;
-    parts_[static_cast<std::size_t>(self)].right = right;
+    parts_[to_size(self)].left = left;
+    parts_[to_size(self)].right = right;
   }
   return self;
 }
 
 void Substructuring::number(int index) {
-  Part& part = parts_[static_cast<std::size_t>(index)];
+  Part& part = parts_[to_size(index)];
   std::vector<int> all;
   if (part.left < 0) {
     for (int place = part.first_element; place < part.last_element; ++place) {
-      const auto& own = element_unknowns_[static_cast<std::size_t>(order_[static_cast<std::size_t>(place)])];
+      const auto& own = element_unknowns_[to_size(order_[to_size(place)])];
       all.insert(all.end(), own.begin(), own.end());
     }
   } else {
     for (const int child : {part.left, part.right}) {
       number(child);
-      const Part& below = parts_[static_cast<std::size_t>(child)];
+      const Part& below = parts_[to_size(child)];
       all.insert(all.end(), below.unknowns.begin() + below.condensed, below.unknowns.end());
       part.operations += below.operations;
     }
@@ -91,8 +89,8 @@ void Substructuring::number(int index) {
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   const auto inside = [&](int unknown) {
-    return unknown < first_retained_ && first_touch_[static_cast<std::size_t>(unknown)] >= part.first_element &&
-        last_touch_[static_cast<std::size_t>(unknown)] < part.last_element;
+    return unknown < first_retained_ && first_touch_[to_size(unknown)] >= part.first_element &&
+        last_touch_[to_size(unknown)] < part.last_element;
   };
   part.condensed = static_cast<int>(std::stable_partition(all.begin(), all.end(), inside) - all.begin());
   part.unknowns = std::move(all);
@@ -103,10 +101,10 @@ void Substructuring::number(int index) {
 }
 
 void Substructuring::place_children(int index) {
-  const Part& part = parts_[static_cast<std::size_t>(index)];
+  const Part& part = parts_[to_size(index)];
   const auto boundary = part.unknowns.begin() + part.condensed;
   for (const int child : {part.left, part.right}) {
-    Part& below = parts_[static_cast<std::size_t>(child)];
+    Part& below = parts_[to_size(child)];
     for (auto it = below.unknowns.begin() + below.condensed; it != below.unknowns.end(); ++it) {
       auto found = std::lower_bound(part.unknowns.begin(), boundary, *it);
       if (found == boundary || *found != *it) found = std::lower_bound(boundary, part.unknowns.end(), *it);
@@ -139,17 +137,17 @@ struct Substructuring::Run {
 };
 
 Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, bool reports) {
-  Part& part = parts_[static_cast<std::size_t>(index)];
-  const Eigen::Index n = static_cast<Eigen::Index>(part.unknowns.size()), k = part.condensed;
+  Part& part = parts_[to_size(index)];
+  const Eigen::Index n = to_index(part.unknowns.size()), k = part.condensed;
   Eigen::MatrixXd front;
   if (part.left < 0) {
     front = Eigen::MatrixXd::Zero(n, n);
     const auto boundary = part.unknowns.begin() + part.condensed;
     for (int place = part.first_element; place < part.last_element && !run.stopped; ++place) {
-      const int element = order_[static_cast<std::size_t>(place)];
+      const int element = order_[to_size(place)];
       const Eigen::MatrixXd matrix = run.element_matrix(element);
       std::vector<int> at;
-      for (const int unknown : element_unknowns_[static_cast<std::size_t>(element)]) {
+      for (const int unknown : element_unknowns_[to_size(element)]) {
         auto found = std::lower_bound(part.unknowns.begin(), boundary, unknown);
         if (found == boundary || *found != unknown) found = std::lower_bound(boundary, part.unknowns.end(), unknown);
         at.push_back(static_cast<int>(found - part.unknowns.begin()));
@@ -171,9 +169,9 @@ Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, 
     }
     right = split ? other.get() : condense_part(part.right, run, threads, reports);
     front = Eigen::MatrixXd::Zero(n, n);
-    add_symmetric(left, parts_[static_cast<std::size_t>(part.left)].place_in_parent, front);
+    add_symmetric(left, parts_[to_size(part.left)].place_in_parent, front);
     left.resize(0, 0);
-    add_symmetric(right, parts_[static_cast<std::size_t>(part.right)].place_in_parent, front);
+    add_symmetric(right, parts_[to_size(part.right)].place_in_parent, front);
   }
   if (run.stopped) return Eigen::MatrixXd::Zero(n - k, n - k);
   const Pivots pivots = eliminate_leading(front, k);
@@ -182,7 +180,7 @@ Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, 
   if (run.recoverable) part.factors = front.leftCols(k);
   double below = 0;
   for (const int child : {part.left, part.right})
-    if (child >= 0) below += parts_[static_cast<std::size_t>(child)].operations;
+    if (child >= 0) below += parts_[to_size(child)].operations;
   run.done += part.operations - below;
   if (reports) foundation::report_progress(run.progress, "condensing the solid", std::min(1.0, run.done / run.total));
   return front.bottomRightCorner(n - k, n - k);
@@ -194,12 +192,11 @@ Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_
   const Eigen::MatrixXd boundary = condense_part(0, run, std::max(1, threads), true);
   Condensed result{Eigen::MatrixXd::Zero(retained_count_, retained_count_), run.negative_pivots, run.singular};
   const Part& root = parts_[0];
-  for (std::size_t i = 0; i + static_cast<std::size_t>(root.condensed) < root.unknowns.size(); ++i)
+  for (std::size_t i = 0; i + to_size(root.condensed) < root.unknowns.size(); ++i)
     for (std::size_t j = 0; j <= i; ++j) {
-      const int row = root.unknowns[i + static_cast<std::size_t>(root.condensed)] - first_retained_;
-      const int column = root.unknowns[j + static_cast<std::size_t>(root.condensed)] - first_retained_;
-      result.matrix(row, column) = result.matrix(column, row) =
-          boundary(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      const int row = root.unknowns[i + to_size(root.condensed)] - first_retained_;
+      const int column = root.unknowns[j + to_size(root.condensed)] - first_retained_;
+      result.matrix(row, column) = result.matrix(column, row) = boundary(to_index(i), to_index(j));
     }
   return result;
 }
@@ -208,10 +205,10 @@ Eigen::VectorXd Substructuring::recover(const Eigen::VectorXd& retained) const {
   Eigen::VectorXd all = Eigen::VectorXd::Zero(first_retained_ + retained_count_);
   all.tail(retained_count_) = retained;
   for (const Part& part : parts_) {  // parents come before their children
-    Eigen::VectorXd own(static_cast<Eigen::Index>(part.unknowns.size()));
-    for (Eigen::Index i = 0; i < own.size(); ++i) own(i) = all(part.unknowns[static_cast<std::size_t>(i)]);
+    Eigen::VectorXd own(to_index(part.unknowns.size()));
+    for (Eigen::Index i = 0; i < own.size(); ++i) own(i) = all(part.unknowns[to_size(i)]);
     recover_leading(part.factors, own);
-    for (Eigen::Index i = 0; i < part.condensed; ++i) all(part.unknowns[static_cast<std::size_t>(i)]) = own(i);
+    for (Eigen::Index i = 0; i < part.condensed; ++i) all(part.unknowns[to_size(i)]) = own(i);
   }
   return all;
 }

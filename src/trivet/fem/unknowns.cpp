@@ -3,13 +3,15 @@
 
 #include <map>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::fem {
 
 Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
   Unknowns unknowns;
-  unknowns.displacement.assign(static_cast<std::size_t>(mesh.nodes.cols()), 0);
-  for (const int node : mesh.plate_n) unknowns.displacement[static_cast<std::size_t>(node)] = Unknowns::on_plate_n;
-  for (const int node : mesh.plate_k) unknowns.displacement[static_cast<std::size_t>(node)] = Unknowns::on_plate_k;
+  unknowns.displacement.assign(to_size(mesh.nodes.cols()), 0);
+  for (const int node : mesh.plate_n) unknowns.displacement[to_size(node)] = Unknowns::on_plate_n;
+  for (const int node : mesh.plate_k) unknowns.displacement[to_size(node)] = Unknowns::on_plate_k;
   for (int& number : unknowns.displacement)
     if (number == 0) {
       number = unknowns.count;
@@ -21,9 +23,9 @@ Unknowns number_unknowns(const Mesh& mesh, TetPressure tet_pressure) {
     auto& corners = unknowns.pressure.emplace_back();
     for (int c = 0; c < 4; ++c) {
       const auto [place, is_new] =
-          numbers.try_emplace({mesh.elements(c, e), mesh.material[static_cast<std::size_t>(e)]}, unknowns.count);
+          numbers.try_emplace({mesh.elements(c, e), mesh.material[to_size(e)]}, unknowns.count);
       unknowns.count += is_new;
-      corners[static_cast<std::size_t>(c)] = place->second;
+      corners[to_size(c)] = place->second;
     }
   }
   unknowns.pressure_count = static_cast<int>(numbers.size());

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "trivet/foundation/guarded_program.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 extern char** environ;
@@ -75,7 +76,7 @@ std::unique_ptr<GuardedProgram> start(const Command& command, int output) {
 ssize_t read_some(int descriptor, std::string& output) {
   std::array<char, 16384> block;
   const ssize_t count = read(descriptor, block.data(), block.size());
-  if (count > 0) output.append(block.data(), static_cast<std::size_t>(count));
+  if (count > 0) output.append(block.data(), to_size(count));
   if (output.size() > 2 * output_kept) output.erase(0, output.size() - output_kept);
   return count;
 }

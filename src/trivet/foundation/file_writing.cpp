@@ -10,6 +10,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::foundation {
 
 void write_new_file(const FolderHandle& folder, const std::string& name, const std::string& content,
@@ -22,7 +24,7 @@ void write_new_file(const FolderHandle& folder, const std::string& name, const s
     const ssize_t written = write(file, content.data() + count, content.size() - count);
     if (written < 0 && errno == EINTR) continue;
     good = written > 0;
-    count += static_cast<std::size_t>(std::max<ssize_t>(0, written));
+    count += to_size(std::max<ssize_t>(0, written));
   }
   int reason = good ? 0 : errno;
   if (file >= 0 && close(file) != 0 && reason == 0) reason = errno;  // some file systems report a full disk only here

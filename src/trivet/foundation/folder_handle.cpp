@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::foundation {
 
 FolderHandle::FolderHandle(const std::filesystem::path& path)
@@ -70,14 +72,14 @@ std::optional<std::string> FolderHandle::content(const std::string& name, std::s
   if (file < 0) return std::nullopt;
   struct stat status;
   std::optional<std::string> bytes;
-  if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && static_cast<std::size_t>(status.st_size) <= largest) {
-    bytes.emplace(static_cast<std::size_t>(status.st_size), '\0');
+  if (fstat(file, &status) == 0 && S_ISREG(status.st_mode) && to_size(status.st_size) <= largest) {
+    bytes.emplace(to_size(status.st_size), '\0');
     std::size_t count = 0;
     while (count < bytes->size()) {
       const ssize_t found = read(file, bytes->data() + count, bytes->size() - count);
       if (found < 0 && errno == EINTR) continue;
       if (found <= 0) break;
-      count += static_cast<std::size_t>(found);
+      count += to_size(found);
     }
     if (count < bytes->size()) bytes.reset();
   }

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::foundation {
 
 int thread_count(int wanted) {
@@ -42,7 +44,7 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
     }
   };
   {
-    const auto workers = std::min<std::size_t>(static_cast<std::size_t>(thread_count(options.threads)), pieces);
+    const auto workers = std::min<std::size_t>(to_size(thread_count(options.threads)), pieces);
     std::vector<std::jthread> others;
     try {
       for (std::size_t k = 1; k < workers; ++k) others.emplace_back(work_through, false);

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::foundation {
@@ -58,7 +59,7 @@ Problem& Problems::warning(std::string subject, std::string finding, std::string
 void Problems::add(const Problems& others) { list_.insert(list_.end(), others.list_.begin(), others.list_.end()); }
 
 std::size_t Problems::errors() const {
-  return static_cast<std::size_t>(
+  return to_size(
       std::count_if(list_.begin(), list_.end(), [](const Problem& p) { return p.severity == Severity::error; }));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/passive_sections.h"
 
@@ -52,19 +53,18 @@ Rows rows_of(const DynamicStiffnessTable& table) {
 /// Nearest sum of a static stiffness, a dashpot, relaxations and, if sections are given, of these and a mass.
 PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& sections, double enough) {
   const Eigen::VectorXd times = relaxation_times(rows.fitted);
-  const auto count = static_cast<Eigen::Index>(rows.fitted.size()),
-             resonances = static_cast<Eigen::Index>(sections.size());
+  const auto count = to_index(rows.fitted.size()), resonances = to_index(sections.size());
   const Eigen::Index first = 2 + times.size();
   Eigen::MatrixXcd columns(count, first + (sections.empty() ? 0 : 1 + 2 * resonances));
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Complex s(0, rows.fitted[static_cast<std::size_t>(i)]);
+    const Complex s(0, rows.fitted[to_size(i)]);
     columns(i, 0) = 1;
     columns(i, 1) = s;
     for (Eigen::Index j = 0; j < times.size(); ++j) columns(i, 2 + j) = s * times(j) / (1.0 + s * times(j));
     if (sections.empty()) continue;
     columns(i, first) = s * s;
     for (Eigen::Index j = 0; j < resonances; ++j) {
-      const Section& section = sections[static_cast<std::size_t>(j)];
+      const Section& section = sections[to_size(j)];
       columns(i, first + 1 + 2 * j) = s * inertial_section(section, s);
       columns(i, first + 2 + 2 * j) = s * elastic_section(section, s);
     }
@@ -83,7 +83,7 @@ PassiveStiffness nearest_passive(const Rows& rows, const std::vector<Section>& s
   passive.mass = constants(first);
   for (Eigen::Index j = 0; j < resonances; ++j) {
     const double inertial = constants(first + 1 + 2 * j), elastic = constants(first + 2 + 2 * j);
-    const Section& section = sections[static_cast<std::size_t>(j)];
+    const Section& section = sections[to_size(j)];
     if (inertial > 0 || elastic > 0)
       passive.resonances.push_back({section.angular_frequency, section.damping_ratio, inertial, elastic});
   }

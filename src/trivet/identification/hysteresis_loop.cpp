@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/harmonic_fit.h"
 #include "trivet/identification/student_distribution.h"
@@ -82,11 +83,10 @@ std::array<double, 5> deviations(const Eigen::VectorXd& x, const Eigen::VectorXd
       const Eigen::VectorXd change = step * Eigen::VectorXd::Unit(of.size(), i);
       const auto up = signal == 0 ? quantities(x + change, f) : quantities(x, f + change);
       const auto down = signal == 0 ? quantities(x - change, f) : quantities(x, f - change);
-      for (std::size_t q = 0; q < 5; ++q)
-        sensitivity(static_cast<Eigen::Index>(q), i) = step > 0 ? (up[q] - down[q]) / (2 * step) : 0;
+      for (std::size_t q = 0; q < 5; ++q) sensitivity(to_index(q), i) = step > 0 ? (up[q] - down[q]) / (2 * step) : 0;
     }
     for (std::size_t q = 0; q < 5; ++q) {
-      const Eigen::RowVectorXd row = sensitivity.row(static_cast<Eigen::Index>(q));
+      const Eigen::RowVectorXd row = sensitivity.row(to_index(q));
       variance[q] += noise(signal) * noise(signal) * row.dot(row * unit_covariance);
     }
   }
@@ -98,7 +98,7 @@ std::complex<double> fundamental(const Eigen::VectorXd& coefficients) { return {
 
 /// Mean square of the deviation of F̂₁/x̂₁ in each cycle / the value that white noise explains.
 double cycle_variance_ratio(const Eigen::VectorXd& phase, const HarmonicFit& fit, const LoopFit& loop) {
-  const auto cycles = static_cast<std::size_t>(loop.cycles);
+  const auto cycles = to_size(loop.cycles);
   std::vector<std::complex<double>> off(cycles);
   std::vector<double> count(cycles);
   for (Eigen::Index i = 0; i < phase.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/levenberg_marquardt.h"
 #include "trivet/identification/student_distribution.h"
@@ -52,7 +53,7 @@ double value_of(const Family& family, std::size_t i, double fitted) {
 std::vector<double> values_of(const Family& family, const Eigen::VectorXd& fitted) {
   std::vector<double> values;
   for (std::size_t i = 0; i < family.parameters.size(); ++i)
-    values.push_back(value_of(family, i, fitted(static_cast<Eigen::Index>(i) + 1)));
+    values.push_back(value_of(family, i, fitted(to_index(i) + 1)));
   return values;
 }
 
@@ -84,12 +85,12 @@ Scaled scaled(const std::vector<StiffnessPoint>& points) {
 
 Eigen::VectorXd residuals(const Scaled& data, const Family& family, const Eigen::VectorXd& fitted) {
   const std::vector<double> values = values_of(family, fitted);
-  Eigen::VectorXd result(2 * static_cast<Eigen::Index>(data.points.size()));
+  Eigen::VectorXd result(2 * to_index(data.points.size()));
   for (std::size_t i = 0; i < data.points.size(); ++i) {
     const Complex off = std::exp(fitted(0)) * family.relative_modulus(values, data.points[i].angular_frequency) -
         data.points[i].stiffness;
-    result(2 * static_cast<Eigen::Index>(i)) = data.weight[i] * off.real();
-    result(2 * static_cast<Eigen::Index>(i) + 1) = data.weight[i] * off.imag();
+    result(2 * to_index(i)) = data.weight[i] * off.real();
+    result(2 * to_index(i) + 1) = data.weight[i] * off.imag();
   }
   return result;
 }
@@ -160,7 +161,7 @@ Parameter parameter(const Scaled& data, const Family& family, const LeastSquares
     return {"stiffness", "N/m", unit * std::exp(centre), unit * std::exp(centre - half),
             unit * std::exp(centre + half)};
   }
-  const auto place = static_cast<std::size_t>(i - 1);
+  const auto place = to_size(i - 1);
   const std::string name = family.parameters[place];
   const double unit = name == "time" ? 1 / data.frequency : 1;
   return {name, name == "time" ? "s" : "", unit * value_of(family, place, centre),

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
 namespace trivet::identification {
@@ -20,8 +21,8 @@ double least_half_width(const std::vector<double>& rows, double omega, double sh
   const std::size_t last = rows.size() - 1;
   if (omega < rows.front()) return share * (rows[1] - rows[0]) - (rows[0] - omega);
   if (omega > rows.back()) return share * (rows[last] - rows[last - 1]) - (omega - rows[last]);
-  const auto above = std::clamp<std::size_t>(
-      static_cast<std::size_t>(std::lower_bound(rows.begin(), rows.end(), omega) - rows.begin()), 1, last);
+  const auto above =
+      std::clamp<std::size_t>(to_size(std::lower_bound(rows.begin(), rows.end(), omega) - rows.begin()), 1, last);
   return share * (rows[above] - rows[above - 1]);
 }
 
@@ -68,7 +69,7 @@ std::vector<Eigen::Index> rows_that_follow(const std::vector<double>& frequencie
   }
   Eigen::VectorXd turned = Eigen::VectorXd::Zero(count), passed = Eigen::VectorXd::Zero(count);
   for (Eigen::Index i = 1; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const auto k = to_size(i);
     turned(i) =
         turned(i - 1) + std::abs(values(i) - values(i - 1)) / std::max(std::abs(values(i)), std::abs(values(i - 1)));
     passed(i) = passed(i - 1) + std::log(frequencies[k] / frequencies[k - 1]);

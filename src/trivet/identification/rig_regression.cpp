@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/elements/law.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::identification {
 namespace {
@@ -21,7 +22,7 @@ Basis basis(Unknowns unknowns, const Eigen::Vector3d& arm, const std::array<doub
       result.entry.push_back({12 - size + i, 12 - size + j});
       units.push_back(1 / (motion[i % 6 < 3 ? 0 : 1] * motion[j % 6 < 3 ? 0 : 1]));
     }
-  result.unit = Eigen::Map<const Eigen::VectorXd>(units.data(), static_cast<Eigen::Index>(units.size()));
+  result.unit = Eigen::Map<const Eigen::VectorXd>(units.data(), to_index(units.size()));
   return result;
 }
 
@@ -31,10 +32,10 @@ int readings_for_own_noise(Unknowns unknowns) { return unknowns == Unknowns::sel
 
 void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
   std::array<int, 12> count{};
-  for (const auto& [load_case, channel] : rig.reading) ++count[static_cast<std::size_t>(channel)];
+  for (const auto& [load_case, channel] : rig.reading) ++count[to_size(channel)];
   bool given = true, own = true;
   for (int c = 0; c < 12; ++c) {
-    const int n = count[static_cast<std::size_t>(c)];
+    const int n = count[to_size(c)];
     if (n == 0) continue;
     given = given && !std::isnan(options.standard_deviation(c));
     own = own && n >= readings_for_own_noise(options.unknowns);
@@ -42,7 +43,7 @@ void group_by_noise(const StiffnessFitOptions& options, Rig& rig) {
   Regression& regression = rig.regression;
   regression.groups = given ? 1 : own ? 12 : 2;
   for (Eigen::Index r = 0; r < regression.measured.size(); ++r) {
-    const int channel = rig.reading[static_cast<std::size_t>(r)][1];
+    const int channel = rig.reading[to_size(r)][1];
     regression.relative_deviation(r) = given ? options.standard_deviation(channel) : 1;
     regression.group.push_back(given ? 0 : own ? channel : channel % 6 < 3 ? 0 : 1);
   }
@@ -71,21 +72,19 @@ Rig rig_regression(const std::vector<LoadCase>& cases, const Eigen::Vector3d& ar
       if (std::any_of(rig.reading.begin(), rig.reading.end(), [&](const auto& r) { return r[1] == c; }))
         rig.offset_channel.push_back(c);
 
-  const auto rows = static_cast<Eigen::Index>(rig.reading.size()), constants = rig.basis.unit.size();
+  const auto rows = to_index(rig.reading.size()), constants = rig.basis.unit.size();
   Regression& regression = rig.regression;
-  regression.design = Eigen::MatrixXd::Zero(rows, constants + static_cast<Eigen::Index>(rig.offset_channel.size()));
+  regression.design = Eigen::MatrixXd::Zero(rows, constants + to_index(rig.offset_channel.size()));
   regression.measured.resize(rows);
   regression.relative_deviation.resize(rows);
   for (Eigen::Index r = 0; r < rows; ++r) {
-    const auto [k, c] = rig.reading[static_cast<std::size_t>(r)];
-    const LoadCase& one = cases[static_cast<std::size_t>(k)];
+    const auto [k, c] = rig.reading[to_size(r)];
+    const LoadCase& one = cases[to_size(k)];
     regression.measured(r) = one.wrench(c);
     for (Eigen::Index p = 0; p < constants; ++p)
-      regression.design(r, p) =
-          rig.basis.unit(p) * rig.basis.matrices[static_cast<std::size_t>(p)].row(c).dot(one.displacement);
+      regression.design(r, p) = rig.basis.unit(p) * rig.basis.matrices[to_size(p)].row(c).dot(one.displacement);
     for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
-      if (rig.offset_channel[o] == c)
-        regression.design(r, constants + static_cast<Eigen::Index>(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
+      if (rig.offset_channel[o] == c) regression.design(r, constants + to_index(o)) = 1 / motion[c % 6 < 3 ? 0 : 1];
   }
   group_by_noise(options, rig);
   return rig;

@@ -9,6 +9,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/outliers.h"
@@ -19,8 +20,8 @@ namespace trivet::identification {
 namespace {
 
 Eigen::MatrixXd motions(const std::vector<LoadCase>& cases, const Eigen::Vector3d& arm, Unknowns unknowns) {
-  Eigen::MatrixXd all(12, static_cast<Eigen::Index>(cases.size()));
-  for (std::size_t k = 0; k < cases.size(); ++k) all.col(static_cast<Eigen::Index>(k)) = cases[k].displacement;
+  Eigen::MatrixXd all(12, to_index(cases.size()));
+  for (std::size_t k = 0; k < cases.size(); ++k) all.col(to_index(k)) = cases[k].displacement;
   if (unknowns == Unknowns::full_symmetric) return all;
   // Motion of K relative to the rigid motion of N; it equals the wrench at K of a unit block.
   return elements::from_moved_end(Matrix6::Identity(), arm).bottomRows<6>() * all;
@@ -47,11 +48,11 @@ foundation::Problems rank_problems(const std::vector<LoadCase>& cases, const Eig
   std::vector<std::string> reasons = unexcited_motions(motions(cases, arm, unknowns)), unknown;
   if (reasons.empty()) reasons = missing_channels(rig);
   for (std::size_t p = 0; p < rig.basis.entry.size(); ++p)
-    if (fit.null_space.row(static_cast<Eigen::Index>(p)).cwiseAbs().maxCoeff() > seen)
+    if (fit.null_space.row(to_index(p)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back(
           fmt::format("({}, {})", coordinate_words(rig.basis.entry[p][0]), coordinate_words(rig.basis.entry[p][1])));
   for (std::size_t o = 0; o < rig.offset_channel.size(); ++o)
-    if (fit.null_space.row(rig.basis.unit.size() + static_cast<Eigen::Index>(o)).cwiseAbs().maxCoeff() > seen)
+    if (fit.null_space.row(rig.basis.unit.size() + to_index(o)).cwiseAbs().maxCoeff() > seen)
       unknown.push_back("the zero offset of " + channel_words(rig.offset_channel[o]));
   problems.error(
       "load_cases",
@@ -85,7 +86,7 @@ template <typename Function>
 double width(const Rig& rig, const RegressionFit& fit, double confidence, const Function& of_matrix) {
   Eigen::RowVectorXd functional = Eigen::RowVectorXd::Zero(rig.regression.design.cols());
   for (std::size_t p = 0; p < rig.basis.matrices.size(); ++p) {
-    const auto column = static_cast<Eigen::Index>(p);
+    const auto column = to_index(p);
     functional(column) = rig.basis.unit(column) * of_matrix(rig.basis.matrices[p]);
   }
   return half_width(rig.regression, fit, functional, confidence);
@@ -96,8 +97,7 @@ void fill_matrix(const Rig& rig, const RegressionFit& fit, const Eigen::Vector3d
   const Eigen::Index constants = rig.basis.unit.size();
   Eigen::VectorXd values = fit.parameters.head(constants).cwiseProduct(rig.basis.unit);
   result.stiffness.setZero();
-  for (Eigen::Index p = 0; p < constants; ++p)
-    result.stiffness += values(p) * rig.basis.matrices[static_cast<std::size_t>(p)];
+  for (Eigen::Index p = 0; p < constants; ++p) result.stiffness += values(p) * rig.basis.matrices[to_size(p)];
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j)
       result.half_width(i, j) = result.half_width(j, i) =
@@ -123,7 +123,7 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
   result.noise.setConstant(std::numeric_limits<double>::quiet_NaN());
   result.offset.setConstant(std::numeric_limits<double>::quiet_NaN());
   for (Eigen::Index r = 0; r < fit.residual.size(); ++r) {
-    const auto [k, c] = rig.reading[static_cast<std::size_t>(r)];
+    const auto [k, c] = rig.reading[to_size(r)];
     const double spread = fit.deviation(r) * std::sqrt(std::max(0.0, 1 - fit.leverage(r)));
     result.readings.push_back({k, c, rig.regression.measured(r), rig.regression.measured(r) - fit.residual(r),
                                fit.residual(r), fit.leverage(r) < 1 - 1e-6 && spread > 0 ? fit.residual(r) / spread : 0,
@@ -133,7 +133,7 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
   }
   for (std::size_t o = 0; o < rig.offset_channel.size(); ++o) {
     const int c = rig.offset_channel[o];
-    result.offset(c) = fit.parameters(rig.basis.unit.size() + static_cast<Eigen::Index>(o)) / motion[c % 6 < 3 ? 0 : 1];
+    result.offset(c) = fit.parameters(rig.basis.unit.size() + to_index(o)) / motion[c % 6 < 3 ? 0 : 1];
   }
   result.degrees_of_freedom = fit.group_freedom.sum();
   result.condition = fit.condition;
@@ -142,7 +142,7 @@ void fill_readings(const Rig& rig, const RegressionFit& fit, const std::array<do
 void warn(const std::vector<LoadCase>& cases, const StiffnessFitOptions& options, StiffnessFit& result) {
   for (const Outlier& outlier : result.outliers)
     result.warnings.warning(
-        fmt::format("load case '{}'", cases[static_cast<std::size_t>(outlier.load_case)].name),
+        fmt::format("load case '{}'", cases[to_size(outlier.load_case)].name),
         fmt::format("{} deviates by {:.4g} {} from the prediction of the other readings ({:.1f} standard deviations)",
                     channel_words(outlier.channel), outlier.deviation, outlier.channel % 6 < 3 ? "N" : "N m",
                     outlier.studentised),
@@ -193,7 +193,7 @@ foundation::Expected<StiffnessFit> identified_stiffness(const std::vector<LoadCa
   fill_matrix(rig, fitted, arm, options, result);
   fill_readings(rig, fitted, typical_motion(cases), result);
   for (const Contradiction& one : contradictions(rig.regression, options.outlier_risk)) {
-    const auto [k, c] = rig.reading[static_cast<std::size_t>(one.reading)];
+    const auto [k, c] = rig.reading[to_size(one.reading)];
     result.outliers.push_back({k, c, one.deviation, one.studentised, one.limit});
   }
   const Vector12 diagonal = result.stiffness.diagonal();

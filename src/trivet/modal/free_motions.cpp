@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -24,10 +25,10 @@ Eigen::Vector3d centre_of_all(const model::System& system) {
 
 /// Coordinates of the bodies (6 rows per body) in a rigid motion of the whole system about `about`, ground axes.
 Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d& about) {
-  Eigen::MatrixXd g(6 * static_cast<Eigen::Index>(system.bodies().size()), 6);
+  Eigen::MatrixXd g(6 * to_index(system.bodies().size()), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
     const spatial::Pose& pose = system.bodies()[b].pose;
-    g.middleRows<6>(6 * static_cast<Eigen::Index>(b)) =
+    g.middleRows<6>(6 * to_index(b)) =
         spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position - about);
   }
   return g;
@@ -40,7 +41,7 @@ Matrix6x unresisted_motions(const model::System& system, const assembly::Assembl
   Eigen::MatrixXd free_rows = Eigen::MatrixXd::Zero(assembled.layout.size(), 6);
   for (std::size_t b = 0; b < system.bodies().size(); ++b)
     for (int j = 0; j < 6; ++j) {
-      const Eigen::RowVectorXd row = motions.row(6 * static_cast<Eigen::Index>(b) + j);
+      const Eigen::RowVectorXd row = motions.row(6 * to_index(b) + j);
       if (assembled.layout.row(b, j) >= 0) free_rows.row(assembled.layout.row(b, j)) = row;
       else resistance += row.transpose() * row;
     }
@@ -94,8 +95,7 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
     std::string parts;
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
       const bool moves = std::any_of(rigid.begin(), rigid.end(), [&](const Mode* mode) {
-        return mode->principal_kinetic_energy_share.segment<6>(6 * static_cast<Eigen::Index>(b)).cwiseAbs().sum() >
-            1e-9;
+        return mode->principal_kinetic_energy_share.segment<6>(6 * to_index(b)).cwiseAbs().sum() > 1e-9;
       });
       if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
     }

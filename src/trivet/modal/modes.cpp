@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -20,14 +21,14 @@ using spatial::Vector6;
 
 void describe_bodies(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
                      Mode& mode) {
-  const auto count = static_cast<Eigen::Index>(system.bodies().size());
+  const auto count = to_index(system.bodies().size());
   mode.shape.resize(6 * count);
   mode.shape_at_centre.resize(6 * count);
   mode.principal_kinetic_energy_share.resize(6 * count);
   double energy = 0;
   for (Eigen::Index b = 0; b < count; ++b) {
-    const model::Body& body = system.bodies()[static_cast<std::size_t>(b)];
-    const Vector6 at_pole = assembled.layout.of_body(static_cast<std::size_t>(b), phi);
+    const model::Body& body = system.bodies()[to_size(b)];
+    const Vector6 at_pole = assembled.layout.of_body(to_size(b), phi);
     const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
     mode.shape.segment<6>(6 * b) = at_pole;
     mode.shape_at_centre.segment<6>(6 * b) = at_centre;
@@ -46,23 +47,23 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
                   Mode& mode) {
   const Eigen::VectorXd momentum = assembled.matrices.A * phi;
   const Eigen::VectorXd share = phi.cwiseProduct(momentum) / phi.dot(momentum);
-  const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
+  const auto bodies = to_index(system.bodies().size());
   mode.kinetic_energy_share.resize(6 * bodies);
   for (Eigen::Index b = 0; b < bodies; ++b)
-    mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(static_cast<std::size_t>(b), share);
+    mode.kinetic_energy_share.segment<6>(6 * b) = assembled.layout.of_body(to_size(b), share);
   for (std::size_t f = 0; f < system.description().foundations.size(); ++f)
     mode.foundation_kinetic_energy_share +=
         share.segment(assembled.layout.foundation_row(f), system.description().foundations[f].mass.rows()).sum();
-  mode.element_kinetic_energy_share.setZero(static_cast<Eigen::Index>(assembled.elements.size()));
+  mode.element_kinetic_energy_share.setZero(to_index(assembled.elements.size()));
   for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
     const assembly::ElementMap& map = assembled.elements[e];
-    for (std::size_t j = static_cast<std::size_t>(map.end_columns); j < map.rows.size(); ++j)
-      mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) += share(map.rows[j]);
+    for (std::size_t j = to_size(map.end_columns); j < map.rows.size(); ++j)
+      mode.element_kinetic_energy_share(to_index(e)) += share(map.rows[j]);
   }
   if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
-  Eigen::VectorXd strain(static_cast<Eigen::Index>(assembled.elements.size()));
+  Eigen::VectorXd strain(to_index(assembled.elements.size()));
   for (Eigen::Index e = 0; e < strain.size(); ++e) {
-    const assembly::ElementMap& map = assembled.elements[static_cast<std::size_t>(e)];
+    const assembly::ElementMap& map = assembled.elements[to_size(e)];
     const Eigen::VectorXd d = map.coordinates(phi);
     strain(e) = d.dot(map.matrices.stiffness * d);
   }
@@ -125,15 +126,15 @@ std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n
     if (mode.angular_frequency &&
         (!best || std::abs(*mode.angular_frequency - omega) < std::abs(*best->angular_frequency - omega)))
       best = &mode;
-  const bool incomplete = static_cast<Eigen::Index>(modes.list.size()) < n;
+  const bool incomplete = to_index(modes.list.size()) < n;
   if (!best || (incomplete && std::abs(*best->angular_frequency - omega) > 0.01 * omega)) return std::nullopt;
   return best->number;
 }
 
 Eigen::VectorXcd modal_forces(const Modes& modes, const Eigen::VectorXcd& forces) {
-  Eigen::VectorXcd result(static_cast<Eigen::Index>(modes.list.size()));
+  Eigen::VectorXcd result(to_index(modes.list.size()));
   for (Eigen::Index m = 0; m < result.size(); ++m) {
-    const Eigen::VectorXd& phi = modes.list[static_cast<std::size_t>(m)].coordinates;
+    const Eigen::VectorXd& phi = modes.list[to_size(m)].coordinates;
     result(m) = {phi.dot(forces.real()), phi.dot(forces.imag())};
   }
   return result;

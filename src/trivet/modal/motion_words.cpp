@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
 
 namespace trivet::modal {
@@ -60,12 +61,11 @@ std::string mode_name(const model::System& system, const Mode& mode) {
   if (mode.element_kinetic_energy_share.sum() > inside_elements) {
     std::string names;
     for (std::size_t e = 0; e < system.elements().size(); ++e)
-      if (mode.element_kinetic_energy_share(static_cast<Eigen::Index>(e)) >
-          0.2 * mode.element_kinetic_energy_share.sum())
+      if (mode.element_kinetic_energy_share(to_index(e)) > 0.2 * mode.element_kinetic_energy_share.sum())
         names += (names.empty() ? "" : ", ") + system.elements()[e].name;
     return "surging inside " + names;
   }
-  const auto bodies = static_cast<Eigen::Index>(system.bodies().size());
+  const auto bodies = to_index(system.bodies().size());
   Eigen::Index leader = 0;
   double best = -1;
   for (Eigen::Index b = 0; b < bodies; ++b) {
@@ -75,9 +75,9 @@ std::string mode_name(const model::System& system, const Mode& mode) {
       leader = b;
     }
   }
-  const model::Body& body = system.bodies()[static_cast<std::size_t>(leader)];
+  const model::Body& body = system.bodies()[to_size(leader)];
   const Eigen::VectorXd share = mode.principal_kinetic_energy_share.segment<6>(6 * leader);
-  const spatial::Screw& screw = mode.screws[static_cast<std::size_t>(leader)];
+  const spatial::Screw& screw = mode.screws[to_size(leader)];
   const double translation = share.head<3>().sum() / share.sum();
   const bool guided = std::find(body.free.begin(), body.free.end(), false) != body.free.end();
   std::string words;

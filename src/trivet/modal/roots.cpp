@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/modal/exact_roots.h"
 #include "trivet/numerics/linalg/system_roots.h"
 
@@ -56,7 +57,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
     if (std::abs(start) <= at_rest) continue;  // a rigid-body mode
     if (std::abs(start.imag()) <= critical_split * std::abs(start) && lossy) continue;
     if (std::abs(start.imag()) <= critical_split * std::abs(start)) {
-      inexact[static_cast<std::size_t>(k)] = true;
+      inexact[to_size(k)] = true;
       ++left;
       continue;
     }
@@ -72,7 +73,7 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
           (std::abs(starts(j) - start) > distinct * std::abs(start) &&
            std::abs(roots.lambda(j) - (lower ? std::conj(root.eigenvalue) : root.eigenvalue)) < same * std::abs(start));
     const bool kept = root.converged && !lost;
-    inexact[static_cast<std::size_t>(k)] = !kept;
+    inexact[to_size(k)] = !kept;
     ++(kept ? settled : left);
     if (!kept) continue;
     roots.lambda(k) = lower ? std::conj(root.eigenvalue) : root.eigenvalue;
@@ -92,7 +93,7 @@ std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const
   if (modes.list.empty()) return std::nullopt;
   const Eigen::VectorXd parts = modal_forces(modes, A * shape).cwiseAbs2();
   Eigen::Index largest = 0;
-  if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[static_cast<std::size_t>(largest)].number;
+  if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[to_size(largest)].number;
   return nearest_mode(modes, size, massive);
 }
 
@@ -116,8 +117,8 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   const numerics::DynamicMatrices& m = assembled.matrices;
   numerics::SystemRoots all = numerics::system_roots(m);
   numerics::QuadraticRoots& raw = all.roots;
-  std::vector<bool> inexact(static_cast<std::size_t>(raw.lambda.size()), false);
-  const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(m.A).size());
+  std::vector<bool> inexact(to_size(raw.lambda.size()), false);
+  const auto massive = to_index(numerics::massive_rows(m.A).size());
   const double scale = raw.lambda.size() ? raw.lambda.cwiseAbs().maxCoeff() : 0;
   Roots result;
   if (assembled.frequency_dependent()) make_exact(assembled, all.at_rest, raw, result.remarks, inexact);
@@ -126,10 +127,10 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     Root root = classified(raw.lambda(k), scale, all.at_rest);
     // With a loss factor only the half plane of ω > 0 has a meaning.
     if (m.lossy() && root.kind != RootKind::rigid && !(raw.lambda(k).imag() > 0)) continue;
-    root.exact = !inexact[static_cast<std::size_t>(k)];
-    root.shape.resize(6 * static_cast<Eigen::Index>(system.bodies().size()));
+    root.exact = !inexact[to_size(k)];
+    root.shape.resize(6 * to_index(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
-      root.shape.segment<6>(6 * static_cast<Eigen::Index>(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
+      root.shape.segment<6>(6 * to_index(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
     root.nearest_mode = mode_like(modes, m.A, raw.vectors.col(k), std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -86,7 +87,7 @@ RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eige
 BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::VectorXd& shape, double lambda,
                    double norm) {
   Vector6 at_pole = Vector6::Zero();
-  at_pole(rows.coordinates) = shape.head(static_cast<Eigen::Index>(rows.coordinates.size()));
+  at_pole(rows.coordinates) = shape.head(to_index(rows.coordinates.size()));
   const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
   Vector6 momentum;
   momentum << body.mass.mass * at_centre.head<3>(), body.mass.inertia_about_centre * at_centre.tail<3>();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/numerics/linalg/complete_pivoting.h"
 
@@ -14,7 +15,7 @@ bool has_regular_mass(const Body& body) {
   const spatial::Matrix6 a = spatial::mass_matrix(body.mass);
   std::vector<int> rows;
   for (int j = 0; j < 6; ++j)
-    if (body.free[static_cast<std::size_t>(j)]) rows.push_back(j);
+    if (body.free[to_size(j)]) rows.push_back(j);
   if (rows.empty()) return true;  // no free coordinate: reported separately
   Eigen::MatrixXd block = a(rows, rows);
   for (Eigen::Index i = 0; i < block.rows(); ++i)

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -16,8 +17,8 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
   const double turning = motion.tail<3>().norm(), moving = motion.head<3>().norm() + arm.norm() * turning;
   std::string names;
   for (int j = 0; j < 6; ++j)
-    if (!body.free[static_cast<std::size_t>(j)] && std::abs(here(j)) > round_off * (j < 3 ? moving : turning))
-      names += (names.empty() ? "" : ", ") + std::string(coordinate_names[static_cast<std::size_t>(j)]);
+    if (!body.free[to_size(j)] && std::abs(here(j)) > round_off * (j < 3 ? moving : turning))
+      names += (names.empty() ? "" : ", ") + std::string(coordinate_names[to_size(j)]);
   return names;
 }
 

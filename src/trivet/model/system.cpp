@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/model/modal_ground.h"
 
@@ -69,9 +70,9 @@ void check_damping(const Description& description, foundation::Problems& problem
     for (const auto& body : description.bodies)
       for (const bool free : body.free) coordinates += free;
     for (const auto& element : description.elements)
-      if (element.law.inertia) coordinates += static_cast<std::size_t>(element.law.inertia->angular_frequencies.size());
+      if (element.law.inertia) coordinates += to_size(element.law.inertia->angular_frequencies.size());
     for (const auto& foundation : description.foundations)
-      coordinates += static_cast<std::size_t>((foundation.mass.diagonal().array() > 0).count());
+      coordinates += to_size((foundation.mass.diagonal().array() > 0).count());
     if (modal->ratios.size() != 1 && modal->ratios.size() != coordinates)
       problems.error("damping.modal", fmt::format("{} ratios", modal->ratios.size()),
                      fmt::format("one for all modes, or one for each of the {} modes", coordinates),
@@ -110,7 +111,7 @@ void check_random(const Description& description, foundation::Problems& problems
     if (const auto* random = std::get_if<Random>(&excitation.course))
       for (const Random::Partner& partner : random->partners) {
         const auto at = [&](const std::string& name) {
-          return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+          return to_size(std::find(names.begin(), names.end(), name) - names.begin());
         };
         if (at(partner.other) == names.size()) {
           const std::string guess = foundation::nearest_name(partner.other, names);

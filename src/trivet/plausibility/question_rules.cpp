@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -32,7 +33,7 @@ constexpr double fastest_allowed = 0.5;
 /// Natural frequencies above 0, ascending [rad/s]; empty if the system is too large or has no such modes.
 std::vector<double> natural_frequencies(const model::System& system) {
   std::vector<double> result;
-  if (6 * static_cast<Eigen::Index>(system.bodies().size()) > most_coordinates) return result;
+  if (6 * to_index(system.bodies().size()) > most_coordinates) return result;
   try {
     const assembly::Assembled assembled = assembly::assemble(system);
     if (assembled.layout.size() > most_coordinates) return result;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/solids_reader.h"
@@ -44,11 +45,9 @@ void read_free(TableReader& reader, model::Body& body) {
   body.free.fill(false);
   for (const std::string& name : *names) {
     const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
-    if (found != model::coordinate_names.end() &&
-        body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())])
+    if (found != model::coordinate_names.end() && body.free[to_size(found - model::coordinate_names.begin())])
       reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
-    else if (found != model::coordinate_names.end())
-      body.free[static_cast<std::size_t>(found - model::coordinate_names.begin())] = true;
+    else if (found != model::coordinate_names.end()) body.free[to_size(found - model::coordinate_names.begin())] = true;
     else
       reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
                    "name the coordinates that move");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/mobility_table.h"
@@ -62,7 +63,7 @@ Ground read_impedance(TableReader& reader) {
   for (const int j : ground.directions)
     if (!(k(j) > 0) && reader.has("translation"))
       reader.error(j < 3 ? "translation" : "rotation",
-                   fmt::format("{:.6g} for {}", k(j), model::coordinate_names[static_cast<std::size_t>(j)]),
+                   fmt::format("{:.6g} for {}", k(j), model::coordinate_names[to_size(j)]),
                    "the stiffness of a compliant direction is > 0", "name the compliant directions: free = [\"z\"]");
   if (turns && !ground.directions.empty() &&
       std::none_of(ground.directions.begin(), ground.directions.end(), [](int j) { return j > 2; }))
@@ -98,11 +99,11 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
         "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
     return ground;
   }
-  const auto count = static_cast<Eigen::Index>(list->items.size());
+  const auto count = to_index(list->items.size());
   model::Foundation shared{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
                            Eigen::MatrixXd::Zero(count, count)};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Node& node = list->items[static_cast<std::size_t>(i)];
+    const Node& node = list->items[to_size(i)];
     if (node.kind != Node::Kind::table) {
       reader.error("modes", fmt::format("mode {} is {}", i + 1, kind_name(node.kind)), "a mode is a table",
                    "{frequency = …, modal_mass = …, damping = …, shapes = {…}}");
@@ -132,7 +133,7 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
       }
       auto& shape = ground.shapes[shapes->keys[s]];
       if (shape.cols() == 0) shape.setZero(6, count);
-      for (std::size_t j = 0; j < values->size(); ++j) shape(static_cast<Eigen::Index>(j), i) = (*values)[j];
+      for (std::size_t j = 0; j < values->size(); ++j) shape(to_index(j), i) = (*values)[j];
     }
     mode.finish();
   }
@@ -143,13 +144,13 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
 
 /// Adds a separate ground point under end N of one element.
 void add_separate_ground_point(const Ground& ground, model::Element& element, model::Description& description) {
-  const auto count = static_cast<Eigen::Index>(ground.directions.size());
+  const auto count = to_index(ground.directions.size());
   const std::string name = element.name + ".foundation";
   model::Foundation place{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
                           Eigen::MatrixXd::Zero(count, count)};
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const int j = ground.directions[static_cast<std::size_t>(i)];
+    const int j = ground.directions[to_size(i)];
     place.mass(i, i) = ground.mass(j);
     shape(j, i) = 1;
   }

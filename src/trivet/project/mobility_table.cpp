@@ -8,6 +8,7 @@
 #include <memory>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/mobility_causality.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -35,7 +36,7 @@ struct MobilityTable {
   /// Y by linear interpolation, which keeps Re Y positive semidefinite; for complex ω the piece at `near` is continued.
   [[nodiscard]] Eigen::MatrixXcd at(std::complex<double> omega, double near) const {
     const auto above = std::upper_bound(knots.begin() + 1, knots.end() - 1, near);
-    const auto i = static_cast<std::size_t>(above - knots.begin());
+    const auto i = to_size(above - knots.begin());
     const std::complex<double> share = (omega - knots[i - 1]) / (knots[i] - knots[i - 1]);
     return (1.0 - share) * rows[i - 1] + share * rows[i];
   }
@@ -45,8 +46,7 @@ struct MobilityTable {
     elements::Matrix12c full = elements::Matrix12c::Zero();
     for (std::size_t a = 0; a < directions.size(); ++a)
       for (std::size_t b = 0; b < directions.size(); ++b) {
-        const std::complex<double> entry =
-            std::complex<double>(0, 1) * omega * inverse(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+        const std::complex<double> entry = std::complex<double>(0, 1) * omega * inverse(to_index(a), to_index(b));
         const int i = directions[a], j = directions[b];
         full(i, j) = full(6 + i, 6 + j) = entry;
         full(i, 6 + j) = full(6 + i, j) = -entry;
@@ -59,9 +59,7 @@ std::optional<std::pair<int, int>> entry_of(std::string name) {
   if (name.ends_with("_im")) name.resize(name.size() - 3);
   for (int i = 0; i < 6; ++i)
     for (int j = i; j < 6; ++j)
-      if (name ==
-          fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)],
-                      model::coordinate_names[static_cast<std::size_t>(j)]))
+      if (name == fmt::format("y_{}_{}", model::coordinate_names[to_size(i)], model::coordinate_names[to_size(j)]))
         return std::pair(i, j);
   return std::nullopt;
 }
@@ -74,7 +72,7 @@ void check_frequencies(const CsvTable& csv, const Eigen::VectorXd& frequency, fo
         .error("", fmt::format("frequency_hz = {:.6g}", frequency(i)),
                rises ? "a mobility is measured above 0 Hz" : "frequencies increase from row to row",
                "sort or correct the rows")
-        .origin = {csv.source, csv.lines[static_cast<std::size_t>(i)]};
+        .origin = {csv.source, csv.lines[to_size(i)]};
   }
   if (frequency.size() < 2)
     found.error("", fmt::format("{} rows", frequency.size()), "a table has at least two rows", "add some");
@@ -102,12 +100,11 @@ void check_passive(const CsvTable& csv, const MobilityTable& table, foundation::
 
 void judge(const MobilityTable& table, model::Element& element, foundation::Problems& found) {
   for (std::size_t a = 0; a < table.directions.size(); ++a) {
-    Eigen::VectorXcd values(static_cast<Eigen::Index>(table.rows.size()));
-    const auto d = static_cast<Eigen::Index>(a);
-    for (std::size_t i = 0; i < table.rows.size(); ++i) values(static_cast<Eigen::Index>(i)) = table.rows[i](d, d);
+    Eigen::VectorXcd values(to_index(table.rows.size()));
+    const auto d = to_index(a);
+    for (std::size_t i = 0; i < table.rows.size(); ++i) values(to_index(i)) = table.rows[i](d, d);
     const identification::MobilityVerdict verdict = identification::mobility_causality(table.knots, values);
-    const std::string name =
-        fmt::format("y_{0}_{0}", model::coordinate_names[static_cast<std::size_t>(table.directions[a])]);
+    const std::string name = fmt::format("y_{0}_{0}", model::coordinate_names[to_size(table.directions[a])]);
     element.facts.push_back(
         {"causality of " + name,
          fmt::format("{:.3g} % rms from the nearest passive, causal mobility", 100 * verdict.relative_rms)});
@@ -169,17 +166,17 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
   for (const auto& [i, j] : entries)
     if (place(i) == std::ssize(table.directions) || place(j) == std::ssize(table.directions))
       reader.error("file",
-                   fmt::format("y_{}_{} without the diagonal", model::coordinate_names[static_cast<std::size_t>(i)],
-                               model::coordinate_names[static_cast<std::size_t>(j)]),
+                   fmt::format("y_{}_{} without the diagonal", model::coordinate_names[to_size(i)],
+                               model::coordinate_names[to_size(j)]),
                    "a coupling needs the diagonal mobilities of both directions", "add them");
   if (entries.empty()) reader.error("file", "no mobility column", mobility_columns, "add at least one pair");
   if (reader.errors() > before) return std::nullopt;
-  const auto count = static_cast<Eigen::Index>(table.directions.size());
-  table.rows.assign(static_cast<std::size_t>(csv->values.rows()), Eigen::MatrixXcd::Zero(count, count));
+  const auto count = to_index(table.directions.size());
+  table.rows.assign(to_size(csv->values.rows()), Eigen::MatrixXcd::Zero(count, count));
   foundation::Problems found;
   for (const auto& [i, j] : entries) {
-    const std::string name = fmt::format("y_{}_{}", model::coordinate_names[static_cast<std::size_t>(i)],
-                                         model::coordinate_names[static_cast<std::size_t>(j)]);
+    const std::string name =
+        fmt::format("y_{}_{}", model::coordinate_names[to_size(i)], model::coordinate_names[to_size(j)]);
     const auto values = columns(*csv, {"frequency_hz", name, name + "_im"});
     if (!values) return reader.add_of_file("file", values.error()), std::nullopt;
     if (table.knots.empty()) check_frequencies(*csv, values->col(0), found);
@@ -187,9 +184,9 @@ std::optional<std::vector<int>> read_mobility_table(TableReader& reader, model::
     for (Eigen::Index r = 0; r < values->rows(); ++r) {
       if (!values->row(r).allFinite())
         found.error("", name + " is missing", "every cell must hold a finite number", "complete or remove the row")
-            .origin = {csv->source, csv->lines[static_cast<std::size_t>(r)]};
-      table.rows[static_cast<std::size_t>(r)](place(i), place(j)) = table.rows[static_cast<std::size_t>(r)](
-          place(j), place(i)) = std::complex<double>((*values)(r, 1), (*values)(r, 2));
+            .origin = {csv->source, csv->lines[to_size(r)]};
+      table.rows[to_size(r)](place(i), place(j)) = table.rows[to_size(r)](place(j), place(i)) =
+          std::complex<double>((*values)(r, 1), (*values)(r, 2));
     }
   }
   for (double& frequency : table.knots) frequency *= 2 * std::numbers::pi;

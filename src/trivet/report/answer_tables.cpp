@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
@@ -184,13 +185,13 @@ std::string power_table(const study::Answers& answers) {
                  fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
     return std::vector<Cell>{{name},
                              quantity_cell(most, "W"),
-                             hertz_cell(p.angular_frequency[static_cast<std::size_t>(at)]),
+                             hertz_cell(p.angular_frequency[to_size(at)]),
                              total > 0 && most > 0 ? percent_cell(most / total) : right("–"),
                              quantity_cell(fed, "W")};
   };
   std::vector<std::vector<Cell>> rows;
   for (std::size_t m = 0; m < p.mounts.size(); ++m)
-    rows.push_back(row(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose()));
+    rows.push_back(row(p.mounts[m], p.into_ground.row(to_index(m)).transpose()));
   rows.push_back(row("all mounts", p.into_ground_in_total));
   return html_table({{"mount"},
                      right("largest power into the ground"),

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/plot_panel.h"
 #include "trivet/study/element_summary.h"
@@ -64,7 +65,7 @@ Curves curves(const elements::Law& law, const response::Band& band) {
     try {
       const elements::Matrix12c d = elements::dynamic_stiffness(law, omega);
       result.hertz.push_back(omega / two_pi);
-      for (int j = 0; j < 6; ++j) result.magnitude[static_cast<std::size_t>(j)].push_back(std::abs(d(6 + j, 6 + j)));
+      for (int j = 0; j < 6; ++j) result.magnitude[to_size(j)].push_back(std::abs(d(6 + j, 6 + j)));
     } catch (const foundation::NotComputable&) {  // exactly at an undamped natural frequency
     }
   }

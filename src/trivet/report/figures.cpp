@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/plot_panel.h"
@@ -100,7 +101,7 @@ std::vector<std::vector<PixelPoint>> pieces_of_curve(const Panel& p, const std::
   const auto inside = [&](double value) { return value >= p.y_from && value <= p.y_to; };
   std::vector<std::vector<PixelPoint>> pieces(1);
   for (Eigen::Index k = 0; k < y.size(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
+    const auto i = to_size(k);
     const bool crosses = k > 0 && inside(y(k)) != inside(y(k - 1)) && std::isfinite(y(k)) && std::isfinite(y(k - 1)) &&
         !(p.logarithmic && std::min(y(k), y(k - 1)) <= 0);
     if (crosses) {
@@ -151,7 +152,7 @@ void draw_phases(SvgCanvas& canvas, const Panel& p, const study::Answers& answer
     std::vector<PixelPoint> points;
     double last = 0;
     for (std::size_t k = 0; k < omega.size(); ++k) {
-      const double degrees = phase(static_cast<Eigen::Index>(k)) * 180 / std::numbers::pi;
+      const double degrees = phase(to_index(k)) * 180 / std::numbers::pi;
       if (!std::isfinite(degrees)) continue;
       if (!points.empty() && std::abs(degrees - last) > 270) {  // the phase wraps at ±180°
         canvas.polyline(points, series_stroke(i));
@@ -278,7 +279,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
                 "text-anchor=\"middle\" font-size=\"12\" font-weight=\"bold\"");
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
-      const Extent& range = ranges[static_cast<std::size_t>(part)];
+      const Extent& range = ranges[to_size(part)];
       const UnitPrefix unit = unit_prefix(range.largest, answers.response->curves.curves[series->front().curve].unit);
       Panel panel{
           left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,

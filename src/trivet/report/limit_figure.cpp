@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
@@ -21,7 +22,7 @@ constexpr double invisible_limit = 1e-4;  // of the highest of level and limit
 std::vector<double> levels(const study::LimitLineResult& answer, double factor) {
   std::vector<double> result;
   for (std::size_t i = 0; i < answer.comparison.angular_frequency.size(); ++i) {
-    const double margin = answer.comparison.margin(static_cast<Eigen::Index>(i));
+    const double margin = answer.comparison.margin(to_index(i));
     const double limit = response::zero_to_peak_limit(answer.line, answer.comparison.angular_frequency[i]) *
         (answer.line.rms ? std::sqrt(0.5) : 1);
     result.push_back(margin > 0 && std::isfinite(margin) ? factor * limit / margin

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/report/map_words.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/map_summary.h"
@@ -104,7 +105,7 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
 }
 
 PixelPoint best_point(const MapPicture& picture) {
-  const auto nx = static_cast<std::size_t>(picture.map.grid.nx);
+  const auto nx = to_size(picture.map.grid.nx);
   return picture.at(
       picture.map.grid.place(static_cast<int>(*picture.map.best % nx), static_cast<int>(*picture.map.best / nx)));
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
 #include "trivet/response/machinery/power.h"
@@ -35,8 +36,7 @@ std::vector<std::size_t> mounts_with_power(const response::PowerFlow& power) {
   const double largest = power.into_ground.cwiseAbs().maxCoeff();
   std::vector<std::size_t> found;
   for (Eigen::Index m = 0; m < power.into_ground.rows(); ++m)
-    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible_power * largest)
-      found.push_back(static_cast<std::size_t>(m));
+    if (power.into_ground.row(m).cwiseAbs().maxCoeff() > invisible_power * largest) found.push_back(to_size(m));
   return found;
 }
 
@@ -59,7 +59,7 @@ PanelRow mount_row(const response::PowerFlow& power, const std::vector<std::size
   PanelRow row;
   double low = 0, high = 0;
   for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const Eigen::VectorXd mine = unit.factor * power.into_ground.row(static_cast<Eigen::Index>(mounts[i])).transpose();
+    const Eigen::VectorXd mine = unit.factor * power.into_ground.row(to_index(mounts[i])).transpose();
     row.curves.push_back({{power.mounts[mounts[i]]}, hertz, {mine.begin(), mine.end()}, series_stroke(i)});
     low = std::min(low, mine.minCoeff());
     high = std::max(high, mine.maxCoeff());

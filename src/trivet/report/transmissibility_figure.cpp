@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_panel.h"
 #include "trivet/study/transmissibility_answer.h"
@@ -38,7 +39,7 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
     const response::Curve& c = answer.curves.curves[i];
     PanelCurve curve{{c.name}, hertz, {}, series_stroke(i)};
     for (std::size_t k = 0; k < hertz.size(); ++k) {
-      const double level = response::transmissibility_level(std::abs(c.value(static_cast<Eigen::Index>(k))));
+      const double level = response::transmissibility_level(std::abs(c.value(to_index(k))));
       curve.y.push_back(level);
       if (hertz[k] < row.x.from || !std::isfinite(level)) continue;
       low = std::min(low, level);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
 #include "trivet/report/plot_panel.h"
@@ -86,7 +87,7 @@ void draw_spectra(SvgCanvas& canvas, const Space& s, const std::vector<response:
     if (i + 1 == lines.size() || lines[i + 1].speed != line.speed)
       canvas.line(s.at(0, rpm, 0), s.at(s.hertz_to, rpm, 0), "stroke=\"#b8b8b8\" stroke-width=\"0.8\"");
     if (hertz > s.hertz_to || !std::isfinite(line.amplitude)) continue;
-    const auto order = static_cast<std::size_t>(std::find(orders.begin(), orders.end(), line.order) - orders.begin());
+    const auto order = to_size(std::find(orders.begin(), orders.end(), line.order) - orders.begin());
     canvas.line(s.at(hertz, rpm, 0), s.at(hertz, rpm, line.amplitude * factor),
                 fmt::format("stroke=\"{}\" stroke-width=\"2\"", series_colour(order)));
   }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/distinct_texts.h"
 #include "trivet/study/map_warnings.h"
@@ -82,7 +83,7 @@ std::string best_words(const study::DesignMap& map) {
 
 std::vector<std::string> best_ends(const study::DesignMap& map) {
   if (!map.best || !(map.outcomes[*map.best].margin > 0) || std::isinf(map.outcomes[*map.best].margin)) return {};
-  const auto nx = static_cast<std::size_t>(map.grid.nx), ny = static_cast<std::size_t>(map.grid.ny);
+  const auto nx = to_size(map.grid.nx), ny = to_size(map.grid.ny);
   const design::DesignPoint p = map.point(*map.best);
   std::vector<std::string> ends;
   const auto look = [&](const project::MapAxis& axis, double value, std::size_t at, std::size_t points) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -84,9 +85,7 @@ std::string modes_csv(const project::Case& variant, const study::Answers& answer
         mode.angular_frequency ? csv_number(*mode.angular_frequency / two_pi) : "", csv_field(mode.name));
     for (const double component : mode.shape) text += "," + csv_number(component);
     for (std::size_t e = 0; e < variant.system.elements().size(); ++e)
-      text += "," +
-          (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(static_cast<Eigen::Index>(e)))
-                                    : std::string());
+      text += "," + (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(to_index(e))) : std::string());
     text += "\n";
   }
   return text;
@@ -96,7 +95,7 @@ std::string strain_words(const project::Case& variant, const modal::Mode& mode) 
   if (!mode.strain_energy_share) return "–";
   Eigen::Index largest = 0;
   const double share = mode.strain_energy_share->maxCoeff(&largest);
-  return variant.system.elements()[static_cast<std::size_t>(largest)].name + " " + percent(share);
+  return variant.system.elements()[to_size(largest)].name + " " + percent(share);
 }
 
 std::string modes_text(const project::Case& variant, const study::Answers& answers) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -81,10 +82,9 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
   text += "\n";
   for (std::size_t k = 0; k < run.speed.size(); ++k) {
     text += fmt::format("{},{}", run.speed[k], run.speed[k] * 60 / two_pi);
-    for (const response::Overall& o : run.overall) text += "," + csv_number(o.rms(static_cast<Eigen::Index>(k)));
+    for (const response::Overall& o : run.overall) text += "," + csv_number(o.rms(to_index(k)));
     for (const response::OrderCurves& order : run.orders)
-      for (const response::Curve& c : order.curves)
-        text += "," + csv_number(std::abs(c.value(static_cast<Eigen::Index>(k))));
+      for (const response::Curve& c : order.curves) text += "," + csv_number(std::abs(c.value(to_index(k))));
     text += "\n";
   }
   return text;

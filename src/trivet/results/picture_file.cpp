@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "trivet/foundation/file_writing.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::results {
@@ -20,7 +21,7 @@ bool is_earlier_picture(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string head(4096, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(stream.gcount()));
+  head.resize(to_size(stream.gcount()));
   if (head.empty()) return stream.eof();
   const std::size_t start = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (start == std::string::npos) return false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/machinery/power.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
@@ -25,11 +26,9 @@ Json power(const project::Case&, const study::Answers& answers) {
               {"dissipated_by_system", list(p.dissipated_by_system)},
               {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < p.mounts.size(); ++i)
-    result["mounts"].push_back(
-        {{"name", p.mounts[i]}, {"into_ground", list(p.into_ground.row(static_cast<Eigen::Index>(i)))}});
+    result["mounts"].push_back({{"name", p.mounts[i]}, {"into_ground", list(p.into_ground.row(to_index(i)))}});
   for (std::size_t i = 0; i < p.elements.size(); ++i)
-    result["elements"].push_back(
-        {{"name", p.elements[i]}, {"dissipated", list(p.dissipated.row(static_cast<Eigen::Index>(i)))}});
+    result["elements"].push_back({{"name", p.elements[i]}, {"dissipated", list(p.dissipated.row(to_index(i)))}});
   return result;
 }
 
@@ -44,7 +43,7 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
   for (const std::string& mount : p.mounts) text += "," + csv_field("into ground at " + mount + " [W]");
   text += "\n";
   for (std::size_t k = 0; k < p.angular_frequency.size(); ++k) {
-    const auto column = static_cast<Eigen::Index>(k);
+    const auto column = to_index(k);
     text += fmt::format("{},{},{},{}", p.angular_frequency[k], csv_number(p.by_forces(column)),
                         csv_number(p.by_ground(column)), csv_number(p.into_ground_in_total(column)));
     for (Eigen::Index m = 0; m < p.into_ground.rows(); ++m) text += "," + csv_number(p.into_ground(m, column));
@@ -62,11 +61,10 @@ std::string power_text(const project::Case& variant, const study::Answers& answe
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double highest = without_round_off(power.maxCoeff(&at), most);
-    table.add({name, number_text(highest),
-               highest == 0 ? "–" : number_text(hertz(p.angular_frequency[static_cast<std::size_t>(at)]), 5)});
+    table.add(
+        {name, number_text(highest), highest == 0 ? "–" : number_text(hertz(p.angular_frequency[to_size(at)]), 5)});
   };
-  for (std::size_t m = 0; m < p.mounts.size(); ++m)
-    add(p.mounts[m], p.into_ground.row(static_cast<Eigen::Index>(m)).transpose());
+  for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground.row(to_index(m)).transpose());
   add("in total", p.into_ground_in_total);
   return excited_at_once(variant, "power") + "Mean power into the ground (negative: out of the ground)\n" +
       table.text();

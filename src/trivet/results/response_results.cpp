@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -123,7 +124,7 @@ std::string response_csv(const project::Case&, const study::Answers& answers) {
   for (const auto& curve : answer.curves.curves) text += "," + csv_field(curve.name + " phase [rad]");
   text += "\n";
   for (std::size_t i = 0; i < answer.curves.angular_frequency.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
+    const auto row = to_index(i);
     text += csv_number(answer.curves.angular_frequency[i]);
     for (const auto& curve : answer.curves.curves) {
       const std::complex<double> z = curve.value(row);
@@ -148,8 +149,8 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
   for (std::size_t i = 0; i < count; i += step) {
     std::vector<std::string> row = {number_text(answer.curves.angular_frequency[i])};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
-      row.push_back(number_text(std::abs(answer.curves.curves[c].value(static_cast<Eigen::Index>(i)))));
-      const double degrees = answer.phase[c](static_cast<Eigen::Index>(i)) * 360 / foundation::two_pi;
+      row.push_back(number_text(std::abs(answer.curves.curves[c].value(to_index(i)))));
+      const double degrees = answer.phase[c](to_index(i)) * 360 / foundation::two_pi;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 
@@ -43,7 +44,7 @@ Json modes_json(const modal::BodySuspension& body) {
     result.push_back({{"angular_frequency", json::optional(mode.angular_frequency)},
                       {"kinetic_energy_share", json::list(mode.kinetic_energy_share)},
                       {"in_elements", json::number(mode.in_elements)},
-                      {"purest", model::coordinate_names[static_cast<std::size_t>(mode.purest)]},
+                      {"purest", model::coordinate_names[to_size(mode.purest)]},
                       {"decoupling", json::number(mode.decoupling())}});
   return result;
 }
@@ -82,8 +83,8 @@ std::string suspension_csv(const project::Case& variant, const study::Suspension
       text += csv_field(variant.system.bodies()[body.body].name) + "," +
           (mode.angular_frequency ? fmt::format("{}", *mode.angular_frequency) : "");
       for (const double share : mode.kinetic_energy_share) text += fmt::format(",{}", share);
-      text += fmt::format(",{},{},{}\n", mode.in_elements,
-                          model::coordinate_names[static_cast<std::size_t>(mode.purest)], mode.decoupling());
+      text += fmt::format(",{},{},{}\n", mode.in_elements, model::coordinate_names[to_size(mode.purest)],
+                          mode.decoupling());
     }
   return text;
 }

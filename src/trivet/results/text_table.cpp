@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::results {
 namespace {
 
 /// Number of characters on the screen: UTF-8 continuation bytes do not count.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
+  return to_size(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -54,7 +55,7 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
   for (std::size_t k = 0; k < t.curves.angular_frequency.size(); ++k) {
     text += csv_number(t.curves.angular_frequency[k]);
     for (const response::Curve& c : t.curves.curves) {
-      const double size = std::abs(c.value(static_cast<Eigen::Index>(k)));
+      const double size = std::abs(c.value(to_index(k)));
       text += fmt::format(",{},{}", csv_number(size), csv_number(response::transmissibility_level(size)));
     }
     text += "\n";

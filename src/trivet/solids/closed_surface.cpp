@@ -9,6 +9,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::solids {
 namespace {
 
@@ -21,9 +23,7 @@ constexpr std::size_t most_listed_holes = 5;
 /// Sets of connected vertices.
 class Connected {
  public:
-  explicit Connected(Eigen::Index count) : parent_(static_cast<std::size_t>(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
+  explicit Connected(Eigen::Index count) : parent_(to_size(count)) { std::iota(parent_.begin(), parent_.end(), 0); }
   int root(int i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
@@ -31,7 +31,7 @@ class Connected {
   void join(int a, int b) { parent(std::max(root(a), root(b))) = std::min(root(a), root(b)); }
 
  private:
-  int& parent(int i) { return parent_[static_cast<std::size_t>(i)]; }
+  int& parent(int i) { return parent_[to_size(i)]; }
   std::vector<int> parent_;
 };
 
@@ -42,7 +42,7 @@ struct Edge {
 
 std::vector<Edge> edges_of(const Eigen::Matrix3Xi& triangles) {
   std::vector<Edge> all;
-  all.reserve(3 * static_cast<std::size_t>(triangles.cols()));
+  all.reserve(3 * to_size(triangles.cols()));
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
     if (triangles(0, t) == triangles(1, t) || triangles(1, t) == triangles(2, t) || triangles(2, t) == triangles(0, t))
       continue;  // a line at most

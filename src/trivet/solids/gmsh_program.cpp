@@ -14,6 +14,7 @@
 #include <system_error>
 
 #include "trivet/foundation/child_process.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::solids {
 namespace {
@@ -38,7 +39,7 @@ foundation::Expected<void> check_step(const std::filesystem::path& file) {
                    "check its name and its permissions");
   std::string begin(step_header_bytes, '\0');
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  begin.resize(static_cast<std::size_t>(stream.gcount()));
+  begin.resize(to_size(stream.gcount()));
   if (begin.find("ISO-10303-21") == std::string::npos)
     return refused(fmt::format("{}: is not a STEP file", file.string()), "a STEP file begins with ISO-10303-21",
                    "export the part as STEP (AP203, AP214, AP242)");

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "trivet/foundation/index.h"
 #include "trivet/solids/closed_surface.h"
 #include "trivet/solids/step_file.h"
 #include "trivet/solids/stl_file.h"
@@ -57,12 +58,12 @@ struct Measure {
     VolumeIntegrals total;
     std::set<int> taken;
     for (const int number : step.solids) {
-      if (number < 1 || static_cast<std::size_t>(number) > volumes->size())
+      if (number < 1 || to_size(number) > volumes->size())
         found.error("solids", fmt::format("{}; {} holds {} solids", number, step.file.string(), volumes->size()),
                     fmt::format("solids are numbered from 1 to {}", volumes->size()), "name existing solids");
       else if (!taken.insert(number).second)
         found.error("solids", fmt::format("{} is named twice", number), "each solid counts once", "name it once");
-      else total = sum(total, (*volumes)[static_cast<std::size_t>(number) - 1]);
+      else total = sum(total, (*volumes)[to_size(number) - 1]);
     }
     if (found.has_errors()) return tl::unexpected(found);
     if (step.solids.empty())

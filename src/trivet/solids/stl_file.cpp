@@ -13,6 +13,8 @@
 #include <iterator>
 #include <unordered_map>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::solids {
 namespace {
 
@@ -42,8 +44,8 @@ class Builder {
   [[nodiscard]] std::size_t count() const { return order_.size() / 3; }
   [[nodiscard]] TriangleSurface surface() const {
     return {Eigen::Map<const Eigen::Matrix3Xd>(corners_.empty() ? nullptr : corners_[0].data(), 3,
-                                               static_cast<Eigen::Index>(corners_.size())),
-            Eigen::Map<const Eigen::Matrix3Xi>(order_.data(), 3, static_cast<Eigen::Index>(count()))};
+                                               to_index(corners_.size())),
+            Eigen::Map<const Eigen::Matrix3Xi>(order_.data(), 3, to_index(count()))};
   }
 
  private:

@@ -11,6 +11,7 @@
 
 #include "trivet/assembly/loads.h"
 #include "trivet/design/design_rules.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/guides.h"
@@ -71,10 +72,10 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   const Eigen::MatrixXcd dense = model.at(grid);
   for (std::size_t c = 0; c < response.curves.size(); ++c) {
-    const Eigen::VectorXd along = response::continuous_phase(dense.row(static_cast<Eigen::Index>(c)).transpose());
-    Eigen::VectorXd at(static_cast<Eigen::Index>(asked_at.size()));
+    const Eigen::VectorXd along = response::continuous_phase(dense.row(to_index(c)).transpose());
+    Eigen::VectorXd at(to_index(asked_at.size()));
     for (std::size_t i = 0; i < asked_at.size(); ++i) {
-      const auto row = static_cast<Eigen::Index>(i);
+      const auto row = to_index(i);
       const double own = response::phase(response.curves[c].value(row));
       const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
       at(row) = std::isfinite(followed)
@@ -88,7 +89,7 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
 
 /// At most `most` of the numbers, first and last included.
 std::vector<double> subsample(const std::vector<double>& all, int most) {
-  const std::size_t count = std::min(all.size(), static_cast<std::size_t>(most));
+  const std::size_t count = std::min(all.size(), to_size(most));
   if (count < 2) return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)};
   std::vector<double> some;
   for (std::size_t i = 0; i < count; ++i) some.push_back(all[i * (all.size() - 1) / (count - 1)]);
@@ -378,10 +379,9 @@ class CaseStudy {
   LimitAnswer limit_answer(const project::Limit& limit, const project::AnswerSelection& selection,
                            const response::Band& band) {
     const response::Peaks& found = peaks_of(selection);
-    const auto curve =
-        static_cast<std::size_t>(std::find_if(found.curves.begin(), found.curves.end(),
-                                              [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
-                                 found.curves.begin());
+    const auto curve = to_size(std::find_if(found.curves.begin(), found.curves.end(),
+                                            [&](const response::CurveSummary& c) { return c.name == limit.name; }) -
+                               found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest,
                        true};
     const DrivenChannels driven = driven_channels(system_, assembled_, selection);
@@ -394,7 +394,7 @@ class CaseStudy {
       for (const response::Curve& drawn : response_->curves.curves)
         for (Eigen::Index i = 0; drawn.name == limit.name && i < drawn.value.size(); ++i)
           if (const double size = std::abs(drawn.value(i)); std::isfinite(size) && size > answer.in_band)
-            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[static_cast<std::size_t>(i)];
+            answer.in_band = size, answer.in_band_at = response_->curves.angular_frequency[to_size(i)];
     answer.met = design::meets_limit(answer.in_band, answer.limit);
     return answer;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/highest_frequency.h"
 #include "trivet/project/model_number.h"
@@ -38,9 +39,9 @@ Amplitudes amplitudes(const model::System& system, const project::MapRequest& re
   double from = 0, to = std::numeric_limits<double>::infinity();
   for (const assembly::ElementMap& map : assembled.elements)
     from = std::max(from, map.defined_from), to = std::min(to, map.defined_to);
-  Amplitudes found(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
+  Amplitudes found(to_index(names.size()), to_index(frequencies.size()));
   for (std::size_t f = 0; f < frequencies.size(); ++f)
-    found.col(static_cast<Eigen::Index>(f)) =
+    found.col(to_index(f)) =
         response::visible_amplitudes(assembled, channels, loading, std::max(from, std::min(to, frequencies[f] * top)));
   return found;
 }
@@ -55,8 +56,7 @@ AxisEffects axis_effects(const project::Case& variant, const project::MapRequest
   const double top = modal::highest_natural_frequency(variant.system, assembly::assemble(variant.system));
   const project::ModelNumber x(request.x), y(request.y);
   std::array<std::array<Amplitudes, shares.size()>, shares.size()> designs;
-  Amplitudes largest =
-      Amplitudes::Zero(static_cast<Eigen::Index>(names.size()), static_cast<Eigen::Index>(frequencies.size()));
+  Amplitudes largest = Amplitudes::Zero(to_index(names.size()), to_index(frequencies.size()));
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (std::size_t j = 0; j < shares.size(); ++j) try {
         const auto system =
@@ -71,7 +71,7 @@ AxisEffects axis_effects(const project::Case& variant, const project::MapRequest
       }
   AxisEffects result{{}, false, false};
   for (std::size_t c = 0; c < names.size(); ++c)
-    if (largest.row(static_cast<Eigen::Index>(c)).isZero(0)) result.zero_answers.push_back(names[c]);
+    if (largest.row(to_index(c)).isZero(0)) result.zero_answers.push_back(names[c]);
   for (std::size_t k = 0; k < shares.size(); ++k)
     for (std::size_t i = 1; i < shares.size(); ++i) {
       result.by_x = result.by_x || differ(designs[0][k], designs[i][k]);

@@ -11,6 +11,7 @@
 #include "trivet/design/boundary_crossings.h"
 #include "trivet/design/design_evaluation.h"
 #include "trivet/design/steep_neighbours.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/map_warnings.h"
 #include "trivet/study/unbounded_peaks.h"
@@ -45,7 +46,7 @@ void count(DesignMap& map) {
 }  // namespace
 
 design::DesignPoint DesignMap::point(std::size_t design) const {
-  const auto nx = static_cast<std::size_t>(grid.nx);
+  const auto nx = to_size(grid.nx);
   return value_at(request, grid.place(static_cast<int>(design % nx), static_cast<int>(design / nx)));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/element_summary.h"
 
+#include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -12,7 +13,7 @@ using spatial::Vector6;
 /// Displacement of an end in its local axes in a mode.
 Vector6 end_displacement(const model::End& end, const modal::Mode& mode) {
   if (!end.body) return Vector6::Zero();
-  const Vector6 body = mode.shape.segment<6>(6 * static_cast<Eigen::Index>(*end.body));
+  const Vector6 body = mode.shape.segment<6>(6 * to_index(*end.body));
   return spatial::both_blocks(end.axes).transpose() * spatial::rigid_motion(end.at) * body;
 }
 
@@ -43,7 +44,7 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
   for (const modal::Mode& mode : modal::modes(variant.system).list)
     if (mode.strain_energy_share)
       summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,
-                               (*mode.strain_energy_share)(static_cast<Eigen::Index>(index)),
+                               (*mode.strain_energy_share)(to_index(index)),
                                elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
   const std::string path = "elements." + element.name;
   for (const auto& problem : variant.warnings.list())

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/steady/element_directions.h"
@@ -71,7 +72,7 @@ std::vector<response::Peak> tallest(const std::vector<response::Peak>& peaks, in
                    : std::array{peak.amplitude, peak.prominence};
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) > rank(b); });
-  order.resize(std::min(order.size(), static_cast<std::size_t>(std::max(most, 0))));
+  order.resize(std::min(order.size(), to_size(std::max(most, 0))));
   std::sort(order.begin(), order.end());
   std::vector<response::Peak> result;
   for (const std::size_t i : order) result.push_back(peaks[i]);
@@ -99,10 +100,9 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
   const std::string path = "elements." + foundation::path_key(element.name) + ".";
   const std::string whole = fmt::format("the stiffness of \"{}\"", element.name);
   for (const Candidate& one :
-       {Candidate{
-            path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(direction)]),
-            fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)),
-                        element.name)},
+       {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(direction)]),
+                  fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)),
+                              element.name)},
         Candidate{path + "scale", whole}, Candidate{path + "stiffness_factor.all", whole}})
     for (const response::Parameter& parameter : parameters)
       if (parameter.name == one.parameter) return one;
@@ -132,7 +132,7 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
   for (std::size_t e = of.value_or(0); e < (of ? *of + 1 : elements.size()); ++e) {
     const std::string path = "elements." + foundation::path_key(elements[e].name) + ".";
     for (int j = 0; j < 6; ++j)
-      consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[static_cast<std::size_t>(j)]),
+      consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(j)]),
                fmt::format("the {} of \"{}\"", response::direction_words(elements[e], j), elements[e].name));
     consider(path + "scale", fmt::format("the stiffness of \"{}\"", elements[e].name));
   }
@@ -189,7 +189,7 @@ void solve_again(const project::Case& variant, const response::Question& questio
 void note_close_modes(const modal::Modes& modes, ExplainedPeak& peak) {
   constexpr double close = 0.02;
   if (!peak.peak.nearest_mode) return;
-  const modal::Mode& own = modes.list[static_cast<std::size_t>(*peak.peak.nearest_mode - 1)];
+  const modal::Mode& own = modes.list[to_size(*peak.peak.nearest_mode - 1)];
   for (const modal::Mode& mode : modes.list) {
     const double apart = std::abs(mode.angular_frequency.value_or(0) / *own.angular_frequency - 1);
     if (mode.number != own.number && apart < close && !own.repeated)

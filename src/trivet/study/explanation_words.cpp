@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/element_directions.h"
 
 namespace trivet::study {
@@ -23,7 +24,7 @@ std::string place_words(double omega) {
 }
 
 const modal::Mode& mode_of(const Explanation& explanation, int number) {
-  return explanation.modes.list[static_cast<std::size_t>(number - 1)];
+  return explanation.modes.list[to_size(number - 1)];
 }
 
 std::string modes_words(const Explanation& explanation, const ExplainedPeak& peak) {
@@ -49,7 +50,7 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   if (elements.empty() || peak.shares.strain_energy == 0) return "";
   const auto most = std::max_element(elements.begin(), elements.end(),
                                      [](const auto& a, const auto& b) { return a.stored < b.stored; });
-  const model::Element& element = variant.system.elements()[static_cast<std::size_t>(most - elements.begin())];
+  const model::Element& element = variant.system.elements()[to_size(most - elements.begin())];
   Eigen::Index direction = 0;
   const double in_direction = most->by_direction.maxCoeff(&direction);
   std::string words = fmt::format("{} of the strain energy is in \"{}\"", percent(most->stored), element.name);
@@ -59,9 +60,9 @@ std::string energy_words(const project::Case& variant, const ExplainedPeak& peak
   const auto damping = std::max_element(elements.begin(), elements.end(),
                                         [](const auto& a, const auto& b) { return a.dissipated < b.dissipated; });
   if (damping->dissipated > peak.shares.system_damping)
-    words += fmt::format("; \"{}\" dissipates {} of the power",
-                         variant.system.elements()[static_cast<std::size_t>(damping - elements.begin())].name,
-                         percent(damping->dissipated));
+    words +=
+        fmt::format("; \"{}\" dissipates {} of the power",
+                    variant.system.elements()[to_size(damping - elements.begin())].name, percent(damping->dissipated));
   return words;
 }
 

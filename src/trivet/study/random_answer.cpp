@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/study/question_answer.h"
@@ -18,7 +19,7 @@ std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
   const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) -
       model::coordinate_names.begin();
-  return static_cast<std::size_t>(at);
+  return to_size(at);
 }
 
 /// Total values of every body or point with all three translations requested, with the requested rotations; none if one

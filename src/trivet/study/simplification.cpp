@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/elements/stiffness_properties.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/study/answers.h"
@@ -46,7 +47,7 @@ bool is_inner(const Mode& mode) { return mode.element_kinetic_energy_share.sum()
 double mass_product(const model::System& system, const Eigen::VectorXd& phi, const Eigen::VectorXd& psi) {
   double sum = 0;
   for (std::size_t b = 0; b < system.bodies().size(); ++b) {
-    const auto first = 6 * static_cast<Eigen::Index>(b);
+    const auto first = 6 * to_index(b);
     const spatial::MassProperties& mass = system.bodies()[b].mass;
     const spatial::PrincipalInertia principal = spatial::principal_inertia(mass);
     const Eigen::Vector3d turn_phi = principal.axes.transpose() * phi.segment<3>(first + 3),

@@ -10,6 +10,7 @@
 
 #include <memory>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
 #include "trivet/numerics/batch/peak_question.h"
 
@@ -35,9 +36,9 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve*
     weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
   }
   place(inverted.poles);
-  const std::unique_ptr<ScannedCurve[]> inverted_curves(new ScannedCurve[static_cast<std::size_t>(channels)]);
+  const std::unique_ptr<ScannedCurve[]> inverted_curves(new ScannedCurve[to_size(channels)]);
   for (int c = 0; c < channels; ++c) {
-    ScannedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+    ScannedCurve& curve = inverted_curves[to_size(c)];
     curve.f = curves[c].f;
     curve.best = curves[c].best;
     curve.sign = curves[c].sign;
@@ -57,10 +58,10 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve*
     form_powers(inverted.poles, half, half, powers);
     LaneMask all_settled = hn::Eq(half, half);
     for (int c = 0; c < channels; ++c) {
-      ScannedCurve& curve = inverted_curves[static_cast<std::size_t>(c)];
+      ScannedCurve& curve = inverted_curves[to_size(c)];
       LaneMask own = bound_slope(inverted, powers, half, half, options, settled, curve);
       // Slopes that vanish at u = 0 keep their sign while they are monotonic.
-      const ObservedRow& row = question.rows[static_cast<std::size_t>(c)];
+      const ObservedRow& row = question.rows[to_size(c)];
       const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
       if (!flat_at_infinity)
         own = hn::And(

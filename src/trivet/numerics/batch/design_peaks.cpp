@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/peak_question.h"
@@ -34,7 +35,7 @@ void check(const Designs& designs, const DesignPeakOptions& options) {
       (options.rows_on_velocity.rows() != options.rows.rows() || options.rows_on_velocity.cols() != n))
     refuse("rows on velocity must have the same shape as rows on displacement");
   if (!options.derivative.empty() &&
-      static_cast<Eigen::Index>(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
+      to_index(options.derivative.size()) != (options.rows.size() > 0 ? options.rows.rows() : n))
     refuse("derivatives must have one number for every channel");
   for (const int d : options.derivative)
     if (d < 0 || d > 2) refuse("a derivative must be 0, 1 or 2");
@@ -45,7 +46,7 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
                                                        : Eigen::MatrixXd(Eigen::MatrixXd::Identity(n, n));
   std::vector<ObservedRow> result;
   for (Eigen::Index c = 0; c < rows.rows(); ++c) {
-    const auto at = static_cast<std::size_t>(c);
+    const auto at = to_size(c);
     // A row of zeros counts as empty, because rows on velocity decide whether a curve falls towards ω = ∞.
     const bool on_velocity = options.rows_on_velocity.size() > 0 && (options.rows_on_velocity.row(c) != 0).any();
     result.push_back({rows.row(c),
@@ -89,10 +90,10 @@ class Piece {
     return designs_.A.row(d).allFinite() && designs_.B.row(d).allFinite() && designs_.K.row(d).allFinite() &&
         load(d).allFinite();
   }
-  DesignStatus& status(Eigen::Index d) { return result_.status[static_cast<std::size_t>(d)]; }
+  DesignStatus& status(Eigen::Index d) { return result_.status[to_size(d)]; }
 
   void store(Eigen::Index d, std::size_t channel, const ChannelPeaks& answer) {
-    const auto c = static_cast<Eigen::Index>(channel);
+    const auto c = to_index(channel);
     result_.highest(d, c) = answer.highest;
     result_.highest_at(d, c) = answer.highest_at;
     if (!question_.count_peaks) return;
@@ -104,7 +105,7 @@ class Piece {
   bool accept(Eigen::Index d, int lane, DesignStatus as) {
     if (!answers_.complete[lane]) return false;
     for (std::size_t c = 0; c < question_.rows.size(); ++c)
-      store(d, c, answers_.channels[c * table_lanes + static_cast<std::size_t>(lane)]);
+      store(d, c, answers_.channels[c * table_lanes + to_size(lane)]);
     status(d) = as;
     return true;
   }
@@ -177,21 +178,19 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
   const Eigen::Index n = designs.coordinates(), count = designs.count();
   const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks,
                               options.min_prominence};
-  const auto channels = static_cast<Eigen::Index>(question.rows.size());
+  const auto channels = to_index(question.rows.size());
   DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels),
                      Eigen::ArrayXXd::Zero(count, channels),
                      {},
                      {},
-                     std::vector<DesignStatus>(static_cast<std::size_t>(count), DesignStatus::impossible)};
+                     std::vector<DesignStatus>(to_size(count), DesignStatus::impossible)};
   if (options.count_peaks) {
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::parallel_for(static_cast<std::size_t>(count),
-                           {designs_per_piece, options.threads, options.progress, "peaks of designs"},
+  foundation::parallel_for(to_size(count), {designs_per_piece, options.threads, options.progress, "peaks of designs"},
                            [&](std::size_t first, std::size_t last) {
-                             Piece(designs, question, result)
-                                 .work_through(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(last));
+                             Piece(designs, question, result).work_through(to_index(first), to_index(last));
                            });
   return result;
 }

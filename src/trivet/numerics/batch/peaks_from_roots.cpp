@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_tail-inl.h"
 #include "trivet/numerics/batch/curve_residues-inl.h"
 #include "trivet/numerics/batch/highest_maximum-inl.h"
@@ -43,7 +44,7 @@ HWY_NOINLINE void first_signs(const ScannedPack<Size>& pack, ScannedCurve* curve
     bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
     curves[c].sign = curves[c].after;
     // |y|² starts like x^derivative at rest.
-    if (question.from == 0 && question.rows[static_cast<std::size_t>(c)].derivative > 0) curves[c].sign = all(1.0);
+    if (question.from == 0 && question.rows[to_size(c)].derivative > 0) curves[c].sign = all(1.0);
   }
 }
 
@@ -71,7 +72,7 @@ class PackOfCurves {
         lane_(lane),
         channels_(static_cast<int>(question.rows.size())),
         curves_(new ScannedCurve[question.rows.size()]),
-        values_(new Pack[(3 + static_cast<std::size_t>(n)) * question.rows.size()]),
+        values_(new Pack[(3 + to_size(n)) * question.rows.size()]),
         tops_(new Top[question.count_peaks ? 0 : question.rows.size()]) {
     form(n, table);
   }
@@ -80,7 +81,7 @@ class PackOfCurves {
     const SquarePoles<Size>& poles = pack_.poles;
     update_maxima(pack_, pack_.from, curves_.get(), channels_, at_start());
     for (int c = 0; c < channels_ && question_.from == 0; ++c)
-      if (question_.rows[static_cast<std::size_t>(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // exactly
+      if (question_.rows[to_size(c)].derivative > 0) at_start()[c] = hn::Zero(Lanes());  // exactly
     for (int k = 0; k < poles.count; ++k) {
       const Pack above =
           hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
@@ -103,9 +104,9 @@ class PackOfCurves {
     bool known[table_lanes];
     store_mask(complete_, peaks.complete + lane_);
     // The extrema of one curve, ascending, as a linked list.
-    std::vector<int> first(static_cast<std::size_t>(channels_ * lanes), -1), next(found_.size(), -1);
+    std::vector<int> first(to_size(channels_ * lanes), -1), next(found_.size(), -1);
     for (std::size_t e = found_.size(); e-- > 0;) {
-      int& head = first[static_cast<std::size_t>(found_[e].channel * lanes + found_[e].lane)];
+      int& head = first[to_size(found_[e].channel * lanes + found_[e].lane)];
       next[e] = head;
       head = static_cast<int>(e);
     }
@@ -123,7 +124,7 @@ class PackOfCurves {
         hn::StoreU(doubt_at(c, pack_.to, question_.to, at_end()[c]), Lanes(), end_doubts);
       }
       for (int i = 0; i < lanes; ++i) {
-        ChannelPeaks& answer = peaks.channels[static_cast<std::size_t>(c * table_lanes + lane_ + i)];
+        ChannelPeaks& answer = peaks.channels[to_size(c * table_lanes + lane_ + i)];
         answer = {amplitude(numbers[0][i]), question_.from, 0, 0};
         const auto raise = [&](double height, double at) {
           if (height > answer.highest) answer.highest = height, answer.highest_at = at;
@@ -132,9 +133,8 @@ class PackOfCurves {
         double doubtful = 1e-6;  // round-off
         heights.assign(1, answer.highest);
         doubts.assign(1, start_doubts[i]);
-        for (int at = first[static_cast<std::size_t>(c * lanes + i)]; at >= 0;
-             at = next[static_cast<std::size_t>(at)]) {
-          const FoundExtremum& e = found_[static_cast<std::size_t>(at)];
+        for (int at = first[to_size(c * lanes + i)]; at >= 0; at = next[to_size(at)]) {
+          const FoundExtremum& e = found_[to_size(at)];
           doubtful = std::max(doubtful, doubt(e, numbers[2][i], question_));
           heights.push_back(amplitude(e.value));
           // A panel skipped as too low may be even lower than such a minimum.
@@ -174,8 +174,7 @@ class PackOfCurves {
   /// Relative error of a height at an end of the band by round-off.
   [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
     const SquaredResponse& f = curves_[channel].f;
-    if (omega == 0 && question_.rows[static_cast<std::size_t>(channel)].derivative > 0)
-      return hn::Zero(Lanes());  // zero at rest
+    if (omega == 0 && question_.rows[to_size(channel)].derivative > 0) return hn::Zero(Lanes());  // zero at rest
     const Pack missed =
         hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
     return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
@@ -207,7 +206,7 @@ class PackOfCurves {
     form_products(roots, products);
     complete_ = hn::Eq(pack_.from, pack_.from);
     for (int c = 0; c < channels_; ++c) {
-      const ObservedRow& row = question_.rows[static_cast<std::size_t>(c)];
+      const ObservedRow& row = question_.rows[to_size(c)];
       PairPack r[most_pairs];
       complete_ = hn::And(complete_, residues_of(n, residues, roots, row, r));
       ScannedCurve& curve = curves_[c];

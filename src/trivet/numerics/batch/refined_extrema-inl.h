@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
 #include "trivet/numerics/peaks/observed_curve.h"
 
@@ -32,8 +33,8 @@ class LaneStore {
       : count_(poles.count),
         differentiated_(
             std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
-        of_channel_(static_cast<std::size_t>(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))),
-        C_(static_cast<std::size_t>(channels) * of_channel_ * table_lanes) {
+        of_channel_(to_size(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))),
+        C_(to_size(channels) * of_channel_ * table_lanes) {
     hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
@@ -41,7 +42,7 @@ class LaneStore {
       hn::StoreU(hn::IfThenElseZero(poles.real[k], all(1.0)), Lanes(), real_[k]);
     }
     for (int c = 0; c < channels; ++c) {
-      double* to = C_.data() + static_cast<std::size_t>(c) * of_channel_ * table_lanes;
+      double* to = C_.data() + to_size(c) * of_channel_ * table_lanes;
       const auto keep = [&](const Pack& numbers) HWY_ATTR {
         hn::StoreU(numbers, Lanes(), to);
         to += table_lanes;
@@ -55,7 +56,7 @@ class LaneStore {
       keep(curves[c].f.constant_parts);
       keep(curves[c].f.slope_parts);
       if (!differentiated_) continue;
-      const int derivative = rows[static_cast<std::size_t>(c)].derivative;
+      const int derivative = rows[to_size(c)].derivative;
       keep(all(derivative));
       for (int k = 0; k < count_; ++k) {
         PairPack C = at_poles(poles.real[k], curves[c].f.C[k]);
@@ -86,7 +87,7 @@ class LaneStore {
     const auto number = [&](std::size_t row)
                             HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
     curve_of.round_off = hn::GatherIndex(Lanes(), round_off_, of_lane);
-    const auto pairs = static_cast<std::size_t>(count_);
+    const auto pairs = to_size(count_);
     SquaredResponse &f = curve_of.f, &plain = curve_of.plain;
     for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
     f.constant = number(2 * pairs);

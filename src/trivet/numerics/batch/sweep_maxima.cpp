@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/maxima_from_roots.h"
@@ -24,22 +25,22 @@ using foundation::infinity;
 void find_maxima(SweepWorkspace& workspace, const SweepPlan& plan, const std::vector<double>& omega,
                  const SweepOptions& options, SweepMaxima& result, Eigen::Index row) {
   const int n = plan.size();
-  std::vector<double> square(static_cast<std::size_t>(n), -1.0), where(static_cast<std::size_t>(n));
+  std::vector<double> square(to_size(n), -1.0), where(to_size(n));
   workspace.prepare(plan);
-  for (std::size_t at = 0; at < omega.size(); at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
-    const auto count = static_cast<long>(std::min(omega.size() - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
+  for (std::size_t at = 0; at < omega.size(); at += to_size(SweepWorkspace::chunk)) {
+    const auto count = static_cast<long>(std::min(omega.size() - at, to_size(SweepWorkspace::chunk)));
     const int singular = workspace.counts().singular;
     const Planes q = workspace.solve(&omega[at], count, options.every_backward_error);
     workspace.raise_maxima(q, square.data(), where.data());
     for (long f = 0; f < count && workspace.counts().singular > singular; ++f)
       if (std::isnan(q.re[f]) && square[0] < infinity) {
         std::fill(square.begin(), square.end(), infinity);
-        std::fill(where.begin(), where.end(), omega[at + static_cast<std::size_t>(f)]);
+        std::fill(where.begin(), where.end(), omega[at + to_size(f)]);
       }
   }
   for (int j = 0; j < n; ++j) {
-    result.amplitude(row, j) = std::sqrt(square[static_cast<std::size_t>(j)]);
-    result.angular_frequency(row, j) = where[static_cast<std::size_t>(j)];
+    result.amplitude(row, j) = std::sqrt(square[to_size(j)]);
+    result.angular_frequency(row, j) = where[to_size(j)];
   }
 }
 
@@ -92,7 +93,7 @@ SweepMaxima sweep_maxima(const DynamicMatrices& matrices, const Load& load, cons
 SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omega, const SweepOptions& options) {
   require_shapes(designs, "largest amplitudes of designs");
   require_frequencies(omega);
-  const auto count = static_cast<std::size_t>(designs.count());
+  const auto count = to_size(designs.count());
   SweepMaxima result = no_maxima(designs.count(), designs.coordinates());
   result.angular_frequency.setConstant(omega.front());
   const bool poles_pay =
@@ -103,7 +104,7 @@ SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omeg
       count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
         SweepWorkspace workspace;
         std::vector<Eigen::Index> open;
-        const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
+        const auto from = to_index(first), to = to_index(last);
         if (poles_pay) open = by_poles(designs, from, to, omega, result);
         else
           for (Eigen::Index design = from; design < to; ++design) open.push_back(design);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/general_eigen.h"
@@ -54,14 +55,14 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
   const double negligible =
       std::pow(64 * static_cast<double>(n) * epsilon, 2) * (count > 0 ? lambda.cwiseAbs().maxCoeff() : 0);
   lambda = (lambda.array().abs() <= negligible).select(0.0, lambda);
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(count));
+  std::vector<Eigen::Index> order(to_size(count));
   std::iota(order.begin(), order.end(), Eigen::Index{0});
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index x, Eigen::Index y) { return lambda(x) < lambda(y); });
   result.lambda.resize(count);
   result.norm.resize(count);
   result.shapes.resize(n, count);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Index from = order[static_cast<std::size_t>(i)];
+    const Eigen::Index from = order[to_size(i)];
     result.lambda(i) = lambda(from);
     result.norm(i) = norm(from);
     result.shapes.col(i) = normed.col(from);
@@ -79,11 +80,11 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
     if (std::abs(values(i).imag()) <= std::sqrt(epsilon) * 16 * std::abs(values(i)) ||
         std::abs(values(i)) <= 1e-12 * scale)
       real.push_back(i);
-  Eigen::MatrixXd shapes(K.rows(), static_cast<Eigen::Index>(real.size()));
+  Eigen::MatrixXd shapes(K.rows(), to_index(real.size()));
   Eigen::VectorXd lambda(shapes.cols());
   for (Eigen::Index i = 0; i < shapes.cols(); ++i) {
-    shapes.col(i) = eigen.vectors.col(real[static_cast<std::size_t>(i)]).real();
-    lambda(i) = values(real[static_cast<std::size_t>(i)]).real();
+    shapes.col(i) = eigen.vectors.col(real[to_size(i)]).real();
+    lambda(i) = values(real[to_size(i)]).real();
   }
   GeneralizedModes result = finish(K, A, shapes, false, lambda, ModeRoute::general);
   result.complex_pairs = static_cast<int>(values.size() - shapes.cols()) / 2;

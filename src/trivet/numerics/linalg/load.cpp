@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::numerics {
 namespace {
 
@@ -67,7 +69,7 @@ Eigen::VectorXcd Load::at(std::complex<double> omega) const {
 
 Eigen::MatrixXcd Load::at(const std::vector<double>& omega) const {
   Eigen::MatrixXcd h(size_, vanishes() ? 0 : std::ssize(omega));
-  for (Eigen::Index i = 0; i < h.cols(); ++i) h.col(i) = at(omega[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < h.cols(); ++i) h.col(i) = at(omega[to_size(i)]);
   return h;
 }
 

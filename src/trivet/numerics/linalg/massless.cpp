@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
@@ -10,7 +11,7 @@ namespace trivet::numerics {
 
 MassiveSystem massive_system(const DynamicMatrices& m) {
   const std::vector<Eigen::Index> massive = massive_rows(m.A);
-  const auto n = static_cast<Eigen::Index>(massive.size());
+  const auto n = to_index(massive.size());
   MassiveSystem result{m.A, m.K, Eigen::MatrixXd::Identity(m.size(), m.size())};
   if (n == m.size()) return result;
   std::vector<Eigen::Index> massless;
@@ -26,9 +27,8 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   result.K = m.K(massive, massive) + m.K(massive, massless) * follow;
   if (m.symmetric) result.K = (0.5 * (result.K + result.K.transpose())).eval();
   result.recovery.setZero(m.size(), n);
-  for (Eigen::Index j = 0; j < n; ++j) result.recovery(massive[static_cast<std::size_t>(j)], j) = 1;
-  for (std::size_t i = 0; i < massless.size(); ++i)
-    result.recovery.row(massless[i]) = follow.row(static_cast<Eigen::Index>(i));
+  for (Eigen::Index j = 0; j < n; ++j) result.recovery(massive[to_size(j)], j) = 1;
+  for (std::size_t i = 0; i < massless.size(); ++i) result.recovery.row(massless[i]) = follow.row(to_index(i));
   return result;
 }
 
@@ -49,10 +49,10 @@ ReducedSystem reduced_system(const DynamicMatrices& m) {
   const Eigen::MatrixXcd condensed = k(kept, kept) + k(kept, idle) * follow;
   ReducedSystem result{{m.A(kept, kept), m.B(kept, kept), condensed.real(),
                         m.lossy() ? Eigen::MatrixXd(condensed.imag()) : Eigen::MatrixXd(), m.symmetric},
-                       Eigen::MatrixXcd::Zero(m.size(), static_cast<Eigen::Index>(kept.size())),
+                       Eigen::MatrixXcd::Zero(m.size(), to_index(kept.size())),
                        true};
-  for (std::size_t j = 0; j < kept.size(); ++j) result.recovery(kept[j], static_cast<Eigen::Index>(j)) = 1;
-  for (std::size_t i = 0; i < idle.size(); ++i) result.recovery.row(idle[i]) = follow.row(static_cast<Eigen::Index>(i));
+  for (std::size_t j = 0; j < kept.size(); ++j) result.recovery(kept[j], to_index(j)) = 1;
+  for (std::size_t i = 0; i < idle.size(); ++i) result.recovery.row(idle[i]) = follow.row(to_index(i));
   return result;
 }
 

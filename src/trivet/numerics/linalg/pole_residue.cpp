@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
@@ -108,7 +109,7 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
     if (modes.lambda(i) > 0) slowest = std::min(slowest, std::sqrt(modes.lambda(i)));
     if (modes.lambda(i) > 0 || !damping.row(i).isZero(0)) moving.push_back(i);
   }
-  const auto count = static_cast<Eigen::Index>(moving.size());
+  const auto count = to_index(moving.size());
   if (!std::isfinite(slowest)) slowest = damping.cwiseAbs().maxCoeff();
   const Eigen::VectorXd omega = modes.lambda(moving).cwiseSqrt();
   const Eigen::VectorXd weight = (omega.array() > 0).select(omega.array(), slowest);
@@ -139,7 +140,7 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
   const DynamicMatrices m = scaled(given, d);
   const Eigen::MatrixXcd h = d.asDiagonal() * given_sides;
   const Rows p = massive_rows(m.A), z = others(m.size(), p);
-  const auto n = static_cast<Eigen::Index>(p.size()), k = static_cast<Eigen::Index>(z.size());
+  const auto n = to_index(p.size()), k = to_index(z.size());
   const Eigen::MatrixXcd K = m.complex_stiffness();
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
@@ -166,10 +167,8 @@ PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& 
   form.input.middleRows(n, n) = v_input / speed;
   form.input.bottomRows(k) = z_input;
   form.output = Eigen::MatrixXcd::Zero(m.size(), 2 * n + k);
-  for (Eigen::Index i = 0; i < n; ++i)
-    form.output(p[static_cast<std::size_t>(i)], i) = d(p[static_cast<std::size_t>(i)]);
-  for (Eigen::Index i = 0; i < k; ++i)
-    form.output(z[static_cast<std::size_t>(i)], 2 * n + i) = d(z[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < n; ++i) form.output(p[to_size(i)], i) = d(p[to_size(i)]);
+  for (Eigen::Index i = 0; i < k; ++i) form.output(z[to_size(i)], 2 * n + i) = d(z[to_size(i)]);
   if (!form.state.allFinite() || !form.input.allFinite())
     throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
   PoleResidueForm result = empty_form(m.size(), h.cols());
@@ -221,8 +220,8 @@ PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixX
     return form;
   }
   const Rows held = held_by_stiffness_only(m);
-  if (!held.empty() && static_cast<Eigen::Index>(held.size()) < m.size()) return condensed(m, held, right_sides);
-  if (static_cast<Eigen::Index>(massive_rows(m.A).size()) == m.size()) {
+  if (!held.empty() && to_index(held.size()) < m.size()) return condensed(m, held, right_sides);
+  if (to_index(massive_rows(m.A).size()) == m.size()) {
     const GeneralizedModes modes = generalized_modes(m.K, m.A, m.symmetric);
     if (modes.route == ModeRoute::definite_mass && modes.lambda.size() == m.size() && modes.lambda.minCoeff() >= 0)
       return in_modes(m, modes, right_sides);

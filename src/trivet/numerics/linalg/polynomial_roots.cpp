@@ -3,13 +3,14 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 
 namespace trivet::numerics {
 
 std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& coefficients) {
-  const auto degree = static_cast<Eigen::Index>(coefficients.size()) - 1;
+  const auto degree = to_index(coefficients.size()) - 1;
   if (degree < 1) return {};
   // In units of the roots' geometric mean, so that the coefficients are comparable; with roots at 0 the unit is 1.
   const double first = std::abs(coefficients.front()), last = coefficients.back();
@@ -17,8 +18,7 @@ std::vector<std::complex<double>> polynomial_roots(const std::vector<double>& co
   Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
   companion.diagonal(-1).setOnes();
   for (Eigen::Index i = 0; i < degree; ++i)
-    companion(i, degree - 1) =
-        -coefficients[static_cast<std::size_t>(i)] / last * std::pow(unit, static_cast<double>(i - degree));
+    companion(i, degree - 1) = -coefficients[to_size(i)] / last * std::pow(unit, static_cast<double>(i - degree));
   const GeneralEigen eigen = general_eigenvalues(companion);
   if (!eigen.converged) throw foundation::NotComputable("the roots of a polynomial did not converge");
   const Eigen::VectorXcd roots = unit * eigen.values;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -44,20 +45,20 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
     if (omega(i) > 0 || coupling > 64 * static_cast<double>(n) * epsilon * damping_scale) moving.push_back(i);
     else resting.push_back(i);
   }
-  const auto s = static_cast<Eigen::Index>(sprung.size()), m = static_cast<Eigen::Index>(moving.size());
+  const auto s = to_index(sprung.size()), m = to_index(moving.size());
   Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(s + m, s + m);
   for (Eigen::Index i = 0; i < s; ++i)
     for (Eigen::Index j = 0; j < m; ++j)
-      if (sprung[static_cast<std::size_t>(i)] == moving[static_cast<std::size_t>(j)]) {
-        state(i, s + j) = omega(sprung[static_cast<std::size_t>(i)]);
-        state(s + j, i) = -omega(sprung[static_cast<std::size_t>(i)]);
+      if (sprung[to_size(i)] == moving[to_size(j)]) {
+        state(i, s + j) = omega(sprung[to_size(i)]);
+        state(s + j, i) = -omega(sprung[to_size(i)]);
       }
   for (Eigen::Index i = 0; i < m; ++i) {
-    const Eigen::Index row = moving[static_cast<std::size_t>(i)];
-    for (Eigen::Index j = 0; j < m; ++j) state(s + i, s + j) = -B(row, moving[static_cast<std::size_t>(j)]);
+    const Eigen::Index row = moving[to_size(i)];
+    for (Eigen::Index j = 0; j < m; ++j) state(s + i, s + j) = -B(row, moving[to_size(j)]);
     if (K_loss.size() > 0)
       for (Eigen::Index j = 0; j < s; ++j) {
-        const Eigen::Index column = sprung[static_cast<std::size_t>(j)];
+        const Eigen::Index column = sprung[to_size(j)];
         state(s + i, j) -= Complex(0, K_loss(row, column) / omega(column));
       }
   }
@@ -66,14 +67,13 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   Eigen::MatrixXcd vectors;
   if (s + m > 0) eigen(state, K_loss.size() == 0, values, vectors);
   const Eigen::Index drifting = n - s;  // each coordinate without stiffness has one zero root (constant displacement) …
-  const auto resting_count =
-      static_cast<Eigen::Index>(resting.size());  // … and, undamped, a second one (constant velocity)
+  const auto resting_count = to_index(resting.size());  // … and, undamped, a second one (constant velocity)
   result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + resting_count);
   result.vectors = Eigen::MatrixXcd::Zero(n, result.lambda.size());
   result.lambda.head(s + m) = values;
   const Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);
   for (Eigen::Index k = 0; k < s + m; ++k) {
-    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[static_cast<std::size_t>(i)], k) = vectors(s + i, k);
+    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[to_size(i)], k) = vectors(s + i, k);
     normalise_by_largest(result.vectors.col(k), weight);
   }
   Eigen::Index k = s + m;
@@ -111,7 +111,7 @@ QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
   std::vector<Eigen::Index> z;
   for (Eigen::Index i = 0; i < m.size(); ++i)
     if (!std::binary_search(p.begin(), p.end(), i)) z.push_back(i);
-  const auto n = static_cast<Eigen::Index>(p.size()), k = static_cast<Eigen::Index>(z.size());
+  const auto n = to_index(p.size()), k = to_index(z.size());
   const Eigen::MatrixXcd K = m.complex_stiffness();
   const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
   const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
@@ -132,8 +132,8 @@ QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
   Eigen::MatrixXcd vectors;
   eigen(state, !m.lossy(), result.lambda, vectors);
   result.vectors.resize(m.size(), result.lambda.size());
-  for (Eigen::Index i = 0; i < n; ++i) result.vectors.row(p[static_cast<std::size_t>(i)]) = vectors.row(i);
-  for (Eigen::Index i = 0; i < k; ++i) result.vectors.row(z[static_cast<std::size_t>(i)]) = vectors.row(2 * n + i);
+  for (Eigen::Index i = 0; i < n; ++i) result.vectors.row(p[to_size(i)]) = vectors.row(i);
+  for (Eigen::Index i = 0; i < k; ++i) result.vectors.row(z[to_size(i)]) = vectors.row(2 * n + i);
   result.vectors = (d.asDiagonal() * result.vectors).eval();
   const Eigen::VectorXd weight = d.cwiseInverse();
   for (Eigen::Index i = 0; i < result.lambda.size(); ++i) normalise_by_largest(result.vectors.col(i), weight);

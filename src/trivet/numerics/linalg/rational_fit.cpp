@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 
@@ -22,7 +23,7 @@ class Loewner {
       : x_(x), values_(values), scales_(scales), rows_(values.size(), 0), gram_(0, 0) {}
 
   void add_node(Eigen::Index node) {
-    const Eigen::Index functions = values_.rows(), old = static_cast<Eigen::Index>(nodes_.size());
+    const Eigen::Index functions = values_.rows(), old = to_index(nodes_.size());
     if (old > 0) {
       auto rows_of_node = rows_.middleRows(node * functions, functions);
       gram_ -= rows_of_node.adjoint() * rows_of_node;
@@ -82,7 +83,7 @@ class Loewner {
       v(j) = std::polar(1.0, 2.4 * static_cast<double>(j));  // no direction preferred
     for (int step = 0; step < steps; ++step) v = inverse(v.normalized());
     v.normalize();
-    for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < n; ++j) v(j) /= lengths_[to_size(j)];
     return v / v.cwiseAbs().maxCoeff();
   }
 
@@ -97,11 +98,11 @@ class Loewner {
 
 RationalFit with_weights(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values,
                          const std::vector<Eigen::Index>& nodes, Eigen::VectorXcd weights) {
-  RationalFit fit{Eigen::VectorXd(static_cast<Eigen::Index>(nodes.size())), std::move(weights),
-                  Eigen::MatrixXcd(values.rows(), static_cast<Eigen::Index>(nodes.size())), 0};
+  RationalFit fit{Eigen::VectorXd(to_index(nodes.size())), std::move(weights),
+                  Eigen::MatrixXcd(values.rows(), to_index(nodes.size())), 0};
   for (std::size_t j = 0; j < nodes.size(); ++j) {
-    fit.nodes(static_cast<Eigen::Index>(j)) = x(nodes[j]);
-    fit.values.col(static_cast<Eigen::Index>(j)) = values.col(nodes[j]);
+    fit.nodes(to_index(j)) = x(nodes[j]);
+    fit.values.col(to_index(j)) = values.col(nodes[j]);
   }
   return fit;
 }

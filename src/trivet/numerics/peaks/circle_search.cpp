@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
 #include "trivet/numerics/peaks/curve_series.h"
@@ -63,8 +64,8 @@ Eigen::MatrixXcd circle_series(const CurveSampler& sample, const Panel& panel, S
   level.setZero(curves);
   for (int j = 0; j < samples; ++j)
     for (int k = 0; k < samples; ++k)
-      series.col(j) += values[static_cast<std::size_t>(k)] *
-          std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
+      series.col(j) +=
+          values[to_size(k)] * std::polar(1.0 / samples, -2 * std::numbers::pi * ((j * k) % samples) / samples);
   for (const auto& v : values) level = level.cwiseMax(v.cwiseAbs());
   // The last coefficients equal those of the first negative powers: the principal part of a pole inside the circle.
   doubt.setZero(curves);
@@ -104,10 +105,10 @@ class CircleScan {
       : sample_(sample),
         options_(options),
         seams_(options.seams),
-        doubt_(static_cast<std::size_t>(curves), 0.0),
-        top_(static_cast<std::size_t>(curves), 0.0),
-        rise_(static_cast<std::size_t>(curves), 0.0),
-        found_{std::vector<SearchedCurve>(static_cast<std::size_t>(curves)), options.from, options.to, 0} {
+        doubt_(to_size(curves), 0.0),
+        top_(to_size(curves), 0.0),
+        rise_(to_size(curves), 0.0),
+        found_{std::vector<SearchedCurve>(to_size(curves)), options.from, options.to, 0} {
     seams_.push_back(options.to);
     std::sort(seams_.begin(), seams_.end());
   }
@@ -130,7 +131,7 @@ class CircleScan {
       if (doubt_[c] > negligible * top_[c])
         throw foundation::NotComputable(fmt::format(
             "peaks: {} is so small compared with the others that round-off hides its peaks: do not request it",
-            options_.name ? options_.name(static_cast<Eigen::Index>(c)) : fmt::format("curve {}", c + 1)));
+            options_.name ? options_.name(to_index(c)) : fmt::format("curve {}", c + 1)));
   }
 
   void step(double& from, double& radius) {
@@ -162,7 +163,7 @@ class CircleScan {
     const auto& [level, possible, noise, doubt] = sizes;
     ++found_.panels;
     for (std::size_t c = 0; c < rise_.size(); ++c) {
-      const auto row = static_cast<Eigen::Index>(c);
+      const auto row = to_index(c);
       if (!(level(row) > std::max(vanishing_share * possible(row), noise(row)))) {  // only round-off
         rise_[c] = 0;
         continue;
@@ -192,14 +193,14 @@ class CircleScan {
   void note_ends() {
     const Eigen::VectorXd start = amplitudes(options_.from), end = amplitudes(options_.to);
     for (std::size_t c = 0; c < rise_.size(); ++c) {
-      found_.curves[c].at_start = start(static_cast<Eigen::Index>(c));
-      found_.curves[c].at_end = end(static_cast<Eigen::Index>(c));
+      found_.curves[c].at_start = start(to_index(c));
+      found_.curves[c].at_end = end(to_index(c));
     }
     for (const double pole : poles_) {
       std::array<Eigen::VectorXd, 4> y;
       std::ranges::transform(around_pole(pole), y.begin(), [&](double omega) { return amplitudes(omega); });
       for (std::size_t c = 0; c < rise_.size(); ++c) {
-        const auto row = static_cast<Eigen::Index>(c);
+        const auto row = to_index(c);
         if (is_unbounded({y[0](row), y[1](row), y[2](row), y[3](row)}))
           found_.curves[c].extrema.push_back(unbounded_at(pole));
       }

@@ -6,6 +6,7 @@
 #include <complex>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/peaks/extremum.h"
 #include "trivet/numerics/peaks/sign_changes.h"
 
@@ -94,7 +95,7 @@ CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& 
 }
 
 CurveSeries squared_modulus(const Eigen::RowVectorXcd& y, int power) {
-  const auto count = static_cast<std::size_t>(y.size());
+  const auto count = to_size(y.size());
   CurveSeries result{std::vector<double>(count, 0.0), power};
   const Eigen::RowVectorXd re = y.real(), im = y.imag();
   const double *a = re.data(), *b = im.data();

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
 #include "trivet/numerics/peaks/curve_series.h"
@@ -61,13 +62,13 @@ bool stands_on_a_pole(const Panel& panel, const std::vector<double>& poles) {
 /// |y|, curves × frequencies, from direct solutions.
 Eigen::MatrixXd amplitudes(const DrivenSystem& system, const std::vector<ObservedCurve>& curves,
                            const std::vector<double>& omega) {
-  const auto count = static_cast<Eigen::Index>(omega.size());
+  const auto count = to_index(omega.size());
   const Eigen::MatrixXcd q = sweep(system.matrices, system.load, omega).response;
   const Eigen::MatrixXcd given = system.given.at(omega);
   const Eigen::RowVectorXcd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), count).cast<Complex>();
-  Eigen::MatrixXd result(static_cast<Eigen::Index>(curves.size()), count);
+  Eigen::MatrixXd result(to_index(curves.size()), count);
   for (std::size_t c = 0; c < curves.size(); ++c)
-    result.row(static_cast<Eigen::Index>(c)) = curve_values(curves[c], q, given, at).cwiseAbs();
+    result.row(to_index(c)) = curve_values(curves[c], q, given, at).cwiseAbs();
   return result;
 }
 
@@ -77,12 +78,12 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
                          const std::vector<double>& poles, bool beside_free_motion, AxisSearch& search) {
   std::vector<double> omega = {search.from};
   if (std::isfinite(search.to)) omega.push_back(search.to);
-  const auto ends = static_cast<Eigen::Index>(omega.size());
+  const auto ends = to_index(omega.size());
   for (const double pole : poles)
     for (const double beside : around_pole(pole)) omega.push_back(beside);
   const Eigen::MatrixXd y = amplitudes(system, curves, omega);
   for (std::size_t c = 0; c < curves.size(); ++c) {
-    const auto row = static_cast<Eigen::Index>(c);
+    const auto row = to_index(c);
     SearchedCurve& curve = search.curves[c];
     if (!beside_free_motion || !std::isnan(y(row, 0)))
       curve.at_start = y(row, 0);  // else the value from a panel, if any

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
@@ -99,12 +100,12 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
   // A row without mass is zero at s = 0. Divided by s it is regular: i B + s K, or by s² if it has stiffness only. The
   // load of such a row must then start that many powers later: the whole right side is shifted.
-  std::vector<int> lowered(static_cast<std::size_t>(m.size()), 0);
+  std::vector<int> lowered(to_size(m.size()), 0);
   int shift = 0;
   for (Eigen::Index i = 0; i < m.size(); ++i) {
     if (!m.A.row(i).isZero(0)) continue;
     const int by = m.B.row(i).isZero(0) ? 2 : 1;
-    lowered[static_cast<std::size_t>(i)] = by;
+    lowered[to_size(i)] = by;
     for (int k = 0; k < by; ++k) {
       constant.row(i) = slope.row(i) / radius;
       slope.row(i) = curvature.row(i) / radius;
@@ -117,7 +118,7 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
   // s² Z q = s² h; q = s^power p.
   Eigen::MatrixXcd right = Eigen::MatrixXcd::Zero(m.size(), order + 1);
   for (Eigen::Index i = 0; i < m.size(); ++i) {
-    const int by = lowered[static_cast<std::size_t>(i)] - shift;  // divided by s^lowered, multiplied by s^shift
+    const int by = lowered[to_size(i)] - shift;  // divided by s^lowered, multiplied by s^shift
     for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
   }
   return {d.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};

@@ -9,6 +9,7 @@
 #include <limits>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/numerics/roots/modes-inl.h"
 
@@ -21,7 +22,7 @@ class Tile {
  public:
   static constexpr Eigen::Index designs = 64;
 
-  explicit Tile(int columns) : numbers_(static_cast<std::size_t>(columns) * designs) {}
+  explicit Tile(int columns) : numbers_(to_size(columns) * designs) {}
 
   /// Designs first … first + taken − 1 of all columns; the last one is repeated to fill the tile.
   void read(const Eigen::ArrayXXd& from, Eigen::Index first, Eigen::Index taken) {
@@ -67,7 +68,7 @@ void pieces_of_modes(Size n, const Designs& designs, Eigen::Index first, Eigen::
       double verdict[8];
       hn::StoreU(hn::IfThenElseZero(definite, all(1.0)), Lanes(), verdict);
       for (Eigen::Index lane = 0; lane < lane_count() && at + lane < taken; ++lane)
-        result.definite[static_cast<std::size_t>(first + at + lane)] = verdict[lane] != 0;
+        result.definite[to_size(first + at + lane)] = verdict[lane] != 0;
     }
     lambda.write(result.lambda, first, taken);
     x.write(result.shapes, first, taken);
@@ -104,7 +105,7 @@ void modes_without_lanes(const Designs& designs, Eigen::Index first, Eigen::Inde
   for (Eigen::Index design = first; design < last; ++design) {
     const Eigen::MatrixXd A = unpacked(designs.A, design), K = unpacked(designs.K, design);
     const bool definite = A.allFinite() && K.allFinite() && is_positive_definite(A);
-    result.definite[static_cast<std::size_t>(design)] = definite;
+    result.definite[to_size(design)] = definite;
     if (!definite) {
       result.lambda.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
       result.shapes.row(design).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -132,16 +133,15 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
         "designs: A and K must have the same number of rows, and n(n + 1)/2 columns with n ≥ 1");
   result.lambda.resize(count, n);
   result.shapes.resize(count, options.shapes ? n * n : 0);
-  result.definite.resize(static_cast<std::size_t>(count));
+  result.definite.resize(to_size(count));
   constexpr std::size_t designs_a_piece = 256;
-  foundation::parallel_for(static_cast<std::size_t>(count),
-                           {designs_a_piece, options.threads, options.progress, "modes of the designs"},
+  foundation::parallel_for(to_size(count), {designs_a_piece, options.threads, options.progress, "modes of the designs"},
                            [&](std::size_t first, std::size_t last) {
-                             const auto from = static_cast<Eigen::Index>(first), to = static_cast<Eigen::Index>(last);
+                             const auto from = to_index(first), to = to_index(last);
                              if (n > 12) return modes_without_lanes(designs, from, to, result);
                              TRIVET_DISPATCH(modes_of_designs)(designs, n, from, to, result);
                              for (Eigen::Index d = from; d < to; ++d)  // not converged in lanes
-                               if (result.definite[static_cast<std::size_t>(d)] && std::isnan(result.lambda(d, 0)))
+                               if (result.definite[to_size(d)] && std::isnan(result.lambda(d, 0)))
                                  modes_without_lanes(designs, d, d + 1, result);
                            });
 }

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-#include "trivet/numerics/linalg/index.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::numerics {
 namespace {
@@ -35,7 +35,7 @@ bool has_similar_couplings(const std::vector<int>& a, const std::vector<int>& b)
 std::vector<Eigen::Index> runs_of_like_rows(const Couplings& c) {
   std::vector<Eigen::Index> starts;
   for (std::size_t i = 0; i < c.size(); ++i) {
-    const auto row = static_cast<Eigen::Index>(i);
+    const auto row = to_index(i);
     const bool joins = !starts.empty() && row - starts.back() < largest_block && has_similar_couplings(c[i], c[i - 1]);
     if (!joins) starts.push_back(row);
   }
@@ -47,7 +47,7 @@ bool mostly_filled(const Couplings& c) {
   constexpr double most = 0.75;
   double entries = 0, room = 0;
   for (std::size_t first = 0; first < c.size(); first += body_coordinates) {
-    const std::size_t rows = std::min(c.size() - first, at(body_coordinates));
+    const std::size_t rows = std::min(c.size() - first, to_size(body_coordinates));
     std::vector<int> columns;  // blocks
     for (std::size_t i = first; i < first + rows; ++i) {
       entries += static_cast<double>(c[i].size());
@@ -79,8 +79,8 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
   Neighbours neighbours(blocks);
   for (std::size_t i = 0; i < c.size(); ++i)
     for (int before = block_of_row[i]; const int j : c[i])
-      if (const int block = block_of_row[at(j)]; block != std::exchange(before, block) && block != block_of_row[i])
-        neighbours[at(block_of_row[i])].push_back(block);
+      if (const int block = block_of_row[to_size(j)]; block != std::exchange(before, block) && block != block_of_row[i])
+        neighbours[to_size(block_of_row[i])].push_back(block);
   for (std::vector<int>& of_block : neighbours) {
     std::sort(of_block.begin(), of_block.end());
     of_block.erase(std::unique(of_block.begin(), of_block.end()), of_block.end());
@@ -91,65 +91,65 @@ Neighbours graph(const Couplings& c, const std::vector<int>& block_of_row, std::
 }  // namespace
 
 Couplings couplings(Eigen::Index rows, const std::vector<SymmetricEntry>& entries) {
-  Couplings c(at(rows));
+  Couplings c(to_size(rows));
   for (const SymmetricEntry& e : entries)
-    c[at(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
+    c[to_size(e.row)].push_back(static_cast<int>(e.column));  // columns come in order, and none right of the diagonal
   for (const SymmetricEntry& e : entries)
-    if (e.row != e.column) c[at(e.column)].push_back(static_cast<int>(e.row));
+    if (e.row != e.column) c[to_size(e.column)].push_back(static_cast<int>(e.row));
   return c;
 }
 
 BlockElimination block_elimination(const Couplings& couplings, const std::vector<Eigen::Index>& starts,
                                    const std::vector<bool>& loaded) {
-  const auto n = static_cast<Eigen::Index>(couplings.size());
+  const auto n = to_index(couplings.size());
   const auto blocks = static_cast<int>(starts.size());
-  std::vector<int> size, block_of_row(at(n));
+  std::vector<int> size, block_of_row(to_size(n));
   std::vector<char> has_load(starts.size(), 0);
   for (int b = 0; b < blocks; ++b) {
-    const Eigen::Index end = b + 1 < blocks ? starts[at(b + 1)] : n;
-    size.push_back(static_cast<int>(end - starts[at(b)]));
-    for (Eigen::Index i = starts[at(b)]; i < end; ++i) {
-      block_of_row[at(i)] = b;
-      if (loaded[at(i)]) has_load[at(b)] = 1;
+    const Eigen::Index end = b + 1 < blocks ? starts[to_size(b + 1)] : n;
+    size.push_back(static_cast<int>(end - starts[to_size(b)]));
+    for (Eigen::Index i = starts[to_size(b)]; i < end; ++i) {
+      block_of_row[to_size(i)] = b;
+      if (loaded[to_size(i)]) has_load[to_size(b)] = 1;
     }
   }
   Neighbours neighbours = graph(couplings, block_of_row, starts.size());
   const auto degree = [&](int b) {
-    return std::accumulate(neighbours[at(b)].begin(), neighbours[at(b)].end(), 0,
-                           [&](int sum, int k) { return sum + size[at(k)]; });
+    return std::accumulate(neighbours[to_size(b)].begin(), neighbours[to_size(b)].end(), 0,
+                           [&](int sum, int k) { return sum + size[to_size(k)]; });
   };
   using Waiting = std::tuple<int, char, int>;
   std::priority_queue<Waiting, std::vector<Waiting>, std::greater<>> queue;  // may contain outdated degrees
   std::vector<int> now;                                                      // current degrees
-  for (int b = 0; b < blocks; ++b) queue.emplace(now.emplace_back(degree(b)), has_load[at(b)], b);
+  for (int b = 0; b < blocks; ++b) queue.emplace(now.emplace_back(degree(b)), has_load[to_size(b)], b);
 
   std::vector<int> order, turn(starts.size(), -1), joined;
   BlockElimination result;
   while (!queue.empty()) {
     const auto [then, with_load, next] = queue.top();
     queue.pop();
-    if (turn[at(next)] >= 0 || then != now[at(next)]) continue;
-    turn[at(next)] = static_cast<int>(order.size());
+    if (turn[to_size(next)] >= 0 || then != now[to_size(next)]) continue;
+    turn[to_size(next)] = static_cast<int>(order.size());
     order.push_back(next);
-    const std::vector<int> clique = std::move(neighbours[at(next)]);
+    const std::vector<int> clique = std::move(neighbours[to_size(next)]);
     for (const int k : clique) {
       joined.clear();
-      std::set_union(neighbours[at(k)].begin(), neighbours[at(k)].end(), clique.begin(), clique.end(),
+      std::set_union(neighbours[to_size(k)].begin(), neighbours[to_size(k)].end(), clique.begin(), clique.end(),
                      std::back_inserter(joined));
       std::erase_if(joined, [&](int b) { return b == k || b == next; });
-      neighbours[at(k)] = joined;
-      now[at(k)] = degree(k);
+      neighbours[to_size(k)] = joined;
+      now[to_size(k)] = degree(k);
     }
-    for (const int k : clique) queue.emplace(now[at(k)], has_load[at(k)], k);
+    for (const int k : clique) queue.emplace(now[to_size(k)], has_load[to_size(k)], k);
     result.below.push_back(clique);
   }
   result.first.push_back(0);
   for (const int b : order) {
-    for (int i = 0; i < size[at(b)]; ++i) result.rows.push_back(starts[at(b)] + i);
-    result.first.push_back(static_cast<Eigen::Index>(result.rows.size()));
+    for (int i = 0; i < size[to_size(b)]; ++i) result.rows.push_back(starts[to_size(b)] + i);
+    result.first.push_back(to_index(result.rows.size()));
   }
   for (std::vector<int>& later : result.below) {
-    for (int& b : later) b = turn[at(b)];
+    for (int& b : later) b = turn[to_size(b)];
     std::sort(later.begin(), later.end());
   }
   return result;
@@ -159,7 +159,7 @@ double multiply_adds(const BlockElimination& e) {
   double sum = 0;
   for (int j = 0; j < e.count(); ++j) {
     double n = e.size(j), rows = 0;
-    for (const int i : e.below[at(j)]) rows += e.size(i);
+    for (const int i : e.below[to_size(j)]) rows += e.size(i);
     sum += n * (n + 1) * (n + 2) / 6 + n * n + rows * n * (n + 1) / 2 + rows * (rows + 1) / 2 * n + 2 * rows * n;
   }
   return sum;
@@ -171,7 +171,7 @@ double cost(const BlockElimination& e) {
   double visits = 0;
   bool all_six = true;
   for (int j = 0; j < e.count(); ++j) {
-    const auto below = static_cast<double>(e.below[at(j)].size());
+    const auto below = static_cast<double>(e.below[to_size(j)].size());
     visits += 1 + below + below * (below + 1) / 2;
     all_six = all_six && e.size(j) == body_coordinates;
   }
@@ -180,7 +180,7 @@ double cost(const BlockElimination& e) {
 
 BlockElimination cheapest_block_elimination(const Couplings& c, const std::vector<Eigen::Index>& given,
                                             const std::vector<bool>& loaded) {
-  const auto n = static_cast<Eigen::Index>(c.size());
+  const auto n = to_index(c.size());
   if (!given.empty()) return block_elimination(c, split_starts(given, n), loaded);
   BlockElimination best = block_elimination(c, equal_blocks(n, body_coordinates), loaded);
   if (mostly_filled(c)) return best;

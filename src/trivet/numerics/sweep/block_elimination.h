@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/symmetric_entries.h"
 
 namespace trivet::numerics {
@@ -25,7 +26,7 @@ struct BlockElimination {
 
   [[nodiscard]] int count() const { return static_cast<int>(below.size()); }
   [[nodiscard]] int size(int block) const {
-    return static_cast<int>(first[static_cast<std::size_t>(block) + 1] - first[static_cast<std::size_t>(block)]);
+    return static_cast<int>(first[to_size(block) + 1] - first[to_size(block)]);
   }
 };
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "trivet/numerics/linalg/index.h"
+#include "trivet/foundation/index.h"
 
 namespace trivet::numerics {
 namespace {
@@ -23,7 +23,7 @@ class Planner {
     plan_.given_load = load == nullptr;
     plan_.multiply_adds = multiply_adds(e_);
     for (const Eigen::Index row : e_.rows) {
-      plan_.given_row.push_back(at(row));
+      plan_.given_row.push_back(to_size(row));
       plan_.scale.push_back(scale(row));
     }
     add_load(load);
@@ -42,15 +42,15 @@ class Planner {
 
  private:
   void add_load(const Load* load) {
-    loaded_.assign(at(e_.count()), load == nullptr);
+    loaded_.assign(to_size(e_.count()), load == nullptr);
     if (load == nullptr) return;
     for (const LoadTerm& term : load->terms()) {
       plan_.load.push_back({term, {}});
       for (int j = 0; j < e_.count(); ++j)
-        for (Eigen::Index i = e_.first[at(j)]; i < e_.first[at(j) + 1]; ++i)
-          if (const std::complex<double> value = term.value(e_.rows[at(i)]); value != 0.0) {
-            plan_.load.back().rows.push_back({at(i), value});
-            loaded_[at(j)] = true;
+        for (Eigen::Index i = e_.first[to_size(j)]; i < e_.first[to_size(j) + 1]; ++i)
+          if (const std::complex<double> value = term.value(e_.rows[to_size(i)]); value != 0.0) {
+            plan_.load.back().rows.push_back({to_size(i), value});
+            loaded_[to_size(j)] = true;
           }
     }
   }
@@ -58,12 +58,12 @@ class Planner {
   /// Renumbers rows and columns of the entries in elimination order, again as a lower triangle.
   void put_in_order() {
     std::vector<Eigen::Index> turn(plan_.rows);
-    for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = static_cast<Eigen::Index>(i);
+    for (std::size_t i = 0; i < plan_.rows; ++i) turn[plan_.given_row[i]] = to_index(i);
     for (SymmetricEntry& e : entries_) {
-      const Eigen::Index a = turn[at(e.row)], b = turn[at(e.column)];
+      const Eigen::Index a = turn[to_size(e.row)], b = turn[to_size(e.column)];
       e.row = std::max(a, b), e.column = std::min(a, b);
     }
-    for (int j = 0; j < e_.count(); ++j) block_of_row_.insert(block_of_row_.end(), at(e_.size(j)), j);
+    for (int j = 0; j < e_.count(); ++j) block_of_row_.insert(block_of_row_.end(), to_size(e_.size(j)), j);
   }
 
   void add_block(int i, int j) {
@@ -76,28 +76,28 @@ class Planner {
   void add_column_blocks(int j) {
     first_of_column_.push_back(static_cast<int>(plan_.blocks.size()));
     add_block(j, j);
-    for (const int i : e_.below[at(j)]) add_block(i, j);
+    for (const int i : e_.below[to_size(j)]) add_block(i, j);
   }
 
   [[nodiscard]] int number(int i, int j) const {
-    if (i == j) return first_of_column_[at(j)];
-    const std::vector<int>& below = e_.below[at(j)];
-    return first_of_column_[at(j)] + 1 +
+    if (i == j) return first_of_column_[to_size(j)];
+    const std::vector<int>& below = e_.below[to_size(j)];
+    return first_of_column_[to_size(j)] + 1 +
         static_cast<int>(std::lower_bound(below.begin(), below.end(), i) - below.begin());
   }
 
   void add_values() {
     std::vector<int> block_of_entry;
     for (const SymmetricEntry& e : entries_) {
-      block_of_entry.push_back(number(block_of_row_[at(e.row)], block_of_row_[at(e.column)]));
-      BlockPlan::Block& block = plan_.blocks[at(block_of_entry.back())];
+      block_of_entry.push_back(number(block_of_row_[to_size(e.row)], block_of_row_[to_size(e.column)]));
+      BlockPlan::Block& block = plan_.blocks[to_size(block_of_entry.back())];
       block.has_K |= e.K != 0, block.has_loss |= e.loss != 0, block.has_B |= e.B != 0, block.has_A |= e.A != 0;
       block.free_end += e.free >= 0 ? 1 : 0;  // their number, for now
     }
     std::size_t values = 0, free = 0;
     for (BlockPlan::Block& block : plan_.blocks) {
       block.values = values;
-      values += at(block.entries()) * at(block.has_K + block.has_loss + block.has_B + block.has_A);
+      values += to_size(block.entries()) * to_size(block.has_K + block.has_loss + block.has_B + block.has_A);
       block.kept = block.diagonal || block.has_free();
       block.free_first = free;
       free += block.free_end;
@@ -105,58 +105,60 @@ class Planner {
     }
     plan_.values.assign(values, 0);
     plan_.free.resize(free);
-    for (std::size_t k = 0; k < entries_.size(); ++k) put(entries_[k], plan_.blocks[at(block_of_entry[k])]);
+    for (std::size_t k = 0; k < entries_.size(); ++k) put(entries_[k], plan_.blocks[to_size(block_of_entry[k])]);
   }
 
   void put(SymmetricEntry& e, BlockPlan::Block& block) {
-    const Eigen::Index i = e.row - e_.first[at(block_of_row_[at(e.row)])],
-                       j = e.column - e_.first[at(block_of_row_[at(e.column)])];
+    const Eigen::Index i = e.row - e_.first[to_size(block_of_row_[to_size(e.row)])],
+                       j = e.column - e_.first[to_size(block_of_row_[to_size(e.column)])];
     const Eigen::Index entry = block.diagonal ? i * (i + 1) / 2 + j : i * block.columns + j;
-    std::size_t to = block.values + at(entry);
+    std::size_t to = block.values + to_size(entry);
     for (const auto& [has, value] :
          {std::pair(block.has_K, e.K), {block.has_loss, e.loss}, {block.has_B, e.B}, {block.has_A, e.A}}) {
-      if (has) plan_.values[to] = value, to += at(block.entries());
+      if (has) plan_.values[to] = value, to += to_size(block.entries());
     }
     if (e.free < 0) return;
-    plan_.free[block.free_end] = {at(entry), at(e.free), plan_.scale[at(e.row)] * plan_.scale[at(e.column)], at(e.row),
-                                  at(e.column)};
+    plan_.free[block.free_end] = {to_size(entry), to_size(e.free),
+                                  plan_.scale[to_size(e.row)] * plan_.scale[to_size(e.column)], to_size(e.row),
+                                  to_size(e.column)};
     e.free = static_cast<int>(block.free_end++);
   }
 
   /// Marks the blocks that are updated before they are divided.
   void mark_kept(int j) {
-    const std::vector<int>& below = e_.below[at(j)];
+    const std::vector<int>& below = e_.below[to_size(j)];
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right)
-        plan_.blocks[at(number(below[left], below[right]))].kept = true;
+        plan_.blocks[to_size(number(below[left], below[right]))].kept = true;
   }
 
   void place_kept() {
     for (BlockPlan::Block& block : plan_.blocks) {
       block.place = plan_.factors;
-      if (block.kept) plan_.factors += at(block.entries());
+      if (block.kept) plan_.factors += to_size(block.entries());
     }
   }
 
   bool first_touch(int block) {
-    const bool first = !touched_[at(block)];
-    touched_[at(block)] = true;
+    const bool first = !touched_[to_size(block)];
+    touched_[to_size(block)] = true;
     return first;
   }
 
   void add_column(int j) {
     BlockPlan::Column column;
-    column.size = e_.size(j), column.row = at(e_.first[at(j)]), column.diagonal = number(j, j);
+    column.size = e_.size(j), column.row = to_size(e_.first[to_size(j)]), column.diagonal = number(j, j);
     column.first = first_touch(column.diagonal);
-    column.loaded = loaded_[at(j)];
+    column.loaded = loaded_[to_size(j)];
     column.below_first = plan_.below.size(), column.update_first = plan_.updates.size();
     std::size_t entries = 0;
-    const std::vector<int>& below = e_.below[at(j)];
+    const std::vector<int>& below = e_.below[to_size(j)];
     for (const int i : below) {
       const int block = number(i, j);
-      plan_.below.push_back({block, at(e_.first[at(i)]), first_touch(block) && plan_.blocks[at(block)].kept, entries});
-      entries += at(plan_.blocks[at(block)].entries());
-      if (column.loaded) loaded_[at(i)] = true;
+      plan_.below.push_back(
+          {block, to_size(e_.first[to_size(i)]), first_touch(block) && plan_.blocks[to_size(block)].kept, entries});
+      entries += to_size(plan_.blocks[to_size(block)].entries());
+      if (column.loaded) loaded_[to_size(i)] = true;
     }
     for (std::size_t left = 0; left < below.size(); ++left)
       for (std::size_t right = 0; right <= left; ++right) {
@@ -172,15 +174,15 @@ class Planner {
   void add_entries() {
     plan_.entry_first.assign(plan_.rows + 1, 0);
     for (const SymmetricEntry& e : entries_) {
-      ++plan_.entry_first[at(e.row) + 1];
-      if (e.row != e.column) ++plan_.entry_first[at(e.column) + 1];
+      ++plan_.entry_first[to_size(e.row) + 1];
+      if (e.row != e.column) ++plan_.entry_first[to_size(e.column) + 1];
     }
     std::partial_sum(plan_.entry_first.begin(), plan_.entry_first.end(), plan_.entry_first.begin());
     plan_.entries.resize(plan_.entry_first.back());
     std::vector<std::size_t> next = plan_.entry_first;
     for (const SymmetricEntry& e : entries_) {
-      plan_.entries[next[at(e.row)]++] = {at(e.column), e.A, e.B, e.K, e.loss, e.free};
-      if (e.row != e.column) plan_.entries[next[at(e.column)]++] = {at(e.row), e.A, e.B, e.K, e.loss, e.free};
+      plan_.entries[next[to_size(e.row)]++] = {to_size(e.column), e.A, e.B, e.K, e.loss, e.free};
+      if (e.row != e.column) plan_.entries[next[to_size(e.column)]++] = {to_size(e.row), e.A, e.B, e.K, e.loss, e.free};
     }
   }
 
@@ -233,11 +235,11 @@ class Planner {
 
 BlockPlan block_plan(const DynamicMatrices& matrices, const Load* load, const Eigen::VectorXd& scale,
                      const std::vector<FreeEntry>& free) {
-  std::vector<bool> loaded(at(matrices.size()), load == nullptr);
+  std::vector<bool> loaded(to_size(matrices.size()), load == nullptr);
   if (load != nullptr)
     for (const LoadTerm& term : load->terms())
       for (Eigen::Index i = 0; i < term.value.size(); ++i)
-        if (term.value(i) != 0.0) loaded[at(i)] = true;
+        if (term.value(i) != 0.0) loaded[to_size(i)] = true;
   std::vector<SymmetricEntry> entries = symmetric_entries(matrices, scale);
   add_free(free, entries);
   const BlockElimination elimination =

@@ -12,6 +12,7 @@
 #include <limits>
 #include <new>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_kernels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -74,7 +75,7 @@ class BlockSolver {
       return;
     }
     for (const BlockPlan::Column& column : plan_.columns)
-      for (std::size_t i = column.row; column.loaded && i < column.row + static_cast<std::size_t>(column.size); ++i)
+      for (std::size_t i = column.row; column.loaded && i < column.row + to_size(column.size); ++i)
         h[i] = {all(0.0), all(0.0)};
     for (std::size_t t = 0; t < plan_.load.size(); ++t)
       for (const BlockPlan::LoadRow& row : plan_.load[t].rows)
@@ -97,9 +98,7 @@ class BlockSolver {
   static constexpr int written_out = 0;  ///< the instrumented build keeps its loops: unrolling takes minutes to compile
 #endif
 
-  [[nodiscard]] const BlockPlan::Block& block(int number) const {
-    return plan_.blocks[static_cast<std::size_t>(number)];
-  }
+  [[nodiscard]] const BlockPlan::Block& block(int number) const { return plan_.blocks[to_size(number)]; }
   [[nodiscard]] Given given(const BlockPlan::Block& b) const { return {b, plan_.values.data()}; }
 
   template <int fixed>
@@ -211,14 +210,13 @@ class BlockSolver {
         divide_by_pivots(size, l, sum.x[p]);
       }
       if (loaded)
-        TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] =
-            x[p][column.row + static_cast<std::size_t>(i)] + sum.x[p][i];
+        TRIVET_UNROLL for (int i = 0; i < size; ++i) sum.x[p][i] = x[p][column.row + to_size(i)] + sum.x[p][i];
       for (std::size_t k = column.below_first; k < column.below_end; ++k) {
         const BlockPlan::Block& b = block(plan_.below[k].block);
         if (b.kept) backward_below(b.rows, size, passes_[p].factors + b.place, x[p] + plan_.below[k].row, sum.x[p]);
       }
       backward(size, l, sum.x[p]);
-      TRIVET_UNROLL for (int i = 0; i < size; ++i) x[p][column.row + static_cast<std::size_t>(i)] = sum.x[p][i];
+      TRIVET_UNROLL for (int i = 0; i < size; ++i) x[p][column.row + to_size(i)] = sum.x[p][i];
     }
   }
 

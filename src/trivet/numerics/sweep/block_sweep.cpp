@@ -6,6 +6,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_residual-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -14,8 +15,7 @@ namespace {
 
 /// Number k at `count` frequencies from `first` on; unused lanes repeat the last one.
 ComplexPack read(const Planes& from, std::size_t k, Eigen::Index first, int count) {
-  const double *re = from.re + static_cast<Eigen::Index>(k) * from.stride + first,
-               *im = from.im + static_cast<Eigen::Index>(k) * from.stride + first;
+  const double *re = from.re + to_index(k) * from.stride + first, *im = from.im + to_index(k) * from.stride + first;
   if (count >= lane_count()) return {hn::LoadU(Lanes(), re), hn::LoadU(Lanes(), im)};
   HWY_ALIGN double padded_re[8];
   HWY_ALIGN double padded_im[8];
@@ -61,9 +61,7 @@ void write(const Pack& value, int count, double* to) {
 void write_solutions(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index first, int count,
                      const ComplexPack* q) {
   const int lanes = lane_count();
-  const auto start = [&](std::size_t row) {
-    return static_cast<Eigen::Index>(plan.given_row[row]) * batch.response.stride + first;
-  };
+  const auto start = [&](std::size_t row) { return to_index(plan.given_row[row]) * batch.response.stride + first; };
   for (std::size_t i = 0; i < plan.rows; ++i) {
     constexpr int line = 8;
     constexpr std::size_t ahead = 2;  // rows ahead, each plane on a separate page: measured
@@ -92,7 +90,7 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   Pack error[passes];
   for (int i = 0; i < passes; ++i) {
     Pass& p = solver.pass(i);
-    p.q = q + static_cast<std::size_t>(i) * plan.rows;
+    p.q = q + to_size(i) * plan.rows;
     if (filled(i) > 0) read_pass(plan, batch, first + i * lanes, filled(i), p);
     else read_pass(plan, batch, first, filled(0), p);
   }
@@ -100,7 +98,7 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   for (int i = 0; i < passes; ++i) {
     error[i] = batch.measure_all ? all(std::numeric_limits<double>::infinity())
                                  : projected_backward_error(plan, solver.pass(i));
-    const LaneMask present = hn::FirstN(Lanes(), static_cast<std::size_t>(filled(i)));
+    const LaneMask present = hn::FirstN(Lanes(), to_size(filled(i)));
     doubtful += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(certain(error[i]), present)));
   }
   if (doubtful > 0) refine(plan, solver, error);
@@ -112,13 +110,13 @@ int solve_blocks(const BlockPlan& plan, const BlockBatch& batch, double* memory)
   const int side_by_side = passes * lane_count();
   BlockSolver solver(plan, memory);
   auto* const q = new (memory + passes * plan.packs() * BlockPlan::pack)
-      ComplexPack[plan.rows * static_cast<std::size_t>(BlockPlan::together / lane_count())];
+      ComplexPack[plan.rows * to_size(BlockPlan::together / lane_count())];
   int doubtful = 0;
   for (Eigen::Index first = 0; first < batch.count; first += BlockPlan::together) {
     const auto count = static_cast<int>(std::min<Eigen::Index>(batch.count - first, BlockPlan::together));
     for (int f = 0; f < count; f += side_by_side)
       doubtful += solve_some(plan, batch, first + f, std::min(count - f, side_by_side), solver,
-                             q + plan.rows * static_cast<std::size_t>(f / lane_count()));
+                             q + plan.rows * to_size(f / lane_count()));
     write_solutions(plan, batch, first, count, q);
   }
   return doubtful;
@@ -150,8 +148,8 @@ int BlockSweep::solve(const BlockBatch& batch, LineMemory& memory) const {
 }
 
 Eigen::MatrixXcd BlockSweep::scaled_matrix(double omega) const {
-  const auto n = static_cast<Eigen::Index>(plan_.rows);
-  const auto given = [&](std::size_t row) { return static_cast<Eigen::Index>(plan_.given_row[row]); };
+  const auto n = to_index(plan_.rows);
+  const auto given = [&](std::size_t row) { return to_index(plan_.given_row[row]); };
   Eigen::MatrixXcd z = Eigen::MatrixXcd::Zero(n, n);
   for (std::size_t i = 0; i < plan_.rows; ++i)
     for (std::size_t k = plan_.entry_first[i]; k < plan_.entry_first[i + 1]; ++k) {

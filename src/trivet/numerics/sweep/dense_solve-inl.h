@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/symmetric_solve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,7 +19,7 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// Complex packs in memory, by index.
 class PackArray {
  public:
-  explicit PackArray(int count) : numbers_(static_cast<std::size_t>(count) * 16) {}
+  explicit PackArray(int count) : numbers_(to_size(count) * 16) {}
   HWY_INLINE ComplexPack operator[](int i) const {
     return {load_pack(&numbers_[at(i)]), load_pack(&numbers_[at(i) + 8])};
   }
@@ -28,7 +29,7 @@ class PackArray {
   }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i) * 16; }
+  static std::size_t at(int i) { return to_size(i) * 16; }
   std::vector<double> numbers_;
 };
 
@@ -47,7 +48,7 @@ struct PackSystem {
         square(hn::Mul(omega, omega)) {}
 
   HWY_INLINE ComplexPack entry(int i, int j) const {
-    const auto here = static_cast<std::size_t>(i * z.n + j);
+    const auto here = to_size(i * z.n + j);
     ComplexPack value{hn::NegMulAdd(square, all(z.A[here]), all(z.K[here])),
                       hn::MulAdd(omega, all(z.B[here]), all(z.K_loss[here]))};
     if (batch.extra.re) value = value + load_pack(batch.extra, (i * z.n + j) * batch.extra.stride + at);

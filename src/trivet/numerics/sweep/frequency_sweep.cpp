@@ -5,6 +5,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/sweep/pole_sweep.h"
 #include "trivet/numerics/sweep/sweep_workspace.h"
@@ -12,7 +13,7 @@
 namespace trivet::numerics {
 namespace {
 
-constexpr std::size_t piece = 16 * static_cast<std::size_t>(SweepWorkspace::chunk);
+constexpr std::size_t piece = 16 * to_size(SweepWorkspace::chunk);
 
 /// Solves all chunks; target(first) returns the destination of the solutions from `first` on, consume(first, count,
 /// planes, errors) receives them.
@@ -26,8 +27,8 @@ SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& ome
       omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"},
       [&](std::size_t first, std::size_t last) {
         SweepWorkspace workspace(plan);
-        for (std::size_t at = first; at < last; at += static_cast<std::size_t>(SweepWorkspace::chunk)) {
-          const auto count = static_cast<long>(std::min(last - at, static_cast<std::size_t>(SweepWorkspace::chunk)));
+        for (std::size_t at = first; at < last; at += to_size(SweepWorkspace::chunk)) {
+          const auto count = static_cast<long>(std::min(last - at, to_size(SweepWorkspace::chunk)));
           const Planes q =
               workspace.solve(&omega[at], count, options.every_backward_error, target(static_cast<long>(at)));
           consume(static_cast<long>(at), count, q, workspace.backward_errors());
@@ -49,14 +50,14 @@ bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std
   const std::optional<PoleSweep> poles = PoleSweep::try_build(matrices, load.at(0));
   if (!poles) return false;
   std::atomic<bool> good = true;
-  foundation::parallel_for(
-      omega.size(), {piece, sweep_threads(omega.size(), options.threads), options.progress, "frequencies"},
-      [&](std::size_t first, std::size_t last) {
-        const auto at = static_cast<Eigen::Index>(first), taken = static_cast<Eigen::Index>(last - first);
-        if (!poles->response(Eigen::Map<const Eigen::ArrayXd>(&omega[first], taken), result.re.middleRows(at, taken),
-                             result.im.middleRows(at, taken)))
-          good = false;
-      });
+  foundation::parallel_for(omega.size(),
+                           {piece, sweep_threads(omega.size(), options.threads), options.progress, "frequencies"},
+                           [&](std::size_t first, std::size_t last) {
+                             const auto at = to_index(first), taken = to_index(last - first);
+                             if (!poles->response(Eigen::Map<const Eigen::ArrayXd>(&omega[first], taken),
+                                                  result.re.middleRows(at, taken), result.im.middleRows(at, taken)))
+                               good = false;
+                           });
   return good;
 }
 
@@ -64,7 +65,7 @@ bool swept_by_poles(const DynamicMatrices& matrices, const Load& load, const std
 
 SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part,
                   const std::vector<double>& omega, const SweepOptions& options) {
-  const Eigen::Index n = matrices.size(), count = static_cast<Eigen::Index>(omega.size());
+  const Eigen::Index n = matrices.size(), count = to_index(omega.size());
   SweepResult result;
   if (load.vanishes() && !part) {
     result.response.setZero(n, count);
@@ -95,7 +96,7 @@ SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const std::
 
 void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result,
            const SweepOptions& options) {
-  const Eigen::Index n = matrices.size(), count = static_cast<Eigen::Index>(omega.size());
+  const Eigen::Index n = matrices.size(), count = to_index(omega.size());
   result.re.resize(count, n);
   result.im.resize(count, n);
   result.backward_error.resize(options.every_backward_error ? count : 0);

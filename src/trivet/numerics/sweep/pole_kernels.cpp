@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/roots/poles-inl.h"
 #include "trivet/numerics/sweep/pole_kernels.h"
 
@@ -66,7 +67,7 @@ inline Eigen::Index before_first_line(const PairsAtFrequencies& s) {
   constexpr std::uintptr_t line = 64;
   const auto off = [](const double* p) { return reinterpret_cast<std::uintptr_t>(p) % line; };
   if (s.stride % 8 != 0 || (s.im && off(s.im) != off(s.re)) || off(s.re) % sizeof(double) != 0) return -1;
-  return static_cast<Eigen::Index>((line - off(s.re)) % line / sizeof(double));
+  return to_index((line - off(s.re)) % line / sizeof(double));
 }
 
 /// Whether results are too many for the caches and bypass them in whole lines: else each line is read before it is

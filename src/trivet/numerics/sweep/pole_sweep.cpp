@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/quadratic_form.h"
 #include "trivet/numerics/roots/design_modes.h"
@@ -108,9 +109,9 @@ bool poles_of_modes(const ExtendedModes& modes, bool partners, std::vector<PoleO
     roots_of_system(roots);
     if (!roots.converged) return false;
   }
-  poles.resize(static_cast<std::size_t>(n));
+  poles.resize(to_size(n));
   for (int k = 0; k < n; ++k) {
-    PoleOfMode& pole = poles[static_cast<std::size_t>(k)];
+    PoleOfMode& pole = poles[to_size(k)];
     const bool real = roots.centre[k] == 0;
     pole.lambda = {roots.offset_re[k], real ? Extended(0) : modes.omega[k] + roots.offset_im[k]};
     pole.slope = {roots.slope_re[k], roots.slope_im[k]};
@@ -145,9 +146,9 @@ std::optional<PoleSweep> PoleSweep::try_build(const DynamicMatrices& matrices, c
   Extended trace = 0, product = 1;
   double condition = 0;
   for (int k = 0; k < n; ++k) {
-    const PoleOfMode& one = poles[static_cast<std::size_t>(k)];
+    const PoleOfMode& one = poles[to_size(k)];
     PoleOfMode two{std::conj(one.lambda), one.shape.conjugate(), one.v.conjugate(), std::conj(one.slope)};
-    if (is_real(one)) two = partners[static_cast<std::size_t>(k)];
+    if (is_real(one)) two = partners[to_size(k)];
     const Complex first(one.lambda), second(two.lambda);
     const Extended square = (one.lambda * two.lambda).real(), omega = std::sqrt(square);
     trace += (one.lambda + two.lambda).real();

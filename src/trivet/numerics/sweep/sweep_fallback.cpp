@@ -2,6 +2,7 @@
 // Fallback of SweepWorkspace for solutions without pivoting that are not accepted.
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_solution.h"
 #include "trivet/numerics/sweep/sweep_workspace.h"
 
@@ -9,9 +10,9 @@ namespace trivet::numerics {
 
 /// Recomputes the marked frequencies and those with a backward error that is not accepted.
 void SweepWorkspace::recompute_rejected(std::vector<char> marked, long count, const Planes& q) {
-  for (std::size_t f = 0; f < static_cast<std::size_t>(count); ++f)
+  for (std::size_t f = 0; f < to_size(count); ++f)
     if (!(error_.data()[f] <= accepted_backward_error)) {
-      marked.resize(static_cast<std::size_t>(count));
+      marked.resize(to_size(count));
       marked[f] = 1;
     }
   if (!marked.empty()) recompute(marked, q);
@@ -22,16 +23,16 @@ void SweepWorkspace::recompute(const std::vector<char>& marked, const Planes& q)
   std::vector<long> which;
   for (std::size_t f = 0; f < marked.size(); ++f)
     if (marked[f]) which.push_back(static_cast<long>(f));
-  const auto n = static_cast<Eigen::Index>(plan_->size());
+  const auto n = to_index(plan_->size());
   const auto count = static_cast<long>(which.size());
   std::vector<char> settled(which.size());
   if (plan_->solver() != SweepSolver::pivoted) counts_.fallbacks += static_cast<int>(count);
   if (plan_->solver() != SweepSolver::pivoted && plan_->solver() != SweepSolver::blocks) {
-    which.resize(static_cast<std::size_t>(sweep_kernels::filled_up(count, sweep_kernels::widest_pack)), which.back());
+    which.resize(to_size(sweep_kernels::filled_up(count, sweep_kernels::widest_pack)), which.back());
     const auto width = static_cast<long>(which.size());
     const Planes all_parts = plan_->part_ ? planes_in(part_) : Planes{};
     std::vector<double> omega(which.size()), error(which.size());
-    std::vector<double> memory(2 * which.size() * static_cast<std::size_t>(2 * n + (plan_->part_ ? n * n : 0)));
+    std::vector<double> memory(2 * which.size() * to_size(2 * n + (plan_->part_ ? n * n : 0)));
     auto planes = [&, next = memory.data()](Eigen::Index entries) mutable {
       const Planes these{next, next + entries * width, width};
       next += 2 * entries * width;
@@ -39,8 +40,8 @@ void SweepWorkspace::recompute(const std::vector<char>& marked, const Planes& q)
     };
     const Planes load = planes(n), solution = planes(n), part = plan_->part_ ? planes(n * n) : Planes{};
     for (long k = 0; k < width; ++k) {
-      const long f = which[static_cast<std::size_t>(k)];
-      omega[static_cast<std::size_t>(k)] = omega_.data()[f];
+      const long f = which[to_size(k)];
+      omega[to_size(k)] = omega_.data()[f];
       const Eigen::VectorXcd h = load_at(f);
       for (Eigen::Index i = 0; i < n; ++i) load.put(i * width + k, h(i));
       for (Eigen::Index e = 0; e < n * n && part.re; ++e)
@@ -82,7 +83,7 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
 
 /// Solves one frequency with partial pivoting and one step of refinement; NaN if Z is singular.
 void SweepWorkspace::recompute_one(long f, const Planes& q) {
-  const auto n = static_cast<Eigen::Index>(plan_->size());
+  const auto n = to_index(plan_->size());
   Eigen::MatrixXcd z =
       plan_->blocks_ ? plan_->blocks_->scaled_matrix(omega_.data()[f]) : plan_->matrices_.at(omega_.data()[f]);
   const Planes part = plan_->part_ && !plan_->evaluates_part_per_frequency() ? planes_in(part_) : Planes{};

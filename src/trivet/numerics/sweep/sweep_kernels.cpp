@@ -3,6 +3,7 @@
 #define HWY_TARGET_INCLUDE "trivet/numerics/sweep/sweep_kernels.cpp"
 #include <hwy/foreach_target.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/dense_solve-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -96,9 +97,9 @@ void squares(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::Ma
 Coefficients::Coefficients(const DynamicMatrices& m) : n(static_cast<int>(m.size())) {
   const Eigen::Index size = m.size();
   const auto rows = [&](const Eigen::MatrixXd& x) {
-    std::vector<double> all(static_cast<std::size_t>(size * size));
+    std::vector<double> all(to_size(size * size));
     for (Eigen::Index i = 0; i < size && x.size() > 0; ++i)
-      for (Eigen::Index j = 0; j < size; ++j) all[static_cast<std::size_t>(i * size + j)] = x(i, j);
+      for (Eigen::Index j = 0; j < size; ++j) all[to_size(i * size + j)] = x(i, j);
     return all;
   };
   K = rows(m.K), A = rows(m.A), B = rows(m.B), K_loss = rows(m.K_loss);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::numerics {
 namespace {
 
@@ -78,10 +80,10 @@ void SweepPlan::choose_solver() {
 /// With T = I − e_n ratioᵀ after an exchange of `last` with n: Tᵀh = h_n e_n.
 void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
   const Eigen::Index n = matrices_.size();
-  aim_.order.resize(static_cast<std::size_t>(n));
-  aim_.ratio.resize(static_cast<std::size_t>(n));
+  aim_.order.resize(to_size(n));
+  aim_.ratio.resize(to_size(n));
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = to_size(i);
     aim_.order[at] = static_cast<int>(i == last ? n - 1 : i == n - 1 ? last : i);
     aim_.ratio[at] = i < n - 1 ? (term.value(aim_.order[at]) / term.value(last)).real() : 0;
   }
@@ -89,8 +91,8 @@ void SweepPlan::aim(const LoadTerm& term, Eigen::Index last) {
     if (x.size() == 0) return x;
     x.row(last).swap(x.row(n - 1));
     x.col(last).swap(x.col(n - 1));
-    for (Eigen::Index i = 0; i < n - 1; ++i) x.row(i) -= aim_.ratio[static_cast<std::size_t>(i)] * x.row(n - 1);
-    for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[static_cast<std::size_t>(j)] * x.col(n - 1);
+    for (Eigen::Index i = 0; i < n - 1; ++i) x.row(i) -= aim_.ratio[to_size(i)] * x.row(n - 1);
+    for (Eigen::Index j = 0; j < n - 1; ++j) x.col(j) -= aim_.ratio[to_size(j)] * x.col(n - 1);
     return x;
   };
   solved_.emplace(DynamicMatrices{transformed(matrices_.A), transformed(matrices_.B), transformed(matrices_.K),

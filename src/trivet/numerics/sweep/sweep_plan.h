@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/numerics/sweep/sweep_kernels.h"
@@ -28,9 +29,7 @@ class SweepPlan {
   [[nodiscard]] int size() const { return static_cast<int>(scale_.size()); }
   /// Time of one solution relative to one of six coordinates, to an order of magnitude: a body among many takes five
   /// times as long as a single one, element laws take longer.
-  [[nodiscard]] std::size_t weight() const {
-    return (size() > 6 ? static_cast<std::size_t>(size()) : 1) * (part_ ? 20U : 1U);
-  }
+  [[nodiscard]] std::size_t weight() const { return (size() > 6 ? to_size(size()) : 1) * (part_ ? 20U : 1U); }
 
  private:
   friend class SweepWorkspace;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::numerics {
@@ -12,7 +13,7 @@ namespace {
 /// Frequencies for which blocks keep frequency-dependent parts.
 constexpr long parts_together = sweep_kernels::granule;
 
-std::size_t numbers(long planes) { return static_cast<std::size_t>(2 * planes * SweepWorkspace::chunk); }
+std::size_t numbers(long planes) { return to_size(2 * planes * SweepWorkspace::chunk); }
 
 }  // namespace
 
@@ -37,7 +38,7 @@ void SweepWorkspace::prepare(const SweepPlan& plan) {
   if (!plan.part_ || one_frequency) {
     part_.resize(0);
   } else if (by_blocks) {
-    part_.resize(2 * static_cast<std::size_t>(parts_together) * (plan.free_.size() + static_cast<std::size_t>(n)));
+    part_.resize(2 * to_size(parts_together) * (plan.free_.size() + to_size(n)));
     z_part_.setZero(n, n);
   } else {
     part_.resize(numbers(n * n));
@@ -92,7 +93,7 @@ void SweepWorkspace::fill_parts(long count) {
 
 /// Evaluates the part at `count` ≤ `parts_together` frequencies: planes of free entries, then of h.
 void SweepWorkspace::fill_free(long first, long count) {
-  const auto n = static_cast<Eigen::Index>(plan_->size());
+  const auto n = to_index(plan_->size());
   const Planes planes = {part_.data(), part_.data() + part_.size() / 2, parts_together};
   const auto entries = static_cast<long>(plan_->free_.size());
   const long all_planes = entries + n;
@@ -109,7 +110,7 @@ void SweepWorkspace::fill_free(long first, long count) {
     h = plan_->load_.at(omega).cwiseQuotient(plan_->scale_);
     plan_->part_.add(omega, z_part_, h);
     for (long k = 0; k < entries; ++k) {
-      const FreeEntry& at = plan_->free_[static_cast<std::size_t>(k)];
+      const FreeEntry& at = plan_->free_[to_size(k)];
       planes.put(k * parts_together + f, z_part_(at.row, at.column));
       z_part_(at.row, at.column) = z_part_(at.column, at.row) = 0;
     }
@@ -182,14 +183,14 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
   }
   std::vector<char> untrusted;
   if (!good) {
-    untrusted.resize(static_cast<std::size_t>(count));
+    untrusted.resize(to_size(count));
     for (std::size_t f = 0; f < untrusted.size(); ++f) untrusted[f] = error_.data()[f] != 0;
   }
   if (!load_finite_) {
     // Growth does not include the load, which may be infinite at rest (a negative power of ω).
-    untrusted.resize(static_cast<std::size_t>(count));
+    untrusted.resize(to_size(count));
     for (long f = 0; f < count; ++f)
-      if (!load_at(f).allFinite()) untrusted[static_cast<std::size_t>(f)] = 1;
+      if (!load_at(f).allFinite()) untrusted[to_size(f)] = 1;
   }
   if (every_backward_error) {
     sweep_kernels::backward_errors(plain(), batch);

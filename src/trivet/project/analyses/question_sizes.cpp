@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/project/analyses/question_reader.h"
 
 namespace trivet::project {
@@ -101,13 +102,11 @@ void check_inputs(Sizes& sizes, const model::Description& description) {
 std::size_t coordinates(const model::Description& description, bool with_laws) {
   std::size_t count = 0;
   for (const model::Body& body : description.bodies)
-    count += static_cast<std::size_t>(std::count(body.free.begin(), body.free.end(), true));
+    count += to_size(std::count(body.free.begin(), body.free.end(), true));
   for (const model::Element& element : description.elements)
     if (with_laws || !elements::is_frequency_dependent(element.law))
-      count +=
-          static_cast<std::size_t>(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
-  for (const model::Foundation& foundation : description.foundations)
-    count += static_cast<std::size_t>(foundation.mass.rows());
+      count += to_size(elements::matrices(element.law).stiffness.rows() - 12);  // of its inner coordinates
+  for (const model::Foundation& foundation : description.foundations) count += to_size(foundation.mass.rows());
   return count;
 }
 

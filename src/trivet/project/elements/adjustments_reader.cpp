@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/sensitivity/adjustments.h"
 
 namespace trivet::project {
@@ -39,7 +40,7 @@ void change_element(NamesInFile& in_file, const std::string& name, const Change&
     const auto& elements = description.elements;
     const auto found =
         std::find_if(elements.begin(), elements.end(), [&](const model::Element& e) { return e.name == name; });
-    if (found != elements.end()) change(description, static_cast<std::size_t>(found - elements.begin()));
+    if (found != elements.end()) change(description, to_size(found - elements.begin()));
   });
 }
 
@@ -53,7 +54,7 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
   spatial::Vector6 factors;
   for (std::size_t j = 0; j < 6; ++j) {
     const std::string key = model::coordinate_names[j];
-    factors(static_cast<Eigen::Index>(j)) = read_factor(inside, key);
+    factors(to_index(j)) = read_factor(inside, key);
     if (inside.has(key) && !response::has_plain_stiffness(element))
       inside.error(key, "a stiffness by direction of an element with inertia or frequency-dependent stiffness",
                    "these scale with the whole stiffness only", "use `all`, or `scale` of the element");

@@ -10,6 +10,7 @@
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/complex_stiffness.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -62,7 +63,7 @@ struct MatrixTable {
     return matrix([&](const Entry& e) { return e.law.at(omega, near); });
   }
   [[nodiscard]] Eigen::MatrixXcd row(std::size_t i) const {
-    const auto r = static_cast<Eigen::Index>(i);
+    const auto r = to_index(i);
     return matrix([&](const Entry& e) { return std::complex<double>(e.values.storage(r, 0), e.values.loss(r, 0)); });
   }
 };

@@ -5,6 +5,7 @@
 #include <array>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/identification/stiffness_fit.h"
 #include "trivet/project/elements/element_law.h"
@@ -52,10 +53,10 @@ std::optional<std::vector<LoadCase>> load_cases(TableReader& reader, const CsvTa
   std::vector<LoadCase> cases;
   for (Eigen::Index row = 0; row < table.values.rows(); ++row) {
     LoadCase one;
-    one.name = table.names.empty() ? fmt::format("row {}", row + 1) : table.names[static_cast<std::size_t>(row)];
+    one.name = table.names.empty() ? fmt::format("row {}", row + 1) : table.names[to_size(row)];
     for (int j = 0; j < 12; ++j) {
       const std::string end = j < 6 ? "n_" : "";
-      const auto k = static_cast<std::size_t>(j % 6);
+      const auto k = to_size(j % 6);
       const Eigen::Index motion = column(end + motions[k]), load = column(end + loads[k]);
       one.displacement(j) = motion < 0 ? 0 : table.values(row, motion) * (k < 3 ? units.length : units.angle);
       if (load >= 0) one.wrench(j) = table.values(row, load) * units.force * (k < 3 ? 1 : units.length);
@@ -146,9 +147,9 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
     const bool outlier = std::any_of(fit->outliers.begin(), fit->outliers.end(), [&](const identification::Outlier& o) {
       return o.load_case == reading.load_case && o.channel == reading.channel;
     });
-    element.evidence->residuals.push_back({(*cases)[static_cast<std::size_t>(reading.load_case)].name + ", " +
-                                               identification::channel_words(reading.channel),
-                                           reading.measured, reading.fitted, reading.standardised, outlier});
+    element.evidence->residuals.push_back(
+        {(*cases)[to_size(reading.load_case)].name + ", " + identification::channel_words(reading.channel),
+         reading.measured, reading.fitted, reading.standardised, outlier});
   }
 }
 

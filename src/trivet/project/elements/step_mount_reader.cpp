@@ -6,6 +6,7 @@
 
 #include "trivet/fem/mesh_checks.h"
 #include "trivet/fem/step_mesh.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/elements/condensed_solid.h"
 #include "trivet/project/elements/element_cache.h"
@@ -131,7 +132,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
       reader.add(meshed.error(), {{"file", "step"}, {"size", "mesh_size"}});
       throw foundation::InvalidInput("the STEP file gives no mesh");
     }
-    if (materials.size() != 1 && materials.size() != static_cast<std::size_t>(meshed->solids)) {
+    if (materials.size() != 1 && materials.size() != to_size(meshed->solids)) {
       reader.error("materials", fmt::format("{} materials", materials.size()),
                    fmt::format("the file holds {} solids", meshed->solids),
                    "give one for all, or one per solid in the order of the file");

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/identification/causality.h"
 
 namespace trivet::project {
@@ -36,12 +37,10 @@ void judge_causality(TableReader& reader, const std::string& name, const element
   for (std::size_t i = 0; i < table.angular_frequencies.size(); ++i)
     if (table.angular_frequencies[i] > 0) {
       positive.push_back(table.angular_frequencies[i]);
-      stiffness.emplace_back(table.storage(static_cast<Eigen::Index>(i), 0),
-                             table.loss(static_cast<Eigen::Index>(i), 0));
+      stiffness.emplace_back(table.storage(to_index(i), 0), table.loss(to_index(i), 0));
     }
-  data.angular_frequency =
-      Eigen::Map<const Eigen::VectorXd>(positive.data(), static_cast<Eigen::Index>(positive.size()));
-  data.stiffness = Eigen::Map<const Eigen::VectorXcd>(stiffness.data(), static_cast<Eigen::Index>(stiffness.size()));
+  data.angular_frequency = Eigen::Map<const Eigen::VectorXd>(positive.data(), to_index(positive.size()));
+  data.stiffness = Eigen::Map<const Eigen::VectorXcd>(stiffness.data(), to_index(stiffness.size()));
   const auto check = identification::causality(data);
   if (!check) {
     foundation::Problems findings = check.error();

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "trivet/elements/piecewise_stiffness.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
@@ -54,7 +55,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   double from = 0, to = 0;
   std::vector<double> knots;
   for (int j = 0; j < 6; ++j) {
-    const std::string name = std::string("k_") + directions[static_cast<std::size_t>(j)];
+    const std::string name = std::string("k_") + directions[to_size(j)];
     if (std::find(csv->columns.begin(), csv->columns.end(), name) == csv->columns.end()) continue;
     wanted.insert({name, name + "_loss"});
     const auto values = columns(*csv, {"frequency_hz", name, name + "_loss"});
@@ -66,7 +67,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
     if (!checked) continue;
     const elements::StiffnessTable& table = *checked;
     judge_causality(reader, name, table, element);
-    (*law)[static_cast<std::size_t>(j)].emplace(table);
+    (*law)[to_size(j)].emplace(table);
     static_constants(j) = table.storage(0, 0);
     knots = table.angular_frequencies;
     from = knots.front();
@@ -88,7 +89,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
       elements::in_end_axes(elements::constants_at_point(static_constants, ends.span.arm, centre), ends.span.n_from_k);
   std::array<elements::Matrix12, 6> unit;
   for (int j = 0; j < 6; ++j)
-    unit[static_cast<std::size_t>(j)] = elements::in_end_axes(
+    unit[to_size(j)] = elements::in_end_axes(
         elements::constants_at_point(elements::Vector6::Unit(j), ends.span.arm, centre), ends.span.n_from_k);
   elements::FrequencyDependence dependence;
   dependence.elastic = false;

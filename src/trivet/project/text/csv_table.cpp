@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
 
@@ -105,8 +106,7 @@ class Reader {
       problem(line, width_ == 0 ? "the table is empty" : "no row below the header", std::string(table_rule),
               "check the file");
     if (problems_.has_errors()) return tl::make_unexpected(std::move(problems_));
-    const auto rows = static_cast<Eigen::Index>(table_.lines.size()),
-               count = static_cast<Eigen::Index>(table_.columns.size());
+    const auto rows = to_index(table_.lines.size()), count = to_index(table_.columns.size());
     table_.values = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
         values_.data(), rows, count);
     return std::move(table_);
@@ -311,11 +311,11 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
 
 foundation::Expected<Eigen::MatrixXd> columns(const CsvTable& table, const std::vector<std::string>& wanted) {
   foundation::Problems problems;
-  Eigen::MatrixXd result(table.values.rows(), static_cast<Eigen::Index>(wanted.size()));
+  Eigen::MatrixXd result(table.values.rows(), to_index(wanted.size()));
   for (std::size_t i = 0; i < wanted.size(); ++i) {
     const auto found = std::find(table.columns.begin(), table.columns.end(), wanted[i]);
     if (found != table.columns.end()) {
-      result.col(static_cast<Eigen::Index>(i)) = table.values.col(found - table.columns.begin());
+      result.col(to_index(i)) = table.values.col(found - table.columns.begin());
       continue;
     }
     const std::string guess = foundation::nearest_name(wanted[i], table.columns);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "trivet/foundation/index.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/units.h"
 
@@ -36,7 +37,7 @@ std::optional<std::size_t> component_of(const Node& array, const std::string& wo
       std::none_of(array.items.begin(), array.items.end(),
                    [](const Node& item) { return item.kind == Node::Kind::array || item.kind == Node::Kind::table; });
   if (!is_vector || word.size() != 1 || word[0] < 'x' || word[0] > 'z') return std::nullopt;
-  return static_cast<std::size_t>(word[0] - 'x');
+  return to_size(word[0] - 'x');
 }
 
 bool is_zero_by_default(const std::string& key) { return key == "position" || key == "center_of_mass"; }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/idle_key.h"
@@ -20,7 +21,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
   };
   if (value->kind != Node::Kind::array) return refuse(kind_name(value->kind));
   if (value->items.size() < 2) return refuse(fmt::format("{} rows", value->items.size()));
-  Eigen::MatrixXd pairs(static_cast<Eigen::Index>(value->items.size()), 2);
+  Eigen::MatrixXd pairs(to_index(value->items.size()), 2);
   bool good = true;
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const Node& row = value->items[i];
@@ -32,7 +33,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
       const auto entry =
           reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), Quantity::pure);
       good = good && entry;
-      pairs(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = entry.value_or(0);
+      pairs(to_index(i), to_index(j)) = entry.value_or(0);
     }
   }
   return good ? std::optional(pairs) : std::nullopt;
@@ -68,7 +69,7 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
       foundation::Problem& problem =
           holes.error("", fmt::format("{} = {:.6g}, {} = {:.6g}", x_name, (*values)(i, 0), y_name, (*values)(i, 1)),
                       "every cell must hold a finite number", "complete or remove the row");
-      problem.origin = {csv->source, csv->lines[static_cast<std::size_t>(i)]};
+      problem.origin = {csv->source, csv->lines[to_size(i)]};
     }
   reader.add_of_file("file", holes);
   return holes.has_errors() ? std::nullopt : std::optional(*values);

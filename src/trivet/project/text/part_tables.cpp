@@ -9,6 +9,7 @@
 #include <map>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
@@ -405,7 +406,7 @@ void gather_columns(foundation::Problems& problems) {
 void put_tables_in_place(Node& document, foundation::Problems& problems) {
   const auto at = std::find(document.keys.begin(), document.keys.end(), "tables");
   if (at == document.keys.end()) return;
-  const Node tables = std::move(document.items[static_cast<std::size_t>(at - document.keys.begin())]);
+  const Node tables = std::move(document.items[to_size(at - document.keys.begin())]);
   document.items.erase(document.items.begin() + (at - document.keys.begin()));
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <fstream>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::project {
 namespace {
 
@@ -36,7 +38,7 @@ foundation::Expected<std::string> read_source(const std::filesystem::path& path,
   std::string text;
   std::string chunk(1u << 16, '\0');
   while (stream.read(chunk.data(), static_cast<std::streamsize>(chunk.size())) || stream.gcount() > 0) {
-    text.append(chunk, 0, static_cast<std::size_t>(stream.gcount()));
+    text.append(chunk, 0, to_size(stream.gcount()));
     if (text.size() > largest_project_file)
       return refused(path, kind, fmt::format("larger than {} MiB", largest_project_file >> 20),
                      "is this the right file?");

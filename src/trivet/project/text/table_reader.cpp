@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/admissible_range.h"
@@ -241,13 +242,13 @@ std::optional<Eigen::MatrixXd> TableReader::matrix(const std::string& key,
   Eigen::MatrixXd result(size, size);
   bool good = true;
   for (int i = 0; i < size; ++i) {
-    const Node& row = value->items[static_cast<std::size_t>(i)];
+    const Node& row = value->items[to_size(i)];
     if (row.kind != Node::Kind::array) return refuse(fmt::format("row {} is {}", i + 1, kind_name(row.kind)));
     if (static_cast<int>(row.items.size()) != size)
       return refuse(fmt::format("row {} has {} entries", i + 1, row.items.size()));
     for (int j = 0; j < size; ++j) {
-      const auto entry = scalar(row.items[static_cast<std::size_t>(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j),
-                                quantity_of(size, i, j));
+      const auto entry =
+          scalar(row.items[to_size(j)], fmt::format("{}.{}[{}][{}]", path_, key, i, j), quantity_of(size, i, j));
       good = good && entry;
       result(i, j) = entry.value_or(0);
     }

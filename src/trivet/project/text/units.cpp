@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/text/units.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 
 #include <udunits2.h>
@@ -272,7 +273,7 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || !std::isfinite(value))
     return tl::make_unexpected("it does not start with a finite number");
-  const std::string_view unit_text = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
+  const std::string_view unit_text = trimmed(text.substr(to_size(end - text.data())));
   if (unit_text == "g" && quantity == Quantity::acceleration) return value * standard_gravity;  // not a gram
   const std::string expected = si_unit(quantity);
   if (unit_text.empty())

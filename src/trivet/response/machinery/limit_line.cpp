@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/frequency_response.h"
 
@@ -54,7 +55,7 @@ class Comparison {
     const FrequencyResponse response = frequency_response(assembled_, {channel_}, loading_, omega);
     std::vector<Node> result;
     for (std::size_t i = 0; i < omega.size(); ++i) {
-      const double size = std::abs(response.curves[0].value(static_cast<Eigen::Index>(i)));
+      const double size = std::abs(response.curves[0].value(to_index(i)));
       result.push_back(
           {omega[i], std::isnan(size) ? infinity : size / piece_.at(omega[i])});  // no value: an undamped resonance
     }
@@ -218,11 +219,11 @@ LimitComparison compared_with_limit(const assembly::Assembled& assembled, const 
     add_exceeded(comparison, progress, nodes, result.exceeded);
     all.insert(all.end(), nodes.begin(), nodes.end());
   }
-  result.margin.resize(static_cast<Eigen::Index>(all.size()));
+  result.margin.resize(to_index(all.size()));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const double margin = 1 / all[i].ratio;
     result.angular_frequency.push_back(all[i].omega);
-    result.margin(static_cast<Eigen::Index>(i)) = margin;
+    result.margin(to_index(i)) = margin;
     if (!(margin < result.least_margin)) continue;
     result.least_margin = margin;
     result.least_margin_at = all[i].omega;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/mounts.h"
 #include "trivet/response/steady/static_response.h"
@@ -28,8 +29,8 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
   for (std::size_t m = 0; m < result.mounts.size(); ++m) {
     MountLoad& mount = result.mounts[m];
     for (std::size_t j = 0; j < 6; ++j) {
-      if (j < 3) mount.force(static_cast<Eigen::Index>(j)) = rest.values[12 * m + j].value;
-      mount.deflection(static_cast<Eigen::Index>(j)) = rest.values[12 * m + 6 + j].value;
+      if (j < 3) mount.force(to_index(j)) = rest.values[12 * m + j].value;
+      mount.deflection(to_index(j)) = rest.values[12 * m + 6 + j].value;
     }
     mount.bearing = mount.force.dot(down);
     result.bearing_in_total += mount.bearing;

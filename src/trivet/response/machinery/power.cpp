@@ -3,6 +3,7 @@
 
 #include <variant>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/mounts.h"
 #include "trivet/response/steady/steady_motion.h"
 
@@ -63,8 +64,8 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
                      const foundation::Progress& progress) {
   const std::vector<std::size_t> standing = mounts(system);
   const SystemDamping of_system = system_damping(system, assembled);
-  const auto count = static_cast<Eigen::Index>(angular_frequency.size());
-  const auto rows = [](const auto& list) { return static_cast<Eigen::Index>(list.size()); };
+  const auto count = to_index(angular_frequency.size());
+  const auto rows = [](const auto& list) { return to_index(list.size()); };
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(count);
   PowerFlow flow{angular_frequency,
                  {},
@@ -81,18 +82,17 @@ PowerFlow power_flow(const model::System& system, const assembly::Assembled& ass
   const std::vector<SteadyMotion> motions = steady_motions(assembled, loading, angular_frequency);
   for (Eigen::Index i = 0; i < count; ++i) {
     foundation::report_progress(progress, "power", static_cast<double>(i) / static_cast<double>(count));
-    const SteadyMotion& motion = motions[static_cast<std::size_t>(i)];
+    const SteadyMotion& motion = motions[to_size(i)];
     const double omega = motion.angular_frequency;
     const Eigen::VectorXcd force = loading.force.at(omega).head(motion.free.size());
     flow.by_forces(i) = mean_power(force, motion.free, omega);
     for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
       const assembly::ElementMap& map = assembled.elements[e];
       const Eigen::VectorXcd d = element_motion(map, motion), wrench = element_wrenches(map, d, omega);
-      flow.dissipated(static_cast<Eigen::Index>(e), i) = mean_power(wrench, d, omega);
+      flow.dissipated(to_index(e), i) = mean_power(wrench, d, omega);
       flow.by_ground(i) += mean_power(wrench, map.moved_by_ground(motion.ground).head(wrench.size()), omega);
       for (std::size_t m = 0; m < standing.size(); ++m)
-        if (standing[m] == e)
-          flow.into_ground(static_cast<Eigen::Index>(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
+        if (standing[m] == e) flow.into_ground(to_index(m), i) = -mean_power(wrench.head<6>(), d.head<6>(), omega);
     }
     flow.dissipated_by_foundations(i) = foundation_power(system, assembled, motion);
     if (of_system.free.size() > 0) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/resonant_mode.h"
 
@@ -70,7 +71,7 @@ Overall overall(const RunUp& run_up, std::size_t curve) {
     sum.highest_rms = rms;
     sum.highest_rms_at = speed;
   };
-  for (Eigen::Index i = 0; i < count; ++i) raise(sum.rms(i), run_up.speed[static_cast<std::size_t>(i)]);
+  for (Eigen::Index i = 0; i < count; ++i) raise(sum.rms(i), run_up.speed[to_size(i)]);
   for (const CriticalSpeed& critical : run_up.critical)
     if (critical.curve == curve && std::isinf(critical.amplitude)) raise(infinity, critical.speed);
   return sum;
@@ -126,13 +127,13 @@ std::vector<WaterfallLine> waterfall(const RunUp& run_up, std::size_t curve, int
   std::size_t last = run_up.speed.size();
   for (const double wanted : linear_grid({run_up.speed.front(), run_up.speed.back()}, spectra)) {
     const auto above = std::lower_bound(run_up.speed.begin(), run_up.speed.end(), wanted);
-    auto nearest = static_cast<std::size_t>(std::min(above, run_up.speed.end() - 1) - run_up.speed.begin());
+    auto nearest = to_size(std::min(above, run_up.speed.end() - 1) - run_up.speed.begin());
     if (nearest > 0 && wanted - run_up.speed[nearest - 1] < run_up.speed[nearest] - wanted) --nearest;
     if (nearest == last) continue;
     last = nearest;
     for (const OrderCurves& order : run_up.orders)
       lines.push_back({run_up.speed[nearest], order.order * run_up.speed[nearest], order.order,
-                       std::abs(order.curves[curve].value(static_cast<Eigen::Index>(nearest)))});
+                       std::abs(order.curves[curve].value(to_index(nearest)))});
   }
   return lines;
 }

@@ -11,6 +11,7 @@
 #include <variant>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/mounts.h"
 
@@ -48,7 +49,7 @@ Eigen::Index component(const std::string& name, bool of_force) {
   const std::string last = name.substr(name.rfind('.') + 1);
   for (std::size_t j = 0; j < 6; ++j)
     if (last == model::coordinate_names[j])
-      return static_cast<Eigen::Index>(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
+      return to_index(j) + (of_force && name.ends_with(".moment." + last) ? 3 : 0);
   return 0;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/load.h"
 
 namespace trivet::response {
@@ -22,7 +23,7 @@ BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNode
         powers_.push_back(m);
         break;
       }
-  const Eigen::Index count = poles_.size(), functions = count + static_cast<Eigen::Index>(powers_.size());
+  const Eigen::Index count = poles_.size(), functions = count + to_index(powers_.size());
   for (Eigen::Index k = 0; k < functions; ++k) {
     const bool pair = expansions.real && k < count && poles_(k).imag() != 0;
     if (pair) {
@@ -47,22 +48,22 @@ BasisIntegrals::BasisIntegrals(const PoleExpansions& expansions, IntegrationNode
   for (std::size_t p = 0; p < powers_.size(); ++p)
     for (Eigen::Index i = 0; i < n; ++i) {
       const Complex value = numerics::integer_power(Complex(0, nodes_.omega(i)), powers_[p]);
-      real_(i, count + static_cast<Eigen::Index>(p)) = value.real();
-      imag_(i, count + static_cast<Eigen::Index>(p)) = value.imag();
+      real_(i, count + to_index(p)) = value.real();
+      imag_(i, count + to_index(p)) = value.imag();
     }
 }
 
 Eigen::MatrixXd BasisIntegrals::coefficients(const PoleExpansion& part) const {
-  Eigen::MatrixXd result(part.residue.rows(), static_cast<Eigen::Index>(basis_.size()));
+  Eigen::MatrixXd result(part.residue.rows(), to_index(basis_.size()));
   for (std::size_t f = 0; f < basis_.size(); ++f) {
     const Function& function = basis_[f];
     const Eigen::Index k = function.first;
     const Eigen::VectorXcd plain = k < poles_.size()
         ? Eigen::VectorXcd(part.residue.col(k))
-        : Eigen::VectorXcd(part.power.col(powers_[static_cast<std::size_t>(k - poles_.size())] - lowest_power));
+        : Eigen::VectorXcd(part.power.col(powers_[to_size(k - poles_.size())] - lowest_power));
     const bool imaginary = function.factor.imag() != 0;
     for (Eigen::Index c = 0; c < plain.size(); ++c)
-      result(c, static_cast<Eigen::Index>(f)) = imaginary ? plain(c).imag() : plain(c).real();
+      result(c, to_index(f)) = imaginary ? plain(c).imag() : plain(c).real();
   }
   return result;
 }
@@ -71,7 +72,7 @@ Eigen::VectorXcd BasisIntegrals::value(const PoleExpansion& part, Eigen::Index n
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(part.residue.rows());
   for (Eigen::Index k = 0; k < poles_.size(); ++k) sum += Complex(real_(node, k), imag_(node, k)) * part.residue.col(k);
   for (std::size_t p = 0; p < powers_.size(); ++p) {
-    const Eigen::Index k = poles_.size() + static_cast<Eigen::Index>(p);
+    const Eigen::Index k = poles_.size() + to_index(p);
     sum += Complex(real_(node, k), imag_(node, k)) * part.power.col(powers_[p] - lowest_power);
   }
   return sum;
@@ -134,16 +135,16 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
 
 Eigen::MatrixXd BasisIntegrals::real_products(const Eigen::VectorXcd& weight) const {
   const Eigen::MatrixXcd plain = products(weight);
-  const auto count = static_cast<Eigen::Index>(basis_.size());
+  const auto count = to_index(basis_.size());
   Eigen::MatrixXcd half(plain.rows(), count);
   for (Eigen::Index f = 0; f < count; ++f) {
-    const Function& function = basis_[static_cast<std::size_t>(f)];
+    const Function& function = basis_[to_size(f)];
     half.col(f) = std::conj(function.factor) * plain.col(function.first) +
         std::conj(function.second_factor) * plain.col(function.second);
   }
   Eigen::MatrixXd result(count, count);
   for (Eigen::Index f = 0; f < count; ++f) {
-    const Function& function = basis_[static_cast<std::size_t>(f)];
+    const Function& function = basis_[to_size(f)];
     result.row(f) =
         (function.factor * half.row(function.first) + function.second_factor * half.row(function.second)).real();
   }

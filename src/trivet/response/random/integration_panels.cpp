@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::response {
@@ -75,14 +76,12 @@ std::vector<double> graded_panels(const Eigen::VectorXcd& poles, double from, do
 }
 
 IntegrationNodes gauss_nodes(const std::vector<double>& ends) {
-  const auto panels = static_cast<Eigen::Index>(std::max<std::size_t>(ends.size(), 1) - 1);
+  const auto panels = to_index(std::max<std::size_t>(ends.size(), 1) - 1);
   IntegrationNodes nodes{Eigen::VectorXd(16 * panels), Eigen::VectorXd(16 * panels)};
   for (Eigen::Index p = 0; p < panels; ++p) {
-    const double from = ends[static_cast<std::size_t>(p)], to = ends[static_cast<std::size_t>(p) + 1],
-                 h = 0.5 * (to - from), centre = from + h;
+    const double from = ends[to_size(p)], to = ends[to_size(p) + 1], h = 0.5 * (to - from), centre = from + h;
     for (Eigen::Index i = 0; i < 8; ++i) {
-      const double reach = h * gauss16.node[static_cast<std::size_t>(i)],
-                   weight = h * gauss16.weight[static_cast<std::size_t>(i)];
+      const double reach = h * gauss16.node[to_size(i)], weight = h * gauss16.weight[to_size(i)];
       nodes.omega(16 * p + 7 - i) = centre - reach;
       nodes.omega(16 * p + 8 + i) = centre + reach;
       nodes.weight(16 * p + 7 - i) = nodes.weight(16 * p + 8 + i) = weight;
@@ -105,7 +104,7 @@ KronrodRule kronrod_rule() {
   KronrodRule rule;
   rule.gauss.setZero();
   for (int i = 0; i < 8; ++i) {
-    const auto at = static_cast<std::size_t>(i);
+    const auto at = to_size(i);
     rule.node(i) = -node[at], rule.node(14 - i) = node[at];
     rule.kronrod(i) = rule.kronrod(14 - i) = kronrod[at];
     if (i % 2 == 1) rule.gauss(i) = rule.gauss(14 - i) = gauss[at / 2];

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/channel_terms.h"
 
 namespace trivet::response {
@@ -16,7 +17,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr std::size_t powers = highest_power - lowest_power + 1;
 
-std::size_t index_of(int power) { return static_cast<std::size_t>(power - lowest_power); }
+std::size_t index_of(int power) { return to_size(power - lowest_power); }
 
 /// A Laurent polynomial in s, and the sums of the magnitudes of its terms.
 struct Laurent {
@@ -103,7 +104,7 @@ Projection projected(const std::vector<ChannelTerm>& terms, const Eigen::MatrixX
 Laurent laurent(const Projection& projection, Eigen::Index column, int power, Complex factor) {
   Laurent p;
   for (int t = 0; t < 3; ++t) {
-    const auto at = static_cast<std::size_t>(t);
+    const auto at = to_size(t);
     if (projection.possible[at](column) > 0)
       p.add(power + t, projection.value[at](column) * factor, projection.possible[at](column) * std::abs(factor));
   }
@@ -114,7 +115,7 @@ PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double 
                     Eigen::Index poles) {
   for (PoleExpansion& p : parts)
     if (p.load == load && p.delay == delay) return p;
-  constexpr auto count = static_cast<Eigen::Index>(powers);
+  constexpr auto count = to_index(powers);
   parts.push_back({load, delay, Eigen::MatrixXcd::Zero(channels, poles), Eigen::MatrixXd::Zero(channels, poles),
                    Eigen::MatrixXcd::Zero(channels, count), Eigen::MatrixXd::Zero(channels, count)});
   return parts.back();
@@ -156,8 +157,8 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
       grouped.push_back({i, g, groups[g].loading});
     }
   }
-  Eigen::MatrixXcd right_sides(assembled.matrices.size(), static_cast<Eigen::Index>(sides.size()));
-  for (std::size_t j = 0; j < sides.size(); ++j) right_sides.col(static_cast<Eigen::Index>(j)) = sides[j];
+  Eigen::MatrixXcd right_sides(assembled.matrices.size(), to_index(sides.size()));
+  for (std::size_t j = 0; j < sides.size(); ++j) right_sides.col(to_index(j)) = sides[j];
   numerics::PoleResidueForm form = numerics::pole_residue_form(assembled.matrices, right_sides);
   settle_poles_at_rest(form.poles);
 
@@ -168,28 +169,28 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   std::vector<std::array<Complex, powers>> of_pole;
   for (const Complex& pole : result.poles) of_pole.push_back(powers_of(pole));
   const std::vector<ChannelTerms> terms = channel_terms(channels);
-  const auto count = static_cast<Eigen::Index>(channels.size());
+  const auto count = to_index(channels.size());
   for (Eigen::Index c = 0; c < count; ++c) {
-    const ChannelTerms& channel = terms[static_cast<std::size_t>(c)];
+    const ChannelTerms& channel = terms[to_size(c)];
     const Projection shapes = projected(channel.free, form.shapes);
     const Projection drifting = projected(channel.free, form.free_motion),
                      statics = projected(channel.free, form.static_part);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
-      const LoadColumn& column = columns[static_cast<std::size_t>(j)];
-      if (column.group != group_of[column.load][static_cast<std::size_t>(c)]) continue;
+      const LoadColumn& column = columns[to_size(j)];
+      if (column.group != group_of[column.load][to_size(c)]) continue;
       PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
       const int power = channel.derivative + column.power;
       for (Eigen::Index k = 0, m = 0; k < form.poles.size(); ++k) {
         const Laurent p = laurent(shapes, k, power, form.participation(k, j));
         if (form.poles(k) == 0.0) add_powers(p, -1, c, to);
-        else add_fraction(p, of_pole[static_cast<std::size_t>(m)], c, m, to), ++m;
+        else add_fraction(p, of_pole[to_size(m)], c, m, to), ++m;
       }
       add_powers(laurent(drifting, j, power, 1), -2, c, to);
       add_powers(laurent(statics, j, power, 1), 0, c, to);
     }
     for (const GroupedLoad& each : grouped)
       for (const numerics::LoadTerm& term : each.loading.motion.terms())
-        if (each.group == group_of[each.load][static_cast<std::size_t>(c)])
+        if (each.group == group_of[each.load][to_size(c)])
           add_powers(laurent(projected(channel.ground, term.value), 0, channel.derivative + term.power, 1), 0, c,
                      part(result.parts, each.load, term.delay, count, result.poles.size()));
   }

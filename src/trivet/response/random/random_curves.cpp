@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 #include "trivet/response/random/random_variance.h"
@@ -60,8 +61,8 @@ RandomCurves random_curves(const assembly::Assembled& assembled, const std::vect
                                 static_cast<double>(responses.size()) / static_cast<double>(loading.inputs.size()));
     responses.push_back(frequency_response(assembled, channels, input.loading, result.angular_frequency));
   }
-  const Eigen::VectorXd omega = Eigen::Map<const Eigen::VectorXd>(
-      result.angular_frequency.data(), static_cast<Eigen::Index>(result.angular_frequency.size()));
+  const Eigen::VectorXd omega =
+      Eigen::Map<const Eigen::VectorXd>(result.angular_frequency.data(), to_index(result.angular_frequency.size()));
   result.density.assign(channels.size(), std::vector<double>(result.angular_frequency.size(), 0));
   for (std::size_t j = 0; j < responses.size(); ++j)
     for (std::size_t k = 0; k <= j; ++k) {
@@ -70,7 +71,7 @@ RandomCurves random_curves(const assembly::Assembled& assembled, const std::vect
         for (Eigen::Index i = 0; i < omega.size(); ++i) {
           const double part =
               (responses[j].curves[c].value(i) * std::conj(responses[k].curves[c].value(i)) * cross(i)).real();
-          result.density[c][static_cast<std::size_t>(i)] += j == k ? part : 2 * part;
+          result.density[c][to_size(i)] += j == k ? part : 2 * part;
         }
     }
   return result;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/random/basis_integrals.h"
 #include "trivet/response/steady/channel_terms.h"
 
@@ -30,7 +31,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
   for (PoleExpansion& part : expansions.parts) {
     const std::optional<int> of_spectrum = order_at_rest(loading.inputs[part.load].spectrum);
     for (Eigen::Index c = 0; c < part.residue.rows(); ++c) {
-      std::vector<std::string>& reason = result.reason[static_cast<std::size_t>(c)];
+      std::vector<std::string>& reason = result.reason[to_size(c)];
       for (const Eigen::Index k : undamped) {
         if (significant(part.residue(c, k), part.possible_residue(c, k)))
           for (std::string& r : reason)
@@ -56,7 +57,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
     });
     if (!out) kept.push_back(k);
   }
-  if (kept.size() == static_cast<std::size_t>(expansions.poles.size())) return;
+  if (kept.size() == to_size(expansions.poles.size())) return;
   expansions.poles = expansions.poles(kept).eval();
   for (PoleExpansion& part : expansions.parts) {
     part.residue = part.residue(Eigen::all, kept).eval();
@@ -88,13 +89,12 @@ IntegrationNodes check_nodes(const Eigen::VectorXcd& poles, const Eigen::VectorX
                              in_band.begin() + std::min<std::ptrdiff_t>(checked_frequencies / 4, std::ssize(in_band)));
   std::sort(in_band.begin(), in_band.end());
   for (int i = 0; i < checked_frequencies / 4 && !in_band.empty(); ++i)
-    wanted.push_back(in_band[static_cast<std::size_t>(i) * (in_band.size() - 1) / (checked_frequencies / 4 - 1)]);
+    wanted.push_back(in_band[to_size(i) * (in_band.size() - 1) / (checked_frequencies / 4 - 1)]);
   for (Eigen::Index i = 0; i < checked_frequencies / 2; ++i)
     wanted.push_back(omega(i * (omega.size() - 1) / (checked_frequencies / 2 - 1)));
   std::sort(wanted.begin(), wanted.end());
   wanted.erase(std::unique(wanted.begin(), wanted.end()), wanted.end());
-  const Eigen::VectorXd points =
-      Eigen::Map<const Eigen::VectorXd>(wanted.data(), static_cast<Eigen::Index>(wanted.size()));
+  const Eigen::VectorXd points = Eigen::Map<const Eigen::VectorXd>(wanted.data(), to_index(wanted.size()));
   return {points, Eigen::VectorXd::Ones(points.size())};
 }
 
@@ -103,7 +103,7 @@ Eigen::VectorXd nodes_within(const excitation::Spectrum& spectrum, const Eigen::
   std::vector<double> within;
   for (const double w : omega)
     if (excitation::density(spectrum, w) > 0) within.push_back(w);
-  return Eigen::Map<const Eigen::VectorXd>(within.data(), static_cast<Eigen::Index>(within.size()));
+  return Eigen::Map<const Eigen::VectorXd>(within.data(), to_index(within.size()));
 }
 
 /// Relative error near a lightly damped pole that round-off of the matrices causes, whatever the solver.
@@ -118,7 +118,7 @@ double conditioning(const Eigen::VectorXcd& poles, double omega) {
 void compare_with_solutions(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                             const RandomLoading& loading, const PoleExpansions& expansions,
                             const Eigen::VectorXd& all_nodes, RandomVariances& result) {
-  const auto count = static_cast<Eigen::Index>(channels.size());
+  const auto count = to_index(channels.size());
   Eigen::VectorXd miss = Eigen::VectorXd::Zero(count), unexplained = miss, largest = miss, possible = miss;
   for (std::size_t i = 0; i < loading.inputs.size(); ++i) {
     const RandomInput& input = loading.inputs[i];
@@ -127,7 +127,7 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     const AnswerSamples direct = answer_samples(assembled, channels, input.loading, omega);
     for (std::size_t f = 0; f < omega.size(); ++f) {
       const double amplitude = std::sqrt(excitation::density(input.spectrum, omega[f]));
-      const auto column = static_cast<Eigen::Index>(f);
+      const auto column = to_index(f);
       Eigen::VectorXcd value = Eigen::VectorXcd::Zero(count);
       for (const PoleExpansion& part : expansions.parts)
         if (part.load == i) value += std::polar(1.0, -omega[f] * part.delay) * basis.value(part, column);
@@ -143,10 +143,10 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     result.solutions += static_cast<int>(omega.size());
   }
   for (Eigen::Index c = 0; c < count; ++c) {
-    const auto& reason = result.reason[static_cast<std::size_t>(c)];
+    const auto& reason = result.reason[to_size(c)];
     if (std::none_of(reason.begin(), reason.end(), [](const std::string& r) { return r.empty(); })) continue;
     const bool vanishes = !(largest(c) > vanishing_answer * possible(c));
-    result.vanishes[static_cast<std::size_t>(c)] = vanishes;
+    result.vanishes[to_size(c)] = vanishes;
     if (vanishes) continue;
     result.error(c) = 1e-12 + 2 * miss(c) / largest(c);
     result.misfit(c) = 2 * unexplained(c) / largest(c);
@@ -167,12 +167,12 @@ void add_pair(const RandomMoment& moment, Eigen::Index column, const PoleExpansi
   if (same) size = (a.cwiseAbs() * products.diagonal().cwiseAbs().cwiseSqrt()).cwiseAbs2();
   for (std::size_t i = 0; i < moment.channels.size(); ++i) {
     const Eigen::Index c = moment.channels[i];
-    const double share = value(static_cast<Eigen::Index>(i));
+    const double share = value(to_index(i));
     result.mean_square(c, column) += same ? share : 2 * share;
-    possible(c, column) += size(static_cast<Eigen::Index>(i));
+    possible(c, column) += size(to_index(i));
     if (column > 0) continue;
-    result.share(c, static_cast<Eigen::Index>(of_a.load)) += share;
-    if (!same) result.share(c, static_cast<Eigen::Index>(of_b.load)) += share;
+    result.share(c, to_index(of_a.load)) += share;
+    if (!same) result.share(c, to_index(of_b.load)) += share;
   }
 }
 
@@ -190,10 +190,10 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
             density.cwiseProduct(basis.omega().unaryExpr([&](double w) { return std::polar(1.0, -w * later); })).eval();
       const Eigen::MatrixXd plain = basis.real_products(density);
       for (std::size_t i = 0; i < moments.size(); ++i) {
-        const auto derivative = static_cast<std::size_t>(moments[i].derivative);
+        const auto derivative = to_size(moments[i].derivative);
         const auto add = [&](const Eigen::MatrixXd& products) {
-          add_pair(moments[i], static_cast<Eigen::Index>(i), parts[derivative][a], parts[derivative][b], a == b, basis,
-                   products, result, possible);
+          add_pair(moments[i], to_index(i), parts[derivative][a], parts[derivative][b], a == b, basis, products, result,
+                   possible);
         };
         if (!moments[i].weighting) add(plain);
         else
@@ -208,8 +208,7 @@ void add_mean_squares(const RandomLoading& loading, const std::vector<RandomMome
 RandomVariances variances_by_poles(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                    const RandomLoading& loading, const std::vector<RandomMoment>& moments,
                                    const PoleExpansions& given, const foundation::Progress& progress) {
-  RandomVariances result =
-      no_variances(static_cast<Eigen::Index>(channels.size()), moments.size(), loading.inputs.size());
+  RandomVariances result = no_variances(to_index(channels.size()), moments.size(), loading.inputs.size());
   if (!std::all_of(given.parts.begin(), given.parts.end(),
                    [](const PoleExpansion& part) { return part.residue.allFinite() && part.power.allFinite(); })) {
     result.misfit.setConstant(std::numeric_limits<double>::infinity());
@@ -224,7 +223,7 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   for (const RandomMoment& moment : moments) highest = std::max(highest, moment.derivative);
   for (int derivative = 1; derivative <= highest; ++derivative) {
     parts.emplace_back();
-    for (const PoleExpansion& part : parts[static_cast<std::size_t>(derivative) - 1])
+    for (const PoleExpansion& part : parts[to_size(derivative) - 1])
       parts.back().push_back(differentiated(part, expansions.poles));
     expansions.parts.insert(expansions.parts.end(), parts.back().begin(), parts.back().end());
   }
@@ -239,9 +238,9 @@ RandomVariances variances_by_poles(const assembly::Assembled& assembled, const s
   }
   // If large terms cancel, their sum is no more accurate than this.
   for (Eigen::Index c = 0; c < possible.rows(); ++c)
-    for (std::size_t i = 0; i < moments.size() && !result.vanishes[static_cast<std::size_t>(c)]; ++i) {
-      const auto column = static_cast<Eigen::Index>(i);
-      if (!result.reason[static_cast<std::size_t>(c)][i].empty() || possible(c, column) == 0) continue;
+    for (std::size_t i = 0; i < moments.size() && !result.vanishes[to_size(c)]; ++i) {
+      const auto column = to_index(i);
+      if (!result.reason[to_size(c)][i].empty() || possible(c, column) == 0) continue;
       const double lost = fraction_accuracy * possible(c, column) / std::max(result.mean_square(c, column), 0.0);
       result.error(c) = std::max(result.error(c), lost);
       result.misfit(c) = std::max(result.misfit(c), lost);

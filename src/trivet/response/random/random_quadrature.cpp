@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/random/integration_panels.h"
 #include "trivet/response/steady/channel_terms.h"
@@ -40,7 +41,7 @@ class Solver {
         channels_(channels),
         loading_(loading),
         moments_(moments),
-        possible_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(channels.size()))) {}
+        possible_(Eigen::VectorXd::Zero(to_index(channels.size()))) {}
 
   [[nodiscard]] int solutions() const { return solutions_; }
   /// Bound of the mean squares: all terms of an answer added by magnitude.
@@ -54,8 +55,8 @@ class Solver {
     for (const RandomInput& input : loading_.inputs)
       samples.push_back(answer_samples(assembled_, channels_, input.loading, points));
     solutions_ += static_cast<int>(points.size() * loading_.inputs.size());
-    const auto count = static_cast<Eigen::Index>(channels_.size()), inputs = static_cast<Eigen::Index>(samples.size());
-    panel.mean_square = panel.difference = Eigen::MatrixXd::Zero(count, static_cast<Eigen::Index>(moments_.size()));
+    const auto count = to_index(channels_.size()), inputs = to_index(samples.size());
+    panel.mean_square = panel.difference = Eigen::MatrixXd::Zero(count, to_index(moments_.size()));
     panel.share = Eigen::MatrixXd::Zero(count, inputs);
     Eigen::MatrixXd density = Eigen::MatrixXd::Zero(count, 15);
     for (std::size_t j = 0; j < samples.size(); ++j)
@@ -66,8 +67,8 @@ class Solver {
             (samples[j].value.cwiseProduct(samples[k].value.conjugate()) * cross.asDiagonal()).real();
         density += j == k ? part : Eigen::MatrixXd(2 * part);
         const Eigen::VectorXd integral = part * Eigen::VectorXd(h * rule_.kronrod);
-        panel.share.col(static_cast<Eigen::Index>(j)) += integral;
-        if (j != k) panel.share.col(static_cast<Eigen::Index>(k)) += integral;
+        panel.share.col(to_index(j)) += integral;
+        if (j != k) panel.share.col(to_index(k)) += integral;
         if (j == k)
           possible_ += samples[j].possible.cwiseAbs2() * cross.real().cwiseProduct(Eigen::VectorXd(h * rule_.kronrod));
       }
@@ -76,7 +77,7 @@ class Solver {
       const Eigen::VectorXd kronrod = factor.cwiseProduct(Eigen::VectorXd(rule_.kronrod)),
                             gauss = factor.cwiseProduct(Eigen::VectorXd(rule_.gauss));
       for (const Eigen::Index c : moments_[m].channels) {
-        const auto i = static_cast<Eigen::Index>(m);
+        const auto i = to_index(m);
         panel.mean_square(c, i) = density.row(c).dot(kronrod);
         panel.difference(c, i) = std::abs(panel.mean_square(c, i) - density.row(c).dot(gauss));
       }
@@ -103,7 +104,7 @@ void mark_growth(const assembly::Assembled& assembled, const std::vector<assembl
   for (Eigen::Index c = 0; c < samples.value.rows(); ++c) {
     const double a = std::abs(samples.value(c, 0)), b = std::abs(samples.value(c, 1));
     if (!(b > vanishing_answer * samples.possible(c, 1))) continue;
-    auto& reasons = result.reason[static_cast<std::size_t>(c)];
+    auto& reasons = result.reason[to_size(c)];
     for (std::size_t m = 0; m < reasons.size(); ++m)
       if (reasons[m].empty() && infinite(a, b, m)) reasons[m] = reason;
   }
@@ -183,7 +184,7 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
                                         const std::vector<assembly::Channel>& channels, const RandomLoading& loading,
                                         const std::vector<RandomMoment>& moments, const Eigen::VectorXcd& poles,
                                         const RandomOptions& options, const foundation::Progress& progress) {
-  const auto count = static_cast<Eigen::Index>(channels.size());
+  const auto count = to_index(channels.size());
   RandomVariances result = no_variances(count, moments.size(), loading.inputs.size());
   mark_infinite(assembled, channels, loading, moments, poles, result);
   Solver solver(assembled, channels, loading, moments);
@@ -210,10 +211,10 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
       bool rough = false;
       for (Eigen::Index c = 0; c < count && !rough; ++c)
         for (std::size_t m = 0; m < moments.size() && !rough; ++m) {
-          const auto i = static_cast<Eigen::Index>(m);
+          const auto i = to_index(m);
           const double noise =
               std::pow(vanishing_answer, 2) * solver.possible()(c) * std::pow(panel.to, 2 * moments[m].derivative);
-          rough = result.reason[static_cast<std::size_t>(c)][m].empty() &&
+          rough = result.reason[to_size(c)][m].empty() &&
               panel.difference(c, i) > options.accuracy * result.mean_square(c, i) / all + noise;
         }
       const double middle = 0.5 * (panel.from + panel.to);
@@ -233,11 +234,11 @@ RandomVariances variances_by_quadrature(const assembly::Assembled& assembled,
   for (const Panel& panel : settled) result.mean_square += panel.mean_square;
   for (Eigen::Index c = 0; c < count; ++c) {
     const bool vanishes = !(result.mean_square(c, 0) > std::pow(vanishing_answer, 2) * solver.possible()(c));
-    result.vanishes[static_cast<std::size_t>(c)] = vanishes;
+    result.vanishes[to_size(c)] = vanishes;
     if (vanishes) continue;
     for (std::size_t m = 0; m < moments.size(); ++m) {
-      const auto i = static_cast<Eigen::Index>(m);
-      if (!result.reason[static_cast<std::size_t>(c)][m].empty() || result.mean_square(c, i) == 0) continue;
+      const auto i = to_index(m);
+      if (!result.reason[to_size(c)][m].empty() || result.mean_square(c, i) == 0) continue;
       result.error(c) = std::max(result.error(c), difference(c, i) / result.mean_square(c, i));
     }
   }

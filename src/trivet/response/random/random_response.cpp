@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/random/pole_expansion.h"
 #include "trivet/response/random/random_poles.h"
@@ -55,8 +56,8 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   result.name = channel.name;
   result.unit = channel.unit;
   result.estimated_error = found.error(c);
-  result.vanishes = found.vanishes[static_cast<std::size_t>(c)];
-  const std::vector<std::string>& reason = found.reason[static_cast<std::size_t>(c)];
+  result.vanishes = found.vanishes[to_size(c)];
+  const std::vector<std::string>& reason = found.reason[to_size(c)];
   // The first missing moment gives the reason.
   for (const std::string& r : reason)
     if (result.reason.empty()) result.reason = r;
@@ -67,7 +68,7 @@ RandomAnswer answer(const assembly::Channel& channel, const RandomVariances& fou
   }
   const auto root = [&](std::size_t moment) -> std::optional<double> {
     if (!reason[moment].empty()) return std::nullopt;
-    return result.vanishes ? 0 : std::sqrt(std::max(0.0, found.mean_square(c, static_cast<Eigen::Index>(moment))));
+    return result.vanishes ? 0 : std::sqrt(std::max(0.0, found.mean_square(c, to_index(moment))));
   };
   result.rms = root(0);
   result.rms_of_derivative = root(1);
@@ -170,7 +171,7 @@ RandomResponse random_response(const assembly::Assembled& assembled, const std::
     result.solutions += found.solutions;
   }
   for (std::size_t c = 0; c < channels.size(); ++c)
-    result.answers.push_back(answer(channels[c], found, moments, static_cast<Eigen::Index>(c)));
+    result.answers.push_back(answer(channels[c], found, moments, to_index(c)));
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/polynomial_roots.h"
 #include "trivet/response/random/integration_panels.h"
 
@@ -49,8 +50,7 @@ std::vector<RandomMoment> random_moments(const std::vector<assembly::Channel>& c
   std::iota(all.begin(), all.end(), 0);
   std::vector<RandomMoment> moments = {{all, 0, {}}, {all, 1, {}}};
   for (const WeightedChannel& weighted : options.weighted)
-    moments.push_back(
-        {{static_cast<Eigen::Index>(weighted.channel)}, 2 - channels[weighted.channel].derivative, weighted.weighting});
+    moments.push_back({{to_index(weighted.channel)}, 2 - channels[weighted.channel].derivative, weighted.weighting});
   return moments;
 }
 
@@ -62,7 +62,7 @@ int order_at_rest(const RandomMoment& moment) {
   int of_weighting = 0;
   if (moment.weighting) {
     const excitation::RationalTransfer transfer = excitation::rational_transfer(*moment.weighting);
-    while (transfer.numerator[static_cast<std::size_t>(of_weighting)] == 0) ++of_weighting;
+    while (transfer.numerator[to_size(of_weighting)] == 0) ++of_weighting;
   }
   return 2 * (moment.derivative + of_weighting);
 }
@@ -112,7 +112,7 @@ Eigen::VectorXcd with_poles_of_input(const Eigen::VectorXcd& poles, const Random
         all.push_back(root);
   if (!loading.pairs.empty())
     for (const double omega : zeros_of_density(loading)) all.emplace_back(0, omega);
-  return Eigen::Map<const Eigen::VectorXcd>(all.data(), static_cast<Eigen::Index>(all.size()));
+  return Eigen::Map<const Eigen::VectorXcd>(all.data(), to_index(all.size()));
 }
 
 std::vector<double> panel_ends(const Eigen::VectorXcd& poles, const RandomLoading& loading,
@@ -154,11 +154,11 @@ std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles, 
 
 RandomVariances no_variances(Eigen::Index channels, std::size_t moments, std::size_t inputs) {
   RandomVariances result;
-  result.mean_square = Eigen::MatrixXd::Zero(channels, static_cast<Eigen::Index>(moments));
-  result.share = Eigen::MatrixXd::Zero(channels, static_cast<Eigen::Index>(inputs));
-  result.reason.assign(static_cast<std::size_t>(channels), std::vector<std::string>(moments));
+  result.mean_square = Eigen::MatrixXd::Zero(channels, to_index(moments));
+  result.share = Eigen::MatrixXd::Zero(channels, to_index(inputs));
+  result.reason.assign(to_size(channels), std::vector<std::string>(moments));
   result.error = result.misfit = Eigen::VectorXd::Zero(channels);
-  result.vanishes.assign(static_cast<std::size_t>(channels), false);
+  result.vanishes.assign(to_size(channels), false);
   return result;
 }
 

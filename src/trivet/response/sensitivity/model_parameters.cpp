@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/response/sensitivity/adjustments.h"
@@ -69,7 +70,7 @@ class List {
     for (int j = 0; j < 6; ++j) {
       const double largest = k.diagonal().segment<3>(j < 3 ? 0 : 3).cwiseAbs().maxCoeff();
       if (!(std::abs(k(j, j)) > none * largest)) continue;
-      relative(fmt::format("{}.stiffness_factor.{}", path, model::coordinate_names[static_cast<std::size_t>(j)]),
+      relative(fmt::format("{}.stiffness_factor.{}", path, model::coordinate_names[to_size(j)]),
                [e, j](Description& d, double amount) {
                  spatial::Vector6 factors = spatial::Vector6::Ones();
                  factors(j) = 1 + amount;

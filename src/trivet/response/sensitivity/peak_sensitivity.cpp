@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
 #include "trivet/response/steady/body_dynamics.h"
@@ -62,7 +63,7 @@ class PeakOfModel {
     notes.emplace_back(
         "the amplitude is infinite without damping: no height sensitivity exists; the frequency is that of the "
         "undamped mode");
-    const modal::Mode& mode = modes.list.at(static_cast<std::size_t>(*place_.unbounded_mode - 1));
+    const modal::Mode& mode = modes.list.at(to_size(*place_.unbounded_mode - 1));
     if (mode.repeated) {
       notes.emplace_back(
           "its mode belongs to a repeated root, which a change may split: the frequency has no derivative");
@@ -72,7 +73,7 @@ class PeakOfModel {
     for (std::size_t b = 0; b < driven.system.bodies().size(); ++b)
       for (int j = 0; j < 6; ++j)
         if (const Eigen::Index row = driven.assembled.layout.row(b, j); row >= 0)
-          shape(row) = mode.shape(6 * static_cast<Eigen::Index>(b) + j);
+          shape(row) = mode.shape(6 * to_index(b) + j);
     const Complex slope = with(shape, dynamics_.stiffness[1] * shape);
     if (slope != 0.0) shape_ = shape / std::sqrt(slope);
   }

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "trivet/assembly/geometric_stiffness.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -85,8 +86,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
   ElementEnergy result;
   ElementDirections directions = element_directions(system.bodies(), system.elements()[e]);
   Vector12c ends = Vector12c::Zero();
-  for (Eigen::Index j = 0; j < map.end_columns; ++j)
-    ends += map.ends.col(j).head<12>() * q(map.rows[static_cast<std::size_t>(j)]);
+  for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[to_size(j)]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();
   if (jet) {
     const elements::Matrix12c& d = (*jet)[0];

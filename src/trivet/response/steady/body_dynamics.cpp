@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
@@ -20,7 +21,7 @@ using Factors = numerics::PivotedLu<Complex>;
 Jet<MatrixXcd> condensation_basis(const Jet<MatrixXcd>& z, Eigen::Index kept) {
   const Eigen::Index inner = z[0].rows() - kept;
   const Factors lu(z[0].bottomRightCorner(inner, inner));
-  const auto rows = [&](int k) { return z[static_cast<std::size_t>(k)].bottomRows(inner); };
+  const auto rows = [&](int k) { return z[to_size(k)].bottomRows(inner); };
   Jet<MatrixXcd> result;
   for (MatrixXcd& r : result) r = MatrixXcd::Zero(z[0].rows(), kept);
   result[0].topRows(kept).setIdentity();

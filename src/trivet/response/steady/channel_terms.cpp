@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/response/steady/exact_response.h"
 #include "trivet/response/steady/steady_solution.h"
@@ -34,18 +35,17 @@ Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vecto
   const Eigen::MatrixXd alike = unit * (unit.cwiseInverse().asDiagonal() * q.cwiseAbs()).colwise().maxCoeff();
   Eigen::MatrixXd result(std::ssize(channels), q.cols());
   for (Eigen::Index c = 0; c < result.rows(); ++c)
-    result.row(c) = round_off_share *
-        numerics::possible_amplitudes(channels[static_cast<std::size_t>(c)].curve(), alike, {}, omega);
+    result.row(c) = round_off_share * numerics::possible_amplitudes(channels[to_size(c)].curve(), alike, {}, omega);
   return result;
 }
 
 AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                             const assembly::Loading& loading, const std::vector<double>& omega) {
-  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
+  const auto count = to_index(channels.size()), points = to_index(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   for (Eigen::Index i = 0; i < points; ++i) {
-    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]);
+    const ExactValues exact = exact_values(assembled, channels, loading, q.col(i), omega[to_size(i)]);
     result.value.col(i) = exact.values;
     result.possible.col(i) = exact.possible;
   }
@@ -58,7 +58,7 @@ AnswerSamples exact_samples(const assembly::Assembled& assembled, const std::vec
 AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                          const assembly::Loading& loading, const std::vector<double>& omega) {
   if (assembled.frequency_dependent()) return exact_samples(assembled, channels, loading, omega);
-  const auto count = static_cast<Eigen::Index>(channels.size()), points = static_cast<Eigen::Index>(omega.size());
+  const auto count = to_index(channels.size()), points = to_index(omega.size());
   AnswerSamples result{Eigen::MatrixXcd(count, points), Eigen::MatrixXd(count, points)};
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, omega).response;
   const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
@@ -66,7 +66,7 @@ AnswerSamples samples_in(const assembly::Assembled& assembled, const std::vector
   const Eigen::RowVectorXd at = Eigen::Map<const Eigen::RowVectorXd>(omega.data(), points);
   const Eigen::MatrixXd size = q.cwiseAbs(), ground_size = ground.cwiseAbs();
   for (Eigen::Index c = 0; c < count; ++c) {
-    const numerics::ObservedCurve& curve = given.curves[static_cast<std::size_t>(c)];
+    const numerics::ObservedCurve& curve = given.curves[to_size(c)];
     result.value.row(c) = numerics::curve_values(curve, q, ground, at.cast<Complex>());
     result.possible.row(c) = numerics::possible_amplitudes(curve, size, ground_size, at);
   }
@@ -94,7 +94,7 @@ AnswerSamples answer_samples(const assembly::Assembled& assembled, const std::ve
   for (const assembly::AnsweredTogether& group : groups) {
     const AnswerSamples part = samples_in(assembled, group.channels, group.loading, omega);
     for (Eigen::Index k = 0; k < std::ssize(group.which); ++k) {
-      const auto row = static_cast<Eigen::Index>(group.which[static_cast<std::size_t>(k)]);
+      const auto row = to_index(group.which[to_size(k)]);
       result.value.row(row) = part.value.row(k);
       result.possible.row(row) = part.possible.row(k);
     }

@@ -8,6 +8,7 @@
 #include <map>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/parts_by_delay.h"
 
 namespace trivet::response {
@@ -72,7 +73,7 @@ class CurveModelBuilder {
     largest_ = Eigen::VectorXd::Zero(std::ssize(model.delays) * std::ssize(channels));
     idle_ = Eigen::Array<bool, Eigen::Dynamic, 1>::Constant(std::ssize(channels), false);
     for (std::size_t c = 0; c < peaks.curves.size() && c < channels.size(); ++c)
-      idle_(static_cast<Eigen::Index>(c)) = peaks.curves[c].vanishes;
+      idle_(to_index(c)) = peaks.curves[c].vanishes;
   }
 
   void solve(std::vector<double> omega) {
@@ -91,7 +92,7 @@ class CurveModelBuilder {
       Eigen::VectorXcd values(largest_.size());
       Eigen::Index row = 0;
       for (const FrequencyResponse& part : parts)
-        for (const Curve& curve : part.curves) values(row++) = curve.value(static_cast<Eigen::Index>(i));
+        for (const Curve& curve : part.curves) values(row++) = curve.value(to_index(i));
       if (!values.allFinite()) {
         model_.check.undefined_at.push_back(fresh[i]);
         continue;  // an undamped resonance or a free motion
@@ -119,7 +120,7 @@ class CurveModelBuilder {
   /// Fits a piece of the band, or its halves.
   void add_pieces(const Band& band) {
     const Samples::const_iterator from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
-    std::size_t known = static_cast<std::size_t>(std::distance(from, to));
+    std::size_t known = to_size(std::distance(from, to));
     for (bool enough = known >= 2; enough;) {
       const numerics::RationalFit fit = fitted(band);
       const std::vector<double> wanted = doubtful(band, fit, known);
@@ -199,12 +200,12 @@ class CurveModelBuilder {
     const Eigen::Index curves = idle_.size();
     Eigen::VectorXd of_unit = Eigen::VectorXd::Zero(curves);
     for (Eigen::Index i = 0; i < values.size(); ++i) {
-      double& most = of_unit(same_unit_[static_cast<std::size_t>(i % curves)]);
+      double& most = of_unit(same_unit_[to_size(i % curves)]);
       most = std::max(most, std::abs(values(i)));
     }
     Eigen::VectorXd floor = floor_share * largest_.head(values.size());
     for (Eigen::Index i = 0; i < values.size(); ++i)
-      floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[static_cast<std::size_t>(i % curves)]));
+      floor(i) = std::max(floor(i), floor_share * of_unit(same_unit_[to_size(i % curves)]));
     return floor;
   }
 
@@ -304,7 +305,7 @@ class CurveModelBuilder {
     for (std::size_t c = 0; c < extrema_.size(); ++c)
       for (const Extremum& extremum : extrema_[c]) {
         const double w = extremum.angular_frequency;
-        const auto curve = static_cast<Eigen::Index>(c);
+        const auto curve = to_index(c);
         if (!extremum.maximum || !(w >= band.from && w <= band.to) || idle_(curve)) continue;
         const Eigen::VectorXcd y = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
         const double size = std::max(extremum.amplitude, floors(y)(curve));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/parts_by_delay.h"
 
@@ -20,12 +21,12 @@ Eigen::MatrixXcd CurveModel::at(const std::vector<double>& omega) const {
       if (std::find(check.undefined_at.begin(), check.undefined_at.end(), omega[i]) != check.undefined_at.end())
         continue;
       inside.push_back(omega[i]);
-      columns.push_back(static_cast<Eigen::Index>(i));
+      columns.push_back(to_index(i));
     }
     if (inside.empty()) continue;
     const Eigen::MatrixXcd parts = piece.fit.at(Eigen::Map<const Eigen::VectorXd>(inside.data(), std::ssize(inside)));
     for (std::size_t k = 0; k < inside.size(); ++k)
-      result.col(columns[k]) = summed(parts.col(static_cast<Eigen::Index>(k)), delays, inside[k]);
+      result.col(columns[k]) = summed(parts.col(to_index(k)), delays, inside[k]);
   }
   return result;
 }
@@ -53,8 +54,8 @@ FrequencyResponse interpolated(const CurveModel& model, const std::vector<assemb
   const std::vector<std::vector<Extremum>> exact = extrema(peaks, model.band);
   FrequencyResponse result{angular_frequency, {}, model.check, model.solves, model.worst_error};
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    Curve& curve = result.curves.emplace_back(
-        Curve{channels[c].name, channels[c].unit, values.row(static_cast<Eigen::Index>(c)).transpose()});
+    Curve& curve =
+        result.curves.emplace_back(Curve{channels[c].name, channels[c].unit, values.row(to_index(c)).transpose()});
     for (std::size_t k = 0; c < exact.size() && k < exact[c].size(); ++k) {
       const auto at =
           std::lower_bound(angular_frequency.begin(), angular_frequency.end(), exact[c][k].angular_frequency);

@@ -7,6 +7,7 @@
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/response/steady/prescribed_ends.h"
 #include "trivet/response/steady/steady_solution.h"
@@ -137,7 +138,7 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   DeepCheck check;
   double worst_ratio = -1;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
-    const auto column = static_cast<Eigen::Index>(i);
+    const auto column = to_index(i);
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const Extended w = angular_frequency[i];
     ExtendedMatrix z = stiffness + ExtendedComplex(0, w) * damping - w * w * mass;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <tuple>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_solution.h"
 
 namespace trivet::response {
@@ -24,7 +25,7 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
     const assembly::ElementMap& map = assembled.elements[force.element];
     Eigen::Matrix<Complex, 12, 1> ends = Eigen::Matrix<Complex, 12, 1>::Zero();
     for (Eigen::Index j = 0; j < map.end_columns; ++j)
-      ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[static_cast<std::size_t>(j)]);
+      ends += map.ends.col(j).head<12>().cast<Complex>() * q(map.rows[to_size(j)]);
     if (g.size() > 0) ends += map.moved_by_ground(g).head<12>();
     const elements::Matrix12c stiffness = map.dynamic_stiffness(omega, near);
     const Eigen::Matrix<Complex, 12, 1> wrenches = stiffness * ends;
@@ -43,12 +44,12 @@ std::pair<Complex, double> value(const assembly::Assembled& assembled, const ass
 ExactValues exact_values(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                          const assembly::Loading& loading, const Eigen::VectorXcd& coordinates, Complex omega,
                          double near) {
-  const auto count = static_cast<Eigen::Index>(channels.size());
+  const auto count = to_index(channels.size());
   const Eigen::VectorXcd ground = loading.motion.vanishes() ? Eigen::VectorXcd() : loading.motion.at(omega);
   ExactValues result{Eigen::VectorXcd(count), Eigen::VectorXd(count)};
   for (Eigen::Index c = 0; c < count; ++c)
     std::tie(result.values(c), result.possible(c)) =
-        value(assembled, channels[static_cast<std::size_t>(c)], coordinates, ground, omega, near);
+        value(assembled, channels[to_size(c)], coordinates, ground, omega, near);
   return result;
 }
 
@@ -61,7 +62,7 @@ ExactSample ExactResponse::at(Complex omega, double near) const {
   const Eigen::MatrixXcd z = scale_.asDiagonal() * assembled_.dynamic_stiffness(omega, near) * scale_.asDiagonal();
   const Eigen::VectorXcd load = scale_.asDiagonal() * assembly::exact_right_side(assembled_, loading_, omega, near);
   numerics::PivotedSolution solution = numerics::pivoted_solution(z, load, true);
-  const auto count = static_cast<Eigen::Index>(channels_.size());
+  const auto count = to_index(channels_.size());
   ExactSample sample{{Eigen::VectorXcd::Constant(count, Complex(nan, nan)), Eigen::VectorXd::Constant(count, nan)},
                      scale_.asDiagonal() * solution.x,
                      solution.condition,

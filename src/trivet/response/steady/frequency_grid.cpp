@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 namespace {
 
@@ -51,12 +53,12 @@ Eigen::VectorXd largest(const Eigen::MatrixXcd& values, const Peaks& peaks) {
   for (std::size_t c = 0; c < peaks.curves.size(); ++c)
     for (std::size_t other = 0; other < peaks.curves.size(); ++other)
       if (peaks.curves[other].unit == peaks.curves[c].unit &&
-          heights(static_cast<Eigen::Index>(c)) < model_round_off * heights(static_cast<Eigen::Index>(other)))
-        top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
+          heights(to_index(c)) < model_round_off * heights(to_index(other)))
+        top(to_index(c)) = std::numeric_limits<double>::infinity();
   for (const Peak& peak : peaks.list)
-    if (std::isinf(peak.amplitude)) top(static_cast<Eigen::Index>(peak.curve)) = 0;
-  for (std::size_t c = 0; c < peaks.curves.size() && c < static_cast<std::size_t>(top.size()); ++c)
-    if (peaks.curves[c].vanishes) top(static_cast<Eigen::Index>(c)) = std::numeric_limits<double>::infinity();
+    if (std::isinf(peak.amplitude)) top(to_index(peak.curve)) = 0;
+  for (std::size_t c = 0; c < peaks.curves.size() && c < to_size(top.size()); ++c)
+    if (peaks.curves[c].vanishes) top(to_index(c)) = std::numeric_limits<double>::infinity();
   return top;
 }
 
@@ -108,8 +110,7 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
   const Eigen::VectorXd top = largest(values, peaks);
   std::vector<Interval> open;
   for (std::size_t i = 0; i + 1 < grid.size(); ++i)
-    open.push_back(
-        {grid[i], grid[i + 1], values.col(static_cast<Eigen::Index>(i)), values.col(static_cast<Eigen::Index>(i) + 1)});
+    open.push_back({grid[i], grid[i + 1], values.col(to_index(i)), values.col(to_index(i) + 1)});
   for (int round = 0; round < most_rounds && !open.empty() && grid.size() < most_points; ++round) {
     std::vector<double> inner;
     for (const Interval& interval : open)
@@ -117,11 +118,10 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
     const Eigen::MatrixXcd found = model.at(inner);
     std::vector<Interval> halves;
     for (std::size_t i = 0; i < open.size(); ++i) {
-      const Eigen::MatrixXcd inside = found.middleCols(static_cast<Eigen::Index>(parts.size() * i), std::ssize(parts));
+      const Eigen::MatrixXcd inside = found.middleCols(to_index(parts.size() * i), std::ssize(parts));
       bool straight = true;
       for (std::size_t k = 0; k < parts.size(); ++k)
-        straight =
-            straight && !bends(open[i].at_from, inside.col(static_cast<Eigen::Index>(k)), open[i].at_to, parts[k], top);
+        straight = straight && !bends(open[i].at_from, inside.col(to_index(k)), open[i].at_to, parts[k], top);
       if (straight || open[i].to - open[i].from <= least_step * open[i].to) continue;
       const double middle = inner[parts.size() * i + 1];
       grid.push_back(middle);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/exact_response.h"
 #include "trivet/response/steady/steady_solution.h"
 
@@ -26,9 +27,9 @@ void note_error(double error, double omega, SolutionCheck& check) {
 Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                               const assembly::Loading& loading, const Eigen::MatrixXcd& q,
                               const std::vector<double>& omega) {
-  Eigen::MatrixXcd values(static_cast<Eigen::Index>(channels.size()), q.cols());
+  Eigen::MatrixXcd values(to_index(channels.size()), q.cols());
   for (Eigen::Index i = 0; i < q.cols(); ++i)
-    values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[static_cast<std::size_t>(i)]).values;
+    values.col(i) = exact_values(assembled, channels, loading, q.col(i), omega[to_size(i)]).values;
   return values;
 }
 
@@ -36,8 +37,8 @@ Eigen::MatrixXcd exact_curves(const assembly::Assembled& assembled, const std::v
 FrequencyResponse answered(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                            const assembly::Loading& loading, const std::vector<double>& angular_frequency) {
   const numerics::SweepResult solved = steady_solution(assembled, loading, angular_frequency);
-  const Eigen::RowVectorXd omega = Eigen::Map<const Eigen::RowVectorXd>(
-      angular_frequency.data(), static_cast<Eigen::Index>(angular_frequency.size()));
+  const Eigen::RowVectorXd omega =
+      Eigen::Map<const Eigen::RowVectorXd>(angular_frequency.data(), to_index(angular_frequency.size()));
   Eigen::MatrixXcd ground, exact;
   const assembly::GivenCurves given = assembly::given_curves(channels, loading.motion);
   if (assembled.frequency_dependent())
@@ -49,13 +50,13 @@ FrequencyResponse answered(const assembly::Assembled& assembled, const std::vect
   for (std::size_t c = 0; c < channels.size(); ++c) {
     const assembly::Channel& channel = channels[c];
     Eigen::VectorXcd values;
-    if (assembled.frequency_dependent()) values = exact.row(static_cast<Eigen::Index>(c)).transpose();
+    if (assembled.frequency_dependent()) values = exact.row(to_index(c)).transpose();
     else values = numerics::curve_values(given.curves[c], solved.response, ground, omega.cast<Complex>()).transpose();
     result.curves.push_back({channel.name, channel.unit, std::move(values)});
   }
   result.check.fallbacks = solved.fallbacks;
   for (Eigen::Index i = 0; i < solved.backward_error.size(); ++i)
-    note_error(solved.backward_error(i), angular_frequency[static_cast<std::size_t>(i)], result.check);
+    note_error(solved.backward_error(i), angular_frequency[to_size(i)], result.check);
   return result;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <complex>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 namespace {
 
@@ -34,7 +36,7 @@ Eigen::VectorXcd summed(const Eigen::VectorXcd& parts, const std::vector<double>
   const Eigen::Index curves = parts.size() / std::ssize(delays);
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(curves);
   for (std::size_t d = 0; d < delays.size(); ++d)
-    sum += std::polar(1.0, -omega * delays[d]) * parts.segment(static_cast<Eigen::Index>(d) * curves, curves);
+    sum += std::polar(1.0, -omega * delays[d]) * parts.segment(to_index(d) * curves, curves);
   return sum;
 }
 

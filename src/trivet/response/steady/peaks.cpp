@@ -6,6 +6,7 @@
 
 #include "trivet/assembly/answer_coordinates.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/peaks/circle_search.h"
 #include "trivet/numerics/peaks/disc_search.h"
 #include "trivet/numerics/peaks/peak_count.h"
@@ -55,7 +56,7 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
     seams.insert(seams.end(), map.knots.begin(), map.knots.end());
   }
   if (from == 0) from = start_share * smallest;
-  const auto curves = static_cast<Eigen::Index>(channels.size());
+  const auto curves = to_index(channels.size());
   if (loading.vanishes() || !(end > from)) return {std::vector<numerics::SearchedCurve>(channels.size()), from, end, 0};
   const ExactResponse exact(assembled, channels, loading);
   const std::vector<numerics::ObservedCurve> observed = assembly::curves(channels);
@@ -68,15 +69,14 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
             loading.motion.vanishes() ? Eigen::VectorXd() : Eigen::VectorXd(loading.motion.possible(std::abs(omega)));
         Eigen::VectorXd alike(curves);
         for (Eigen::Index c = 0; c < curves; ++c)
-          alike(c) = numerics::possible_amplitudes(observed[static_cast<std::size_t>(c)], together, ground,
+          alike(c) = numerics::possible_amplitudes(observed[to_size(c)], together, ground,
                                                    Eigen::RowVectorXd::Constant(1, std::abs(omega)))
                          .value();
         return numerics::CurveSample{std::move(sample.values), std::move(sample.possible), std::move(alike),
                                      sample.condition};
       },
-      curves, {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) {
-                 return channels[static_cast<std::size_t>(c)].name;
-               }});
+      curves,
+      {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) { return channels[to_size(c)].name; }});
 }
 
 /// Peaks of channels in the coordinates of the loading.

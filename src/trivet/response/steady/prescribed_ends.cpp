@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/orthogonal.h"
 
 namespace trivet::response {
@@ -83,7 +84,7 @@ PrescribedEnds::Vector PrescribedEnds::at(std::size_t index, double angular_freq
     Motion motion = Motion::Zero();
     if (end->on_ground()) motion = ground_at(end->at, index, angular_frequency);
     if (end->foundation && impedance_of_[end->foundation->foundation] >= 0) {
-      const auto joint = static_cast<std::size_t>(impedance_of_[end->foundation->foundation]);
+      const auto joint = to_size(impedance_of_[end->foundation->foundation]);
       motion = projection_off(end->foundation->shape).cast<ExtendedComplex>() *
           ground_at(description_.elements[joint].n.at, joint, angular_frequency);
     }

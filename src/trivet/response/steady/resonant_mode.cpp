@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/body_dynamics.h"
 
@@ -33,7 +34,7 @@ std::optional<int> most_bent(const assembly::Assembled& assembled, const modal::
 
 void set_nearest_modes(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                        const assembly::Loading& loading, const modal::Modes& modes, Peaks& peaks) {
-  const auto massive = static_cast<Eigen::Index>(numerics::massive_rows(assembled.matrices.A).size());
+  const auto massive = to_index(numerics::massive_rows(assembled.matrices.A).size());
   for (Peak& peak : peaks.list) {
     const double omega = peak.angular_frequency;
     peak.nearest_mode = modal::nearest_mode(modes, omega, massive);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/steady_solution.h"
 
@@ -16,8 +17,7 @@ std::vector<SteadyMotion> steady_motions(const assembly::Assembled& assembled, c
   const Eigen::MatrixXcd q = steady_solution(assembled, loading, angular_frequency).response;
   std::vector<SteadyMotion> result;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
-    SteadyMotion motion{angular_frequency[i], q.col(static_cast<Eigen::Index>(i)),
-                        Eigen::VectorXcd::Zero(assembled.ground.size())};
+    SteadyMotion motion{angular_frequency[i], q.col(to_index(i)), Eigen::VectorXcd::Zero(assembled.ground.size())};
     if (!motion.free.allFinite())
       throw foundation::NotComputable(
           fmt::format("steady motion: {:.6g} rad/s is an undamped natural frequency: the motion is unbounded",
@@ -33,7 +33,7 @@ Eigen::VectorXcd element_motion(const assembly::ElementMap& map, const SteadyMot
   const Eigen::Index columns = map.frequency_dependent() ? map.end_columns : map.ends.cols();
   Eigen::VectorXcd d = map.moved_by_ground(motion.ground).head(size);
   for (Eigen::Index j = 0; j < columns; ++j)
-    d += map.ends.col(j).head(size).cast<std::complex<double>>() * motion.free(map.rows[static_cast<std::size_t>(j)]);
+    d += map.ends.col(j).head(size).cast<std::complex<double>>() * motion.free(map.rows[to_size(j)]);
   return d;
 }
 

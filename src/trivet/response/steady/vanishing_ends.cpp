@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
 #include "trivet/response/steady/visible_amplitudes.h"
 
 namespace trivet::response {
@@ -42,8 +43,7 @@ std::vector<bool> vanish_at_both_ends(const assembly::Assembled& assembled,
                         beyond = at(range.highest * far);
   for (Eigen::Index c = 0; c < between.size(); ++c) {
     const bool zero_throughout = low(c) == 0 && between(c) == 0 && high(c) == 0;
-    vanish[static_cast<std::size_t>(c)] =
-        !zero_throughout && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
+    vanish[to_size(c)] = !zero_throughout && at_rest(c) <= falls * low(c) && beyond(c) <= falls * high(c);
   }
   return vanish;
 }

@@ -9,6 +9,7 @@
 
 #include "trivet/excitation/refusal.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -74,7 +75,7 @@ std::vector<Eigen::Index> read_spectrum(const excitation::ResponseSpectrum& spec
                       mode.angular_frequency / two_pi, mode.damping_ratio));
     mode.spectral_acceleration = excitation::spectral_acceleration(spectrum, mode.angular_frequency);
     effective += mode.effective_mass;
-    reached.push_back(static_cast<Eigen::Index>(i));
+    reached.push_back(to_index(i));
   }
   result.effective_mass_share = total > 0 ? effective / total : 0;
   return reached;
@@ -92,7 +93,7 @@ void add_warnings(const excitation::ResponseSpectrum& spectrum, const std::vecto
         "extend the table, especially to short periods");
   double lowest = std::numeric_limits<double>::infinity(), highest = 0;
   for (const Eigen::Index i : reached) {
-    const ModalShare& mode = result.modes[static_cast<std::size_t>(i)];
+    const ModalShare& mode = result.modes[to_size(i)];
     if (mode.effective_mass == 0) continue;
     lowest = std::min(lowest, mode.damping_ratio);
     highest = std::max(highest, mode.damping_ratio);
@@ -124,10 +125,10 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
   if (given.frequency_dependent())
     result.warnings.warning("earthquake", "frequency-dependent elements are replaced by their nearest linear system",
                             "modes need constant matrices", "compare with a time history");
-  const auto count = static_cast<Eigen::Index>(reached.size());
+  const auto count = to_index(reached.size());
   Eigen::VectorXd omega(count), zeta(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const ModalShare& mode = result.modes[static_cast<std::size_t>(reached[static_cast<std::size_t>(k)])];
+    const ModalShare& mode = result.modes[to_size(reached[to_size(k)])];
     omega(k) = mode.angular_frequency;
     zeta(k) = mode.damping_ratio;
   }
@@ -138,8 +139,8 @@ EarthquakeResponse earthquake_response(const assembly::Assembled& given, const s
           "earthquake: \"{}\" is a motion of the ground alone, which a response spectrum does not give", channel.name));
     CombinedAnswer answer{channel.name, channel.unit, Eigen::VectorXd(count), 0, 0};
     for (Eigen::Index k = 0; k < count; ++k) {
-      const ModalShare& mode = result.modes[static_cast<std::size_t>(reached[static_cast<std::size_t>(k)])];
-      const Eigen::VectorXd shape = modes.shapes.col(reached[static_cast<std::size_t>(k)]);
+      const ModalShare& mode = result.modes[to_size(reached[to_size(k)])];
+      const Eigen::VectorXd shape = modes.shapes.col(reached[to_size(k)]);
       const double squared = omega(k) * omega(k), motion = mode.participation * mode.spectral_acceleration / squared;
       answer.modal_maxima(k) = std::pow(omega(k), channel.derivative) * motion *
           (channel.on_displacement.real().dot(shape) - squared * channel.on_acceleration.dot(shape));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 namespace {
 
@@ -32,7 +34,7 @@ InputCourse::InputCourse(const excitation::Signal& signal, double delay)
     starts_.push_back(each.start + delay);
     auto known = std::find(kappas_.begin(), kappas_.end(), each.kappa);
     if (known == kappas_.end()) known = kappas_.insert(known, each.kappa);
-    kappa_index_.push_back(static_cast<std::size_t>(known - kappas_.begin()));
+    kappa_index_.push_back(to_size(known - kappas_.begin()));
   }
   if (kappas_.empty()) kappas_.push_back(0);
   excitation::SignalIntegrals sum;
@@ -60,7 +62,7 @@ InputCourse::InputCourse(const excitation::Signal& signal, double delay)
 InputVector InputCourse::at(Place place, double t) const {
   InputVector w = InputVector::Zero();
   if (place < 0) return w;
-  const auto i = static_cast<std::size_t>(place);
+  const auto i = to_size(place);
   const excitation::Piece& p = pieces_[i];
   const double s = t - starts_[i];
   const excitation::SignalState u = excitation::state_on(p, s);
@@ -75,7 +77,7 @@ InputCourse::Place InputCourse::place_at(double t, double resolution) const {
 
 InputVector InputCourse::jump_into(Place place) const {
   InputVector jump = InputVector::Zero();
-  const auto i = static_cast<std::size_t>(place);
+  const auto i = to_size(place);
   const excitation::Piece& p = pieces_[i];
   jump.tail<3>() << p.value, p.rate, p.curvature;
   if (place > 0) {

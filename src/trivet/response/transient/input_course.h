@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "trivet/excitation/signal.h"
+#include "trivet/foundation/index.h"
 #include "trivet/response/transient/exponential_step.h"
 
 namespace trivet::response {
@@ -23,13 +24,11 @@ class InputCourse {
   [[nodiscard]] InputVector at(Place place, double t) const;
   [[nodiscard]] double kappa(Place place) const { return place < 0 ? 0 : piece(place).kappa; }
   /// Index of the κ of the piece in `kappas`.
-  [[nodiscard]] std::size_t kappa_index(Place place) const {
-    return place < 0 ? 0 : kappa_index_[static_cast<std::size_t>(place)];
-  }
+  [[nodiscard]] std::size_t kappa_index(Place place) const { return place < 0 ? 0 : kappa_index_[to_size(place)]; }
   [[nodiscard]] const std::vector<double>& kappas() const { return kappas_; }
   /// Start of the next piece [s]; infinite after the last.
   [[nodiscard]] double next_corner(Place place) const {
-    return place + 1 < count() ? starts_[static_cast<std::size_t>(place + 1)] : std::numeric_limits<double>::infinity();
+    return place + 1 < count() ? starts_[to_size(place + 1)] : std::numeric_limits<double>::infinity();
   }
   /// Index of the piece at t; a piece that begins within `resolution` after t has begun.
   [[nodiscard]] Place place_at(double t, double resolution) const;
@@ -44,14 +43,14 @@ class InputCourse {
     return starts_.empty() ? -std::numeric_limits<double>::infinity() : starts_.back();
   }
   /// True if the mth derivative of u, m = 0, 1, 2, jumps (beyond round-off) at the start of the piece at `place`.
-  [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[static_cast<std::size_t>(place)] >> m & 1) != 0; }
+  [[nodiscard]] bool jumps(Place place, int m) const { return (jumps_[to_size(place)] >> m & 1) != 0; }
   /// Lowest derivative of u that jumps anywhere: 0 a step, 1 a corner, 2 a change of curvature.
   [[nodiscard]] int smoothness() const { return smoothness_; }
   /// Median time between samples of a polygon of many straight lines; 0 for other signals [s].
   [[nodiscard]] double sampling_step() const { return sampling_step_; }
 
  private:
-  [[nodiscard]] const excitation::Piece& piece(Place place) const { return pieces_[static_cast<std::size_t>(place)]; }
+  [[nodiscard]] const excitation::Piece& piece(Place place) const { return pieces_[to_size(place)]; }
 
   std::vector<excitation::Piece> pieces_;
   std::vector<double> starts_;                       ///< delayed [s]

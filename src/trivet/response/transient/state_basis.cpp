@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/massless.h"
@@ -29,7 +30,7 @@ std::vector<Eigen::Index> massless_rows(const numerics::DynamicMatrices& m, cons
 void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::Index>& rows, Eigen::MatrixXd& R,
                    StateBasis& basis) {
   const Eigen::MatrixXd held = R.transpose() * m.B * R;
-  const auto count = static_cast<Eigen::Index>(rows.size());
+  const auto count = to_index(rows.size());
   basis.lagging = count;
   if (!held.isApprox(held.transpose(), 1e-12) && !held.isZero(0)) return;  // unsymmetric: must be regular
   const numerics::SymmetricEigen<Eigen::MatrixXd> eigen = numerics::symmetric_eigen(held);
@@ -37,8 +38,8 @@ void part_massless(const numerics::DynamicMatrices& m, const std::vector<Eigen::
   std::vector<Eigen::Index> lagging, following;
   for (Eigen::Index i = 0; i < count; ++i) (std::abs(eigen.values(i)) > none ? lagging : following).push_back(i);
   if (following.empty()) return;
-  basis.lagging = static_cast<Eigen::Index>(lagging.size());
-  basis.following = static_cast<Eigen::Index>(following.size());
+  basis.lagging = to_index(lagging.size());
+  basis.following = to_index(following.size());
   lagging.insert(lagging.end(), following.begin(), following.end());
   R = (R * eigen.vectors(Eigen::all, lagging)).eval();
 }
@@ -77,15 +78,15 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
   StateBasis basis;
   const std::vector<Eigen::Index> massive = numerics::massive_rows(m.A), massless = massless_rows(m, massive);
   const Eigen::VectorXd scale = numerics::unit_scale(m);
-  const Eigen::Index n = m.size(), count = static_cast<Eigen::Index>(massive.size());
+  const Eigen::Index n = m.size(), count = to_index(massive.size());
   basis.massive = count;
   Eigen::MatrixXd P, R = Eigen::MatrixXd::Zero(n, n - count);
-  for (std::size_t i = 0; i < massless.size(); ++i) R(massless[i], static_cast<Eigen::Index>(i)) = scale(massless[i]);
+  for (std::size_t i = 0; i < massless.size(); ++i) R(massless[i], to_index(i)) = scale(massless[i]);
   if (!massless.empty()) part_massless(m, massless, R, basis);
   basis.modal = set_modal_basis(m, P, basis);
   if (!basis.modal) {
     P = Eigen::MatrixXd::Zero(n, count);
-    for (std::size_t i = 0; i < massive.size(); ++i) P(massive[i], static_cast<Eigen::Index>(i)) = scale(massive[i]);
+    for (std::size_t i = 0; i < massive.size(); ++i) P(massive[i], to_index(i)) = scale(massive[i]);
     basis.A = P.transpose() * m.A * P;
   }
   basis.T.resize(n, n);
@@ -111,7 +112,7 @@ StateBasis state_basis(const numerics::DynamicMatrices& m) {
   if (!massless.empty()) {
     const Eigen::MatrixXd own = R(massless, Eigen::all), ridden = P(massless, Eigen::all);
     Eigen::MatrixXd rest = -ridden * basis.from_coordinates.topRows(count);
-    for (std::size_t i = 0; i < massless.size(); ++i) rest(static_cast<Eigen::Index>(i), massless[i]) += 1;
+    for (std::size_t i = 0; i < massless.size(); ++i) rest(to_index(i), massless[i]) += 1;
     basis.from_coordinates.bottomRows(n - count) = numerics::lu_solution(own, rest);
   }
   return basis;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/response/transient/state_basis.h"
@@ -36,11 +37,11 @@ InputDerivatives all_derivatives(const InputVector& w, double kappa) {
 StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vector<Drive>& courses) {
   const StateBasis basis = state_basis(matrices);
   const Eigen::Index n = basis.massive, z = basis.lagging, y = basis.following, N = 2 * n + z;
-  const auto inputs = static_cast<Eigen::Index>(courses.size()) * input_derivatives;
+  const auto inputs = to_index(courses.size()) * input_derivatives;
   massive_ = n;
   Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n + z + y, inputs);
   for (std::size_t c = 0; c < courses.size(); ++c)
-    h.middleCols<5>(static_cast<Eigen::Index>(c) * input_derivatives) = basis.T.transpose() * courses[c].force;
+    h.middleCols<5>(to_index(c) * input_derivatives) = basis.T.transpose() * courses[c].force;
 
   const Eigen::MatrixXd &B = basis.B, &K = basis.K;
   const Eigen::VectorXd lag_scale =
@@ -76,7 +77,7 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
   F_.middleRows(n, n) = acceleration.on_state;
   F_.bottomRows(z) = lag_scale.asDiagonal() * lag_rate.on_state;
   for (std::size_t c = 0; c < courses.size(); ++c) {
-    const Eigen::Index first = static_cast<Eigen::Index>(c) * input_derivatives;
+    const Eigen::Index first = to_index(c) * input_derivatives;
     InputMatrix g = InputMatrix::Zero(N, 5);
     g.middleRows(n, n) = acceleration.on_input.middleCols<5>(first);
     g.bottomRows(z) = lag_scale.asDiagonal() * lag_rate.on_input.middleCols<5>(first);
@@ -93,7 +94,7 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
     if (!(basis.K(i, i) * basis.A(i, i) > 0)) continue;
     StateMode mode{basis.speed(i), i, {}};
     for (std::size_t c = 0; c < courses.size(); ++c)
-      mode.forces.push_back(h.row(i).segment<5>(static_cast<Eigen::Index>(c) * input_derivatives).transpose());
+      mode.forces.push_back(h.row(i).segment<5>(to_index(c) * input_derivatives).transpose());
     modes_.push_back(std::move(mode));
   }
 }
@@ -101,7 +102,7 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
 LinearRows StateSpace::derivative(const LinearRows& rows) const {
   LinearRows d{rows.on_state * F_, Eigen::MatrixXd::Zero(rows.on_input.rows(), rows.on_input.cols())};
   for (std::size_t c = 0; c < G_.size(); ++c) {
-    const Eigen::Index first = static_cast<Eigen::Index>(c) * input_derivatives;
+    const Eigen::Index first = to_index(c) * input_derivatives;
     d.on_input.middleCols(first + 1, input_derivatives - 1) = rows.on_input.middleCols(first, input_derivatives - 1);
     d.on_input.middleCols<5>(first) += rows.on_state * G_[c];
   }

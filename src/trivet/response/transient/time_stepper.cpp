@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 
 TimeStepper::TimeStepper(const StateSpace& space, const std::vector<InputCourse>& courses, double step,
@@ -83,7 +85,7 @@ void TimeStepper::advance(StepperState& at, double to) {
 
 void TimeStepper::inputs(const StepperState& at, Eigen::Ref<Eigen::VectorXd> derivatives) const {
   for (std::size_t c = 0; c < courses_.size(); ++c)
-    derivatives.segment<input_derivatives>(static_cast<Eigen::Index>(c) * input_derivatives) =
+    derivatives.segment<input_derivatives>(to_index(c) * input_derivatives) =
         all_derivatives(courses_[c].at(at.places[c], at.time), courses_[c].kappa(at.places[c]));
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/general_eigen.h"
@@ -50,7 +51,7 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
       throw foundation::InvalidInput(
           fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
     auto known = std::find(delays.begin(), delays.end(), term.delay);
-    const auto c = first + static_cast<std::size_t>(known - delays.begin());
+    const auto c = first + to_size(known - delays.begin());
     if (known == delays.end()) {
       delays.push_back(term.delay);
       all.courses.emplace_back(input.signal, term.delay);
@@ -163,7 +164,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
   result.curves = record.release_curves();
   for (std::size_t k = 0; k < channels.size(); ++k) {
     TimeCurve& curve = result.curves[k];
-    const auto row = static_cast<Eigen::Index>(k);
+    const auto row = to_index(k);
     curve.name = channels[k].name;
     curve.unit = channels[k].unit;
     curve.rms = root_mean_square(curve);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 namespace {
 
@@ -107,7 +109,7 @@ Candidates candidates(const TimeCurve& curve, double margin) {
     const auto kept = static_cast<std::ptrdiff_t>(std::min(list->size(), most_searches));
     std::partial_sort(list->begin(), list->begin() + kept, list->end(),
                       [](const Candidate& a, const Candidate& b) { return a.reach > b.reach; });
-    list->resize(static_cast<std::size_t>(kept));
+    list->resize(to_size(kept));
   }
   return found;
 }
@@ -131,7 +133,7 @@ void search_between_points(TimeStepper& stepper, const StateSpace& space, const 
                                   static_cast<double>(done++) / static_cast<double>(all));
       const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0),
                          last = std::min(candidate.point + 1, grid.points - 1);
-      StepperState state = checkpoints.states[static_cast<std::size_t>(first / checkpoints.every)];
+      StepperState state = checkpoints.states[to_size(first / checkpoints.every)];
       for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i)
         stepper.advance(state, grid.time(i + 1));
       for (Eigen::Index i = first; i < last; ++i) {

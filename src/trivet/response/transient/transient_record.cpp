@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/transient/transient_rows.h"
 
@@ -31,12 +32,11 @@ TransientRecord::TransientRecord(TimeStepper& stepper, const std::vector<InputCo
       courses_(courses),
       rows_(std::move(rows)),
       grid_(grid),
-      curves_(static_cast<std::size_t>(rows_.on_state.rows())),
+      curves_(to_size(rows_.on_state.rows())),
       inputs_(rows_.on_input.cols()) {
   for (std::size_t c = 0; c < courses.size(); ++c)
-    held_.push_back(
-        held_derivatives(rows_.on_input.middleCols(static_cast<Eigen::Index>(c) * input_derivatives, input_derivatives),
-                         stepper.state_jumps(c)));
+    held_.push_back(held_derivatives(rows_.on_input.middleCols(to_index(c) * input_derivatives, input_derivatives),
+                                     stepper.state_jumps(c)));
   for (TimeCurve& curve : curves_) {
     curve.values.resize(grid.points);
     curve.largest.value = -infinity;
@@ -49,7 +49,7 @@ void TransientRecord::run(StepperState state, const foundation::Progress& progre
   checkpoints_ = {block, {}};
   const std::vector<Eigen::Index> used = used_inputs(rows_);
   const Eigen::MatrixXd on_used = rows_.on_input(Eigen::all, used);
-  Eigen::MatrixXd X(state.x.size(), block), W(static_cast<Eigen::Index>(used.size()), block), Y;
+  Eigen::MatrixXd X(state.x.size(), block), W(to_index(used.size()), block), Y;
   for (Eigen::Index first = 0; first < grid_.points; first += block) {
     foundation::report_progress(progress, "transient", static_cast<double>(first) / static_cast<double>(grid_.points));
     checkpoints_.states.push_back(state);
@@ -57,7 +57,7 @@ void TransientRecord::run(StepperState state, const foundation::Progress& progre
     for (Eigen::Index i = 0; i < count; ++i) {
       X.col(i) = state.x;
       if (!used.empty()) stepper_.inputs(state, inputs_);
-      for (std::size_t j = 0; j < used.size(); ++j) W(static_cast<Eigen::Index>(j), i) = inputs_(used[j]);
+      for (std::size_t j = 0; j < used.size(); ++j) W(to_index(j), i) = inputs_(used[j]);
       if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
     }
     if (!X.leftCols(count).allFinite())
@@ -93,7 +93,7 @@ bool TransientRecord::answers_jump(const StepperState& state, double corner) con
 void TransientRecord::note(const StepperState& state) {
   stepper_.inputs(state, inputs_);
   for (std::size_t k = 0; k < curves_.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
+    const auto row = to_index(k);
     const double value =
         rows_.on_state.row(row).dot(state.x) + (inputs_.size() > 0 ? rows_.on_input.row(row).dot(inputs_) : 0);
     if (value > curves_[k].largest.value) curves_[k].largest = {value, state.time};
@@ -103,7 +103,7 @@ void TransientRecord::note(const StepperState& state) {
 
 void TransientRecord::keep(const Eigen::MatrixXd& values, Eigen::Index first) {
   for (Eigen::Index k = 0; k < values.cols(); ++k) {
-    TimeCurve& curve = curves_[static_cast<std::size_t>(k)];
+    TimeCurve& curve = curves_[to_size(k)];
     curve.values.segment(first, values.rows()) = values.col(k);
     Eigen::Index at = 0;
     if (values.col(k).maxCoeff() > curve.largest.value) {

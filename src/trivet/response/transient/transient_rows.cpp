@@ -5,6 +5,8 @@
 
 #include <set>
 
+#include "trivet/foundation/index.h"
+
 namespace trivet::response {
 namespace {
 
@@ -17,17 +19,17 @@ LinearRows answer_rows(const StateSpace& space, const std::vector<assembly::Chan
                        const std::vector<Drive>& courses) {
   const LinearRows& q = space.displacements();
   const LinearRows velocity = space.derivative(q), acceleration = space.derivative(velocity);
-  const auto count = static_cast<Eigen::Index>(channels.size());
+  const auto count = to_index(channels.size());
   LinearRows rows{Eigen::MatrixXd::Zero(count, q.on_state.cols()), Eigen::MatrixXd::Zero(count, q.on_input.cols())};
   for (Eigen::Index i = 0; i < count; ++i) {
-    const assembly::Channel& channel = channels[static_cast<std::size_t>(i)];
+    const assembly::Channel& channel = channels[to_size(i)];
     const Eigen::RowVectorXd k = channel.on_displacement.real().transpose();
     const Eigen::RowVectorXd b = channel.on_velocity.transpose(), a = channel.on_acceleration.transpose();
     LinearRows row{k * q.on_state, k * q.on_input};
     if (!b.isZero(0)) row.on_state += b * velocity.on_state, row.on_input += b * velocity.on_input;
     if (!a.isZero(0)) row.on_state += a * acceleration.on_state, row.on_input += a * acceleration.on_input;
     for (std::size_t c = 0; c < courses.size() && !channel.ground.empty(); ++c) {
-      const Eigen::Index first = static_cast<Eigen::Index>(c) * input_derivatives;
+      const Eigen::Index first = to_index(c) * input_derivatives;
       row.on_input.middleCols<5>(first) += channel.ground.on_displacement.real().transpose() * courses[c].ground;
       row.on_input.middleCols<5>(first + 1) += channel.ground.on_velocity.transpose() * courses[c].ground;
       row.on_input.middleCols<5>(first + 2) += channel.ground.on_acceleration.transpose() * courses[c].ground;
@@ -53,14 +55,14 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
   for (std::size_t c = 0; c < courses.size(); ++c) {
     const int first = courses[c].smoothness() + 1;  // this derivative of u is infinite somewhere
     if (courses[c].count() == 0 || first > 2 || warned.count(names[c])) continue;
-    const Eigen::Index from = static_cast<Eigen::Index>(c) * input_derivatives + of_value + first,
+    const Eigen::Index from = to_index(c) * input_derivatives + of_value + first,
                        count = input_derivatives - of_value - first;
     const double scale = rows.on_input.middleCols(from, count).cwiseAbs().maxCoeff();
     std::string list;
     int found = 0;
     for (Eigen::Index i = 0; i < rows.on_input.rows() && scale > 0; ++i) {
       if (!(rows.on_input.row(i).segment(from, count).cwiseAbs().maxCoeff() > sum_round_off * scale)) continue;
-      if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[static_cast<std::size_t>(i)].name;
+      if (++found <= 3) list += (list.empty() ? "" : ", ") + channels[to_size(i)].name;
     }
     if (found == 0) continue;
     warned.insert(names[c]);
