@@ -55,7 +55,7 @@ TEST(SweepMaxima, AreTheLargestOfTheWholeSweep) {
       for (Eigen::Index j = 0; j < n; ++j) {
         Eigen::Index where = 0;
         EXPECT_NEAR(found.amplitude(0, j), all.row(j).maxCoeff(&where), round_off * found.amplitude(0, j));
-        EXPECT_EQ(found.angular_frequency(0, j), omega[to_size(where)]);
+        EXPECT_EQ(found.angular_frequency(0, j), omega[trivet::to_size(where)]);
       }
       EXPECT_LE((together.amplitude.row(d) / found.amplitude.row(0) - 1).abs().maxCoeff(), two_ways);
       EXPECT_TRUE((together.angular_frequency.row(d) == found.angular_frequency.row(0)).all());
@@ -91,7 +91,8 @@ TEST(SweepMaxima, AreTheSameByteForByteOnOneThreadAndSixteen) {
   const SweepMaxima one = sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
   const SweepMaxima sixteen =
       sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 16, .progress = {}});
-  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(), sizeof(double) * to_size(one.amplitude.size())),
+  EXPECT_EQ(std::memcmp(one.amplitude.data(), sixteen.amplitude.data(),
+                        sizeof(double) * trivet::to_size(one.amplitude.size())),
             0);
   EXPECT_EQ(one.fallbacks, sixteen.fallbacks);
 }

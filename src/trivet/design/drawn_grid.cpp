@@ -22,7 +22,7 @@ std::vector<int> drawn_nodes(int points) {
 /// Linear interpolation between drawn nodes.
 double share(double among_nodes, const std::vector<int>& nodes) {
   const double at = among_nodes * static_cast<double>(nodes.size() - 1);
-  const std::size_t k = std::min(to_size(std::max(at, 0.0)), nodes.size() - 2);
+  const std::size_t k = std::min(static_cast<std::size_t>(std::max(at, 0.0)), nodes.size() - 2);
   return (nodes[k] + (at - static_cast<double>(k)) * (nodes[k + 1] - nodes[k])) / nodes.back();
 }
 

@@ -21,7 +21,7 @@ void require_shapes(const Designs& designs, const char* what) {
 }
 
 Eigen::Index coordinates_of(Eigen::Index entries) {
-  const auto n = to_index((std::sqrt(8.0 * static_cast<double>(entries) + 1) - 1) / 2);
+  const auto n = static_cast<Eigen::Index>((std::sqrt(8.0 * static_cast<double>(entries) + 1) - 1) / 2);
   return n * (n + 1) / 2 == entries ? n : 0;
 }
 

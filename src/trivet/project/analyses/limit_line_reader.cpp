@@ -41,8 +41,8 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
     if (measured) {
       const bool force = *measured == Quantity::force || *measured == Quantity::moment;
       const bool turns = request.of.size() > 3 && request.of[request.of.size() - 2] == 'r';
-      request.line.unit =
-          force ? (*measured == Quantity::force ? "N" : "N m") : (turns ? turning : units)[to_size(motion_quantity)];
+      request.line.unit = force ? (*measured == Quantity::force ? "N" : "N m")
+                                : (turns ? turning : units)[static_cast<std::size_t>(motion_quantity)];
     }
     const auto rows =
         reader.has("rows") ? read_pairs(reader, "rows") : read_pairs_of_file(reader, "frequency_hz", "limit");

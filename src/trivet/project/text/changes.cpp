@@ -23,8 +23,9 @@ void refuse_new_name(const Node& base, const Node& change, const std::string& pa
                      foundation::Problems& problems) {
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems
-      .error(path + "." + key, "no such thing in the model", "a change can only alter what the model has",
-             guess.empty() ? "it has: " + foundation::comma_separated(base.keys) : "did you mean \"" + guess + "\"?")
+      .error(
+          path + "." + key, "no such thing in the model", "a change can only alter what the model has",
+          guess.empty() ? "known here: " + foundation::comma_separated(base.keys) : "did you mean \"" + guess + "\"?")
       .origin = change.origin;
 }
 

@@ -159,14 +159,14 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     if (steps > most_steps)
       throw foundation::InvalidInput(
           fmt::format("transient: {:.3g} steps of {:.6g} s; at most {:.0e} are allowed", steps, grid.step, most_steps));
-    grid.points = 1 + to_index(steps);
+    grid.points = 1 + static_cast<Eigen::Index>(steps);
   } else {
     const double wanted =
         grid.fastest > 0 ? std::ceil((to - options.from) * grid.fastest * points_per_period / two_pi) : 1000;
     const auto most = static_cast<double>(options.most_points - 1);
     limited = wanted > most;
     const double steps = std::min(std::max(wanted, std::min(200.0, most)), most);
-    grid.points = 1 + to_index(steps);
+    grid.points = 1 + static_cast<Eigen::Index>(steps);
     grid.step = (to - options.from) / steps;
   }
   warn_of_coarse_step(grid, modes, limited, warnings);
