@@ -30,7 +30,7 @@ struct Loading {
   [[nodiscard]] int lowest_power() const { return std::min(force.lowest_power(), motion.lowest_power()); }
 };
 
-/// Loading of one action whose course has amplitude 1: forces, or motions of the ground by powers of s = iω.
+/// Loading of one action with a course of unit amplitude: forces, or motions of the ground by powers of s = iω.
 [[nodiscard]] Loading loading(const Assembled& assembled, const model::Action& action);
 
 /// Sum of all harmonic excitations, or of those named.

@@ -25,8 +25,8 @@ struct Mode {
                                 ///< coordinates of elements
   Eigen::VectorXd shape;        ///< at the poles
   Eigen::VectorXd shape_at_centre;       ///< at the centres of mass
-  Eigen::VectorXd kinetic_energy_share;  ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next two, single terms
-                                         ///< may leave 0 … 1
+  Eigen::VectorXd kinetic_energy_share;  ///< φ_j (Aφ)_j / φᵀAφ at the poles; sums to 1 with the next two; single terms
+                                         ///< may be negative or exceed 1
   Eigen::VectorXd element_kinetic_energy_share;    ///< per element: the same of its internal coordinates
   double foundation_kinetic_energy_share = 0;      ///< the same of all coordinates of foundations together
   Eigen::VectorXd principal_kinetic_energy_share;  ///< of the bodies alone, along and about the central principal axes;
@@ -48,8 +48,8 @@ struct Modes {
 [[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
 [[nodiscard]] Modes modes(const model::System& system);
 
-/// Number of the mode with the natural frequency nearest to ω. If some of the n modes are missing (complex ω²), only
-/// one within 1 % counts: the true neighbour may be missing.
+/// Number of the mode with the natural frequency nearest to ω. If some of the n modes are missing (complex ω²), a mode
+/// is returned only if it is within 1 % of ω, because the nearest one may be among the missing.
 [[nodiscard]] std::optional<int> nearest_mode(const Modes& modes, double omega, Eigen::Index n);
 
 /// φᵀf of every mode, for generalized forces on all coordinates.

@@ -20,8 +20,8 @@ struct Root {
   std::optional<double> damped_angular_frequency;  ///< |Im λ| [rad/s]
   std::optional<double> damping_ratio;             ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                          ///< six per body at the poles, largest (mass-weighted) component 1
-  /// Number of the undamped mode with the largest part in the shape: more than half of the mass-weighted square that
-  /// all modes have in it. If damping couples the modes so that none has, the mode nearest in |λ|.
+  /// Number of the undamped mode that contributes more than half of the shape's mass-weighted norm squared, summed over
+  /// the modes. If damping couples the modes so that none does, the mode nearest in |λ|.
   std::optional<int> nearest_mode;
   bool exact = true;  ///< false: root of the nearest linear system of frequency-dependent elements
 };
