@@ -48,10 +48,11 @@ void expect_same_peaks(const model::Description& machine, const Eigen::Vector3cd
   }
   for (std::size_t c = 0; c < found.curves.size(); ++c) {
     ASSERT_TRUE(found.curves[c].static_amplitude.has_value()) << found.curves[c].name << ", seed " << seed;
-    if (!wanted.curves[c].vanishes)
+    if (!wanted.curves[c].vanishes) {
       EXPECT_NEAR(*found.curves[c].static_amplitude, *wanted.curves[c].static_amplitude,
                   round_off * wanted.curves[c].highest)
           << found.curves[c].name << ", seed " << seed;
+    }
   }
 }
 

@@ -140,7 +140,9 @@ TEST(Roots, OfAnUndampedMachineOnADeckBelongToTheModesInTheirOrder) {
                        .system);
   int number = 0;
   for (const modal::Root& root : roots.list)
-    if (root.eigenvalue.imag() > 0) EXPECT_EQ(root.nearest_mode, ++number);
+    if (root.eigenvalue.imag() > 0) {
+      EXPECT_EQ(root.nearest_mode, ++number);
+    }
   EXPECT_EQ(number, 7);
 }
 
