@@ -66,12 +66,12 @@ int main() {
   one_thread.threads = 1;
   one_thread.every_backward_error = false;
   grows("frequencies of a direct sweep, 1e3 … 1e6", {1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {
-    return [&, omega = even_frequencies(to_size(size)), planes = numerics::SweepPlanes()]() mutable {
+    return [&, omega = even_frequencies(static_cast<std::size_t>(size)), planes = numerics::SweepPlanes()]() mutable {
       solve_directly(matrices, m.load, omega, planes);
     };
   });
   grows("designs of modes, 1e2 … 1e6", {1e2, 1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {
-    return [designs = random_designs(to_index(size))] {
+    return [designs = random_designs(static_cast<Eigen::Index>(size))] {
       numerics::DesignModesOptions options;
       options.threads = 1;
       options.shapes = false;

@@ -68,7 +68,7 @@ int main(int count, char** arguments) {
     const double start = thread_seconds();
     const numerics::DesignPeaks peaks = numerics::design_peaks(designs, options);
     seconds += thread_seconds() - start;
-    for (const numerics::DesignStatus s : peaks.status) ++status[to_size(s)];
+    for (const numerics::DesignStatus s : peaks.status) ++status[static_cast<std::size_t>(s)];
     worst = std::max(worst, worst_miss(designs, peaks, 1, misses));
   }
   fmt::print(

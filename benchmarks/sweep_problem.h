@@ -28,7 +28,7 @@ class SweepProblem {
     for (int k = 0; k < 6; ++k) {
       const double place = std::sqrt(squares[k]) / to * static_cast<double>(count);
       for (double i = place - 5; i < place + 5; ++i)
-        if (i >= 0 && i < static_cast<double>(count)) checked_.push_back(to_size(i));
+        if (i >= 0 && i < static_cast<double>(count)) checked_.push_back(static_cast<std::size_t>(i));
     }
     for (const std::size_t i : checked_)
       truth_.push_back(quad_solution(machine.A, machine.B, machine.K, machine.load, omega[i]));
