@@ -65,7 +65,7 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
                           0});
     modal::Modes modes;
     modal::Roots roots;
-    roots.poles = numerics::roots_of_companion(hard.m).lambda;
+    roots.poles = numerics::roots_from_states(hard.m).lambda;
     const response::Peaks found = response::peaks(assembled, channels, load(), modes, roots);
     int bounded = 0;
     for (const response::Peak& peak : found.list) {

@@ -103,7 +103,7 @@ Eigen::VectorXcd at(const Answer& answer, std::size_t i) {
 /// ω of each undamped and each damped mode, and ω shifted by ±1e-12 … 3 ζ.
 std::vector<double> near_resonances(const DynamicMatrices& m) {
   std::vector<double> omega = test::awkward_frequencies(m);
-  const auto roots = numerics::roots_of_companion(m).lambda;
+  const auto roots = numerics::roots_from_states(m).lambda;
   for (Eigen::Index k = 0; k < roots.size(); ++k) {
     const double modulus = std::abs(roots(k)), zeta = -roots(k).real() / modulus;
     for (const double shift : {0.0, 1e-12, 1e-9, 0.3 * zeta, zeta, 3 * zeta})

@@ -68,7 +68,7 @@ DynamicMatrices exceptional_point() {
     const DynamicMatrices pair{
         all.A.topLeftCorner(2, 2), all.B.topLeftCorner(2, 2), all.K.topLeftCorner(2, 2), {}, true};
     std::vector<std::complex<double>> upper;
-    for (const auto& lambda : numerics::roots_of_companion(pair).lambda)
+    for (const auto& lambda : numerics::roots_from_states(pair).lambda)
       if (lambda.imag() > 0) upper.push_back(lambda);
     return std::abs(upper.at(0) - upper.at(1));
   };
@@ -127,7 +127,7 @@ Eigen::VectorXcd load() {
 
 std::vector<double> awkward_frequencies(const DynamicMatrices& m) {
   std::vector<double> omega = {0.0, std::sqrt(50.0)};
-  const numerics::QuadraticRoots roots = numerics::roots_of_companion(m);
+  const numerics::QuadraticRoots roots = numerics::roots_from_states(m);
   for (Eigen::Index k = 0; k < roots.lambda.size(); ++k) {
     const double centre = std::abs(roots.lambda(k).imag());
     for (const double shift : {-1.0, -1e-3, -1e-12, 0.0, 1e-12, 1e-3, 1.0})

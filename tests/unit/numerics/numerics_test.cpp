@@ -127,7 +127,7 @@ TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
     const GeneralizedModes modes = generalized_modes(m.K, m.A, true);
     QuadraticRoots one =
         roots_in_modal_basis(modes.lambda.cwiseSqrt(), modes.shapes.transpose() * m.B * modes.shapes, {});
-    const QuadraticRoots two = roots_of_companion(m);
+    const QuadraticRoots two = roots_from_states(m);
     ASSERT_EQ(one.lambda.size(), two.lambda.size());
     for (Eigen::Index k = 0; k < one.lambda.size(); ++k)
       EXPECT_LE((two.lambda.array() - one.lambda(k)).abs().minCoeff(), 1e-10 * std::abs(one.lambda(k)) + 1e-9);
@@ -141,7 +141,7 @@ TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
                     Eigen::Vector2d(1, 1e10).asDiagonal(),
                     {},
                     true};
-  QuadraticRoots roots = roots_of_companion(m);
+  QuadraticRoots roots = roots_from_states(m);
   roots.lambda += Eigen::VectorXcd::Constant(4, Complex(3e-9, 0));
   refine_roots(m, roots);
   Eigen::Index nearest = 0;

@@ -9,28 +9,15 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/state_form.h"
 
 namespace trivet::numerics {
 namespace {
 
 using foundation::epsilon;
 using Rows = std::vector<Eigen::Index>;
-
-/// x' = state · x + input, q = output · x.
-struct StateForm {
-  Eigen::MatrixXcd state, input, output;
-  bool real = true;
-};
-
-Rows others(Eigen::Index n, const Rows& rows) {
-  Rows result;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (!std::binary_search(rows.begin(), rows.end(), i)) result.push_back(i);
-  return result;
-}
 
 PoleResidueForm empty_form(Eigen::Index n, Eigen::Index right_sides) {
   PoleResidueForm form;
@@ -40,8 +27,7 @@ PoleResidueForm empty_form(Eigen::Index n, Eigen::Index right_sides) {
 
 /// (s − state)⁻¹ from the eigenvectors. Their inverse separates equal poles; products with left eigenvectors would not.
 void add_poles(const StateForm& form, PoleResidueForm& result) {
-  const GeneralEigen eigen = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
-  if (!eigen.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
+  const GeneralEigen eigen = eigen_of_states(form);
   result.poles = eigen.values;
   result.participation = PivotedLu<Complex>(eigen.vectors).solve(form.input);
   result.shapes = form.output * eigen.vectors;
@@ -129,49 +115,16 @@ PoleResidueForm in_modes(const DynamicMatrices& m, const GeneralizedModes& modes
   form.output.leftCols(count) = (shapes * weight.cwiseInverse().asDiagonal()).cast<Complex>();
   PoleResidueForm result = empty_form(m.size(), right_sides.cols());
   add_poles(form, result);
-  for (const Eigen::Index i : others(n, moving))
+  for (const Eigen::Index i : rows_without(n, moving))
     result.free_motion += phi.col(i) * (phi.col(i).transpose() * right_sides);
   return result;
 }
 
-/// States (q, q̇, z); z are the coordinates without mass, if any.
-PoleResidueForm in_states(const DynamicMatrices& given, const Eigen::MatrixXcd& given_sides) {
-  const Eigen::VectorXd d = unit_scale(given);
-  const DynamicMatrices m = scaled(given, d);
-  const Eigen::MatrixXcd h = d.asDiagonal() * given_sides;
-  const Rows p = massive_rows(m.A), z = others(m.size(), p);
-  const auto n = to_index(p.size()), k = to_index(z.size());
-  const Eigen::MatrixXcd K = m.complex_stiffness();
-  const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
-  const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
-  const PivotedLu<Complex> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
-  Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
-  z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
-  Eigen::MatrixXcd z_input = h(z, Eigen::all), v_input = h(p, Eigen::all);
-  if (k > 0) {
-    z_rate = -lag.solve(z_rate);
-    z_input = lag.solve(z_input);
-  }
-  v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  // Products are evaluated first: Eigen would add them to the sums in parts.
-  const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate, lag_input = m.B(p, z).cast<Complex>() * z_input;
-  v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
-  v_input = inertia.solve(Eigen::MatrixXcd(v_input - lag_input));
-  StateForm form;
-  form.real = !m.lossy();
-  form.state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
-  form.state.block(0, n, n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
-  form.state.middleRows(n, n) = v_rate / speed;
-  form.state.bottomRows(k) = z_rate;
-  form.input = Eigen::MatrixXcd::Zero(2 * n + k, h.cols());
-  form.input.middleRows(n, n) = v_input / speed;
-  form.input.bottomRows(k) = z_input;
-  form.output = Eigen::MatrixXcd::Zero(m.size(), 2 * n + k);
-  for (Eigen::Index i = 0; i < n; ++i) form.output(p[to_size(i)], i) = d(p[to_size(i)]);
-  for (Eigen::Index i = 0; i < k; ++i) form.output(z[to_size(i)], 2 * n + i) = d(z[to_size(i)]);
+PoleResidueForm in_states(const DynamicMatrices& m, const Eigen::MatrixXcd& right_sides) {
+  const StateForm form = state_form(m, right_sides);
   if (!form.state.allFinite() || !form.input.allFinite())
     throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
-  PoleResidueForm result = empty_form(m.size(), h.cols());
+  PoleResidueForm result = empty_form(m.size(), right_sides.cols());
   add_poles(form, result);
   return result;
 }
@@ -185,7 +138,7 @@ Rows held_by_stiffness_only(const DynamicMatrices& m) {
 
 /// Static condensation of the coordinates with stiffness only: q_z = K_zz⁻¹ (h_z − K_zp q_p).
 PoleResidueForm condensed(const DynamicMatrices& m, const Rows& z, const Eigen::MatrixXcd& h) {
-  const Rows p = others(m.size(), z);
+  const Rows p = rows_without(m.size(), z);
   const Eigen::MatrixXcd K = m.complex_stiffness(), held = K(z, z);
   const PivotedLu<Complex> lu(held);
   const Eigen::MatrixXcd follow = -lu.solve(Eigen::MatrixXcd(K(z, p))),

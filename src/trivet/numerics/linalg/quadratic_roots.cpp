@@ -9,8 +9,8 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/state_form.h"
 
 namespace trivet::numerics {
 namespace {
@@ -18,13 +18,6 @@ namespace {
 using foundation::epsilon;
 using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
-
-void eigen(const Eigen::MatrixXcd& matrix, bool real, Eigen::VectorXcd& values, Eigen::MatrixXcd& vectors) {
-  GeneralEigen found = real ? general_eigen(Eigen::MatrixXd(matrix.real())) : general_eigen(matrix);
-  if (!found.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
-  values = std::move(found.values);
-  vectors = std::move(found.vectors);
-}
 
 void normalise_by_largest(Eigen::Ref<Eigen::VectorXcd> v, const Eigen::VectorXd& weight) {
   Eigen::Index largest = 0;
@@ -63,17 +56,16 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
       }
   }
   QuadraticRoots result;
-  Eigen::VectorXcd values;
-  Eigen::MatrixXcd vectors;
-  if (s + m > 0) eigen(state, K_loss.size() == 0, values, vectors);
+  GeneralEigen found;
+  if (s + m > 0) found = eigen_of_states({state, {}, {}, K_loss.size() == 0});
   const Eigen::Index drifting = n - s;  // each coordinate without stiffness has one zero root (constant displacement) …
   const auto resting_count = to_index(resting.size());  // … and, undamped, a second one (constant velocity)
   result.lambda = Eigen::VectorXcd::Zero(s + m + drifting + resting_count);
   result.vectors = Eigen::MatrixXcd::Zero(n, result.lambda.size());
-  result.lambda.head(s + m) = values;
+  result.lambda.head(s + m) = found.values;
   const Eigen::VectorXd weight = Eigen::VectorXd::Ones(n);
   for (Eigen::Index k = 0; k < s + m; ++k) {
-    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[to_size(i)], k) = vectors(s + i, k);
+    for (Eigen::Index i = 0; i < m; ++i) result.vectors(moving[to_size(i)], k) = found.vectors(s + i, k);
     normalise_by_largest(result.vectors.col(k), weight);
   }
   Eigen::Index k = s + m;
@@ -83,60 +75,12 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
   return result;
 }
 
-QuadraticRoots roots_of_companion(const DynamicMatrices& given) {
-  const Eigen::VectorXd d = unit_scale(given);
-  const DynamicMatrices matrices = scaled(given, d);
-  const Eigen::Index n = matrices.size();
-  const PivotedLu<double> mass(matrices.A);
-  const Eigen::MatrixXcd stiffness = mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().real())).cast<Complex>() +
-      Complex(0, 1) * mass.solve(Eigen::MatrixXd(matrices.complex_stiffness().imag())).cast<Complex>();
-  const double speed = std::sqrt(std::max(stiffness.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
-  Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n, 2 * n);
-  state.topRightCorner(n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
-  state.bottomLeftCorner(n, n) = -stiffness / speed;
-  state.bottomRightCorner(n, n) = -mass.solve(matrices.B).cast<Complex>();
-  QuadraticRoots result;
-  Eigen::MatrixXcd vectors;
-  eigen(state, !matrices.lossy(), result.lambda, vectors);
-  result.vectors = d.asDiagonal() * vectors.topRows(n);
-  const Eigen::VectorXd weight = d.cwiseInverse();
-  for (Eigen::Index k = 0; k < 2 * n; ++k) normalise_by_largest(result.vectors.col(k), weight);
-  return result;
-}
-
-QuadraticRoots roots_with_massless(const DynamicMatrices& given) {
-  const Eigen::VectorXd d = unit_scale(given);
-  const DynamicMatrices m = scaled(given, d);
-  const std::vector<Eigen::Index> p = massive_rows(m.A);
-  std::vector<Eigen::Index> z;
-  for (Eigen::Index i = 0; i < m.size(); ++i)
-    if (!std::binary_search(p.begin(), p.end(), i)) z.push_back(i);
-  const auto n = to_index(p.size()), k = to_index(z.size());
-  const Eigen::MatrixXcd K = m.complex_stiffness();
-  const double speed = std::sqrt(std::max(K.cwiseAbs().maxCoeff(), std::numeric_limits<double>::min()));
-  const Eigen::MatrixXd no_lag = m.B(z, z), mass = m.A(p, p);
-  const PivotedLu<Complex> lag(no_lag.cast<Complex>()), inertia(mass.cast<Complex>());
-  // z' first, because it acts on v' through the coupling damping; v = speed · w balances the state matrix.
-  Eigen::MatrixXcd z_rate(k, 2 * n + k), v_rate(n, 2 * n + k);
-  z_rate << K(z, p), speed * m.B(z, p).cast<Complex>(), K(z, z);
-  z_rate = -lag.solve(z_rate);
-  v_rate << K(p, p), speed * m.B(p, p).cast<Complex>(), K(p, z);
-  // The product is evaluated first: Eigen would add it to the sum in parts.
-  const Eigen::MatrixXcd lag_rate = m.B(p, z).cast<Complex>() * z_rate;
-  v_rate = -inertia.solve(Eigen::MatrixXcd(v_rate + lag_rate));
-  Eigen::MatrixXcd state = Eigen::MatrixXcd::Zero(2 * n + k, 2 * n + k);
-  state.block(0, n, n, n) = speed * Eigen::MatrixXcd::Identity(n, n);
-  state.middleRows(n, n) = v_rate / speed;
-  state.bottomRows(k) = z_rate;
-  QuadraticRoots result;
-  Eigen::MatrixXcd vectors;
-  eigen(state, !m.lossy(), result.lambda, vectors);
-  result.vectors.resize(m.size(), result.lambda.size());
-  for (Eigen::Index i = 0; i < n; ++i) result.vectors.row(p[to_size(i)]) = vectors.row(i);
-  for (Eigen::Index i = 0; i < k; ++i) result.vectors.row(z[to_size(i)]) = vectors.row(2 * n + i);
-  result.vectors = (d.asDiagonal() * result.vectors).eval();
-  const Eigen::VectorXd weight = d.cwiseInverse();
-  for (Eigen::Index i = 0; i < result.lambda.size(); ++i) normalise_by_largest(result.vectors.col(i), weight);
+QuadraticRoots roots_from_states(const DynamicMatrices& matrices) {
+  const StateForm form = state_form(matrices, Eigen::MatrixXcd::Zero(matrices.size(), 0));
+  const GeneralEigen found = eigen_of_states(form);
+  QuadraticRoots result{found.values, form.output * found.vectors};
+  const Eigen::VectorXd weight = unit_scale(matrices).cwiseInverse();
+  for (Eigen::Index k = 0; k < result.lambda.size(); ++k) normalise_by_largest(result.vectors.col(k), weight);
   return result;
 }
 

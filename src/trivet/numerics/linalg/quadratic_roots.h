@@ -18,12 +18,9 @@ struct QuadraticRoots {
 [[nodiscard]] QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::MatrixXd& B,
                                                   const Eigen::MatrixXd& K_loss);
 
-/// Roots of general matrices (A regular, unsymmetric or indefinite allowed) from the companion matrix.
-[[nodiscard]] QuadraticRoots roots_of_companion(const DynamicMatrices& matrices);
-
-/// Roots if some coordinates have no mass (internal ones of elements, with a regular block of B): one root for each of
-/// these, two for each other coordinate, from the states (q, q̇, z).
-[[nodiscard]] QuadraticRoots roots_with_massless(const DynamicMatrices& matrices);
+/// Roots of general matrices (unsymmetric or indefinite allowed) from the states (q, q̇, z): one root for each
+/// coordinate z without mass (internal ones of elements, with a regular block of B), two for each other coordinate.
+[[nodiscard]] QuadraticRoots roots_from_states(const DynamicMatrices& matrices);
 
 /// Refines each nonzero root by Newton steps in extended precision (long double): with light damping a double
 /// eigensolver leaves few digits of Re λ. Roots without small, convergent steps (clusters, defective pairs) are

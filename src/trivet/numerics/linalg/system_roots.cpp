@@ -101,7 +101,7 @@ SystemRoots system_roots(const DynamicMatrices& m) {
     result = roots_in_modal_basis(modes.lambda.cwiseSqrt(), damping, loss);
     result.vectors = (phi * result.vectors).eval();
   } else {
-    result = massless ? roots_with_massless(m) : roots_of_companion(m);
+    result = roots_from_states(m);
   }
   if (m.size() <= largest_refined) refine_roots(m, result);
   return {result, basis_is_orthonormal ? 0 : rest_limit(result, 2 * (modes.lambda.array() == 0).count())};
