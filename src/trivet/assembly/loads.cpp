@@ -85,9 +85,7 @@ Loading harmonic_loading(const model::System& system, const Assembled& assembled
       throw foundation::InvalidInput("\"" + name + "\" is not a harmonic excitation of this model");
   for (const model::Excitation& excitation : excitations) {
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
-    if (!harmonic ||
-        (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()))
-      continue;
+    if (!harmonic || !model::is_selected(excitation, selected)) continue;
     const Loading one = loading(assembled, excitation.action);
     const double sign = harmonic->power_of_frequency == 2 ? -1 : 1;  // ω² = −s²
     for (const auto& [from, to] : {std::pair{&one.force, &total.force}, {&one.motion, &total.motion}})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <optional>
 #include <string>
@@ -71,5 +72,10 @@ struct Excitation {
   Action action;
   Course course;
 };
+
+/// True if the excitation is among those selected by name; an empty selection means all.
+[[nodiscard]] inline bool is_selected(const Excitation& excitation, const std::vector<std::string>& selected) {
+  return selected.empty() || std::find(selected.begin(), selected.end(), excitation.name) != selected.end();
+}
 
 }  // namespace trivet::model

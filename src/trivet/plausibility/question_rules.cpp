@@ -85,11 +85,6 @@ double end_of(const excitation::Signal& signal) {
   return at;
 }
 
-bool is_asked(const TimeQuestion& question, const model::Excitation& excitation) {
-  const std::vector<std::string>& chosen = question.excitations;
-  return chosen.empty() || std::find(chosen.begin(), chosen.end(), excitation.name) != chosen.end();
-}
-
 /// A half-sine or a rectangle: it rises and returns to 0, without oscillation.
 bool is_pulse(const excitation::Signal& signal) {
   if (signal.pieces.size() < 2 || signal.pieces.size() > most_pieces_of_pulse) return false;
@@ -106,7 +101,7 @@ bool is_pulse(const excitation::Signal& signal) {
 void judge_pulses(const model::System& system, const TimeQuestion& question, double lowest, Suspicions& found) {
   for (const model::Excitation& excitation : system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
-    if (!history || !is_asked(question, excitation) || !is_pulse(history->signal)) continue;
+    if (!history || !model::is_selected(excitation, question.excitations) || !is_pulse(history->signal)) continue;
     const double duration = history->signal.pieces.back().start - history->signal.pieces.front().start;
     const double periods = duration * hertz(lowest), meant = periods / 1000;
     if (periods > most_periods_of_pulse && meant > shock_from && meant < shock_to)
@@ -125,7 +120,7 @@ void judge_transient(const model::System& system, const TimeQuestion& question, 
   std::string name;
   for (const model::Excitation& excitation : system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
-    if (!history || !is_asked(question, excitation) || history->signal.pieces.empty()) continue;
+    if (!history || !model::is_selected(excitation, question.excitations) || history->signal.pieces.empty()) continue;
     const double end = end_of(history->signal) + excitation.action.delay;
     if (name.empty() || end > latest) latest = end, name = excitation.name;
   }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
-
 #include "trivet/project/analyses/drive.h"
 #include "trivet/results/written_answers.h"
 
@@ -22,8 +20,7 @@ std::string excited_at_once(const project::Case& variant, const std::string& que
   std::string names;
   int count = 0;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
-    const bool acts = chosen.empty() || std::find(chosen.begin(), chosen.end(), excitation.name) != chosen.end();
-    if (acts && project::drives(excitation, project::drive_of(question)))
+    if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(question)))
       names += (count++ > 0 ? ", " : "") + excitation.name;
   }
   return count > 1 ? "Excited simultaneously by " + names + " (set `excitations` of the analysis to select some)\n"

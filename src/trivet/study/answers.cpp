@@ -14,21 +14,14 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
-#include "trivet/model/guides.h"
-#include "trivet/project/analyses/earthquake_question.h"
+#include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
-#include "trivet/project/analyses/transmissibility_question.h"
 #include "trivet/response/steady/resonant_mode.h"
+#include "trivet/study/case_warnings.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
-
-bool is_driven(const model::System& system) {
-  const auto& excitations = system.description().excitations;
-  return std::any_of(excitations.begin(), excitations.end(),
-                     [](const model::Excitation& e) { return std::holds_alternative<model::Harmonic>(e.course); });
-}
 
 /// Channels and load of a question about harmonic forces.
 struct DrivenChannels {
@@ -38,9 +31,7 @@ struct DrivenChannels {
 
 DrivenChannels driven_channels(const model::System& system, const assembly::Assembled& assembled,
                                const project::AnswerSelection& selection) {
-  if (!is_driven(system))
-    throw foundation::NotComputable(
-        "response, peaks: the model has no harmonic excitation; add [excitations.NAME] with type = \"harmonic\"");
+  if (!project::is_driven(system, project::Drive::harmonic)) throw without_excitation("response, peaks");
   return {assembly::channels(system, assembled, selection.of, selection.quantity),
           assembly::harmonic_loading(system, assembled, selection.excitations)};
 }
@@ -105,20 +96,6 @@ class CaseStudy {
         modes_(modal::modes(system_, assembled_)),
         roots_(modal::roots(system_, assembled_, modes_)) {}
 
-  /// Warns of excitations without effect: a force along a guide, an unbalance that turns about the only free direction
-  /// …
-  void warn_of_vanishing_load(const project::Analyses& analyses, foundation::Problems& warnings) const {
-    for (const std::vector<std::string>* selected :
-         {analyses.response ? &analyses.response->selection.excitations : nullptr,
-          analyses.peaks ? &analyses.peaks->selection.excitations : nullptr,
-          analyses.map ? &analyses.map->excitations : nullptr})
-      if (selected && is_driven(system_) && assembly::harmonic_loading(system_, assembled_, *selected).vanishes()) {
-        warnings.warning("excitations", "they act on no free coordinate", "all answers are 0",
-                         "check the directions of forces and guides");
-        return;
-      }
-  }
-
   Answers answer(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* asked : {&variant.analyses, &analyses})
       if (asked->response && asked->response->band) search_to_ = asked->response->band->to;
@@ -132,12 +109,7 @@ class CaseStudy {
     result.warnings.add(modes_.warnings);
     result.warnings.add(roots_.warnings);
     if (analyses.roots) result.warnings.add(roots_.remarks);
-    warn_of_frequency_dependence(result.warnings);
-    warn_of_stiffening(analyses, result.warnings);
-    warn_of_guide_forces(analyses, result.warnings);
-    warn_of_guided_motions(analyses, result.warnings);
-    warn_of_vanishing_load(analyses, result.warnings);
-    warn_of_massless_springs(result.warnings);
+    result.warnings.add(case_warnings(context(), analyses, search_to_));
     const auto refuse = [&](const std::exception& reason) {
       result.failures.emplace_back(reason.what());
       result.warnings.warning(reason.what(), "not computed", "", "");
@@ -190,96 +162,6 @@ class CaseStudy {
         result.limit_lines =
             limit_line_answer(c, analyses.limit_lines, analyses.response->selection, result.response->band);
       });
-  }
-
-  /// Warns that totals on the ground are forces of elements, without the forces that guides carry.
-  void warn_of_guide_forces(const project::Analyses& analyses, foundation::Problems& warnings) const {
-    std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
-    if (analyses.response)
-      of.insert(of.end(), analyses.response->selection.of.begin(), analyses.response->selection.of.end());
-    if (analyses.peaks) of.insert(of.end(), analyses.peaks->selection.of.begin(), analyses.peaks->selection.of.end());
-    if (analyses.map) {
-      of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
-      for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
-    }
-    for (const auto& [name, question] : analyses.questions)
-      of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());
-    if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
-    for (const model::Body& body : system_.bodies())
-      if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
-        warnings.warning("ground", "body \"" + body.name + "\" is guided",
-                         "totals on the ground are the forces of elements, without the forces that guides carry",
-                         "add these if they matter");
-  }
-
-  /// Warns of ground motions implied by a question that the guides of a body do not follow.
-  void warn_of_guided_motions(const project::Analyses& analyses, foundation::Problems& warnings) const {
-    const auto warn = [&](const char* question, const response::Direction& direction) {
-      model::Action::Amplitude motion = model::Action::Amplitude::Zero();
-      (direction.rotation ? motion.tail<3>() : motion.head<3>()) = direction.axis.cast<std::complex<double>>();
-      for (const model::Body& body : system_.bodies())
-        if (const std::string names = model::coordinates_left_behind(body, motion, Eigen::Vector3d::Zero());
-            !names.empty())
-          model::warn_of_guides(body, names, question, warnings);
-    };
-    const auto* transmitted = analyses.find<project::TransmissibilityQuestion>("transmissibility");
-    if (transmitted && transmitted->force.empty()) warn("transmissibility", transmitted->direction);
-    if (const auto* shaken = analyses.find<project::EarthquakeQuestion>("earthquake"))
-      warn("earthquake", response::Direction{shaken->direction, false});
-  }
-
-  /// Warns of frequency-dependent elements: undamped modes use one stiffness, the static one.
-  void warn_of_frequency_dependence(foundation::Problems& warnings) const {
-    constexpr double noticeable = 0.2;
-    for (const model::Element& element : system_.elements()) {
-      if (element.is_foundation && element.law.frequency_dependence)
-        warnings.warning("elements." + element.name, "flexible ground given by its mobility",
-                         "modes, roots, mode numbers and the Campbell diagram use the spring stiffness of its first "
-                         "row, without its inertia and resonances",
-                         "use the response, its peaks and critical speeds, which are exact");
-      else if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
-        warnings.warning("elements." + element.name,
-                         fmt::format("its table begins at {:.4g} Hz",
-                                     element.law.frequency_dependence->from / (2 * std::numbers::pi)),
-                         "undamped modes use its first row as the static stiffness",
-                         "add rows at lower frequencies if they matter");
-      const auto* relaxing = std::get_if<elements::Viscoelastic>(&element.law.damping);
-      if (!relaxing || std::holds_alternative<elements::KelvinVoigt>(*relaxing)) continue;
-      double gain = 0;
-      for (const modal::Mode& mode : modes_.list)
-        gain = std::max(gain, elements::relative_modulus(*relaxing, mode.angular_frequency.value_or(0)).real() - 1);
-      if (gain > noticeable)
-        warnings.warning(
-            "elements." + element.name, fmt::format("dynamically up to {:.3g} times as stiff as statically", 1 + gain),
-            "undamped modes use the static stiffness", "use natural frequencies from the damped roots or the peaks");
-    }
-  }
-
-  /// Warns that static answers also use one stiffness, the dynamic one.
-  void warn_of_stiffening(const project::Analyses& analyses, foundation::Problems& warnings) const {
-    if (!analyses.static_of) return;
-    for (const model::Element& element : system_.elements())
-      if (element.stiffening != 1)
-        warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
-                         "static answers use the dynamic stiffness; under static load the element is softer",
-                         "run static with stiffening = 1");
-  }
-
-  /// Warns of massless springs: they are valid only well below their own first natural frequency.
-  void warn_of_massless_springs(foundation::Problems& warnings) const {
-    constexpr double safe = 0.3;
-    double top = search_to_;
-    for (const modal::Mode& mode : modes_.list) top = std::max(top, mode.angular_frequency.value_or(0));
-    for (const model::Element& element : system_.elements()) {
-      const double own = element.massless_up_to;
-      if (!(top > safe * own)) continue;
-      warnings.warning("elements." + element.name,
-                       fmt::format("massless, but its own first natural frequency is {:.4g} Hz; the model is "
-                                   "computed up to {:.4g} Hz",
-                                   own / (2 * std::numbers::pi), top / (2 * std::numbers::pi)),
-                       "a massless spring is valid only well below its own natural frequencies",
-                       "set level = \"with_mass\" or \"exact\", or use only results well below");
-    }
   }
 
   /// Peaks of a set of curves. The automatic grid, the peaks and the limits use the same curves: each set is searched

@@ -28,11 +28,7 @@ Analyses roots_of(const Case&) {
 /// @throws foundation::InvalidInput if the model has no excitation of the kind that the question needs
 void require_excitation(const std::string& question, const Case& variant) {
   const project::Drive drive = project::drive_of(question);
-  const auto& excitations = variant.system.description().excitations;
-  if (drive == project::Drive::none ||
-      std::any_of(excitations.begin(), excitations.end(),
-                  [&](const model::Excitation& e) { return project::drives(e, drive); }))
-    return;
+  if (drive == project::Drive::none || project::is_driven(variant.system, drive)) return;
   const project::MissingExcitation missing = project::missing_excitation(drive);
   throw foundation::InvalidInput(question + ": " + missing.finding + "; this answer needs one; " + missing.remedy);
 }

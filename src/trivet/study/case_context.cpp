@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/modal_ground.h"
+#include "trivet/project/analyses/drive.h"
 
 namespace trivet::study {
 namespace {
@@ -23,8 +24,9 @@ response::Band default_band(const CaseContext& c) {
   return band;
 }
 
-bool selected(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+foundation::NotComputable without_excitation(const std::string& question) {
+  const project::MissingExcitation missing = project::missing_excitation(project::drive_of(question));
+  return foundation::NotComputable(question + ": " + missing.finding + "; " + missing.remedy);
 }
 
 std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::AnswerSelection& selection) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/study/answers.h"
 
 /// The data that every answer for a case starts from.
@@ -18,8 +19,8 @@ struct CaseContext {
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
 [[nodiscard]] response::Band default_band(const CaseContext& context);
 
-/// Is an excitation of this name selected? An empty list selects all.
-[[nodiscard]] bool selected(const std::vector<std::string>& names, const std::string& name);
+/// The error of a question for which the model has no excitation.
+[[nodiscard]] foundation::NotComputable without_excitation(const std::string& question);
 
 [[nodiscard]] std::vector<assembly::Channel> channels_of(const CaseContext& context,
                                                          const project::AnswerSelection& selection);

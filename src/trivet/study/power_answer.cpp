@@ -10,7 +10,7 @@ namespace {
 
 response::PowerFlow answer_power(const CaseContext& c, const project::BandQuestion& asked, foundation::Problems&) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
-  if (loading.vanishes()) throw foundation::NotComputable("power: the model has no harmonic excitation");
+  if (loading.vanishes()) throw without_excitation("power");
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
   const response::Band band = asked.band ? *asked.band : default_band(c);

@@ -55,9 +55,7 @@ std::vector<TotalValue> total_values(const std::vector<assembly::Channel>& chann
 RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& asked, foundation::Problems&) {
   const std::vector<assembly::Channel> channels = channels_of(c, asked.selection);
   const response::RandomLoading loading = response::random_loading(c.system, c.assembled, asked.selection.excitations);
-  if (loading.inputs.empty())
-    throw foundation::NotComputable(
-        "random: the model has no random excitation; add [excitations.NAME] with type = \"random\"");
+  if (loading.inputs.empty()) throw without_excitation("random");
   response::RandomOptions options;
   const auto axes =
       asked.contact ? excitation::comfort_axes(*asked.contact) : std::array<excitation::WeightedAxis, 6>{};

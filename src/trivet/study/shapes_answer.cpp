@@ -10,7 +10,7 @@ namespace {
 std::vector<response::DeflectionShape> answer_shapes(const CaseContext& c, const project::ShapesQuestion& asked,
                                                      foundation::Problems&) {
   const assembly::Loading loading = assembly::harmonic_loading(c.system, c.assembled, asked.selection.excitations);
-  if (loading.vanishes()) throw foundation::NotComputable("shapes: the model has no harmonic excitation");
+  if (loading.vanishes()) throw without_excitation("shapes");
   std::vector<response::DeflectionShape> shapes;
   for (const double omega : asked.at)
     shapes.push_back(response::deflection_shape(c.system, c.assembled, loading, omega));

@@ -24,7 +24,7 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
   std::vector<ShockSpectrumResult> results;
   for (const model::Excitation& excitation : c.system.description().excitations) {
     const auto* history = std::get_if<model::History>(&excitation.course);
-    if (!history || !selected(asked.selection.excitations, excitation.name)) continue;
+    if (!history || !model::is_selected(excitation, asked.selection.excitations)) continue;
     const model::Action& action = excitation.action;
     if (action.body || action.derivative != 2 || !action.amplitude.tail<3>().isZero(0)) {
       const std::string reason =

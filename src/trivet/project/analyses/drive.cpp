@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/analyses/drive.h"
 
+#include <algorithm>
+
 #include "trivet/project/analyses/question_reader.h"
 
 namespace trivet::project {
@@ -28,6 +30,12 @@ bool drives(const model::Excitation& excitation, Drive drive) {
       break;
   }
   return false;
+}
+
+bool is_driven(const model::System& system, Drive drive) {
+  const auto& excitations = system.description().excitations;
+  return std::any_of(excitations.begin(), excitations.end(),
+                     [&](const model::Excitation& excitation) { return drives(excitation, drive); });
 }
 
 MissingExcitation missing_excitation(Drive drive) {

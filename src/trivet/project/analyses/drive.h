@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "trivet/model/excitation.h"
+#include "trivet/model/system.h"
 
 namespace trivet::project {
 
@@ -14,6 +14,9 @@ enum class Drive { none, harmonic, random, time, orders };
 [[nodiscard]] Drive drive_of(const std::string& question);
 
 [[nodiscard]] bool drives(const model::Excitation& excitation, Drive drive);
+
+/// True if an excitation of this kind exists in the model.
+[[nodiscard]] bool is_driven(const model::System& system, Drive drive);
 
 /// Message texts if the model has no excitation of a kind.
 struct MissingExcitation {

@@ -45,7 +45,7 @@ std::vector<OrderLoading> order_loadings(const model::System& system, const asse
       throw foundation::InvalidInput("\"" + name + "\" is not an order excitation or unbalance of this model");
   std::vector<OrderLoading> result;
   for (const model::Excitation& excitation : excitations) {
-    if (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()) continue;
+    if (!model::is_selected(excitation, selected)) continue;
     for (const excitation::Order& order : orders_of(excitation)) {
       if (!(order.order > 0))
         throw foundation::InvalidInput("\"" + excitation.name + "\" has an order that is not > 0");

@@ -18,9 +18,7 @@ RandomLoading random_loading(const model::System& system, const assembly::Assemb
   std::vector<const model::Random*> courses;
   for (const model::Excitation& excitation : excitations) {
     const auto* random = std::get_if<model::Random>(&excitation.course);
-    if (!random ||
-        (!selected.empty() && std::find(selected.begin(), selected.end(), excitation.name) == selected.end()))
-      continue;
+    if (!random || !model::is_selected(excitation, selected)) continue;
     result.inputs.push_back({excitation.name, assembly::loading(assembled, excitation.action), random->spectrum});
     courses.push_back(random);
   }

@@ -64,7 +64,7 @@ std::vector<TimeInput> time_inputs(const model::System& system, const assembly::
   std::vector<TimeInput> inputs;
   for (const model::Excitation& excitation : system.description().excitations)
     if (const auto* history = std::get_if<model::History>(&excitation.course);
-        history && (names.empty() || std::find(names.begin(), names.end(), excitation.name) != names.end()))
+        history && model::is_selected(excitation, names))
       inputs.push_back({excitation.name, history->signal, assembly::loading(assembled, excitation.action)});
   return inputs;
 }

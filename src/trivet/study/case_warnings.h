@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/study/case_context.h"
+
+namespace trivet::study {
+
+/// Warnings about answers of a case that a user may misread: frequency-dependent elements in undamped modes, forces
+/// that guides carry, loads without effect, massless springs above their own first natural frequency.
+/// @param search_to  upper end of the searched band [rad/s]; 0: the highest natural frequency
+[[nodiscard]] foundation::Problems case_warnings(const CaseContext& context, const project::Analyses& analyses,
+                                                 double search_to);
+
+}  // namespace trivet::study
