@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <set>
-#include <tuple>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/analyses_reader.h"
@@ -15,6 +14,7 @@
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/foundation_reader.h"
+#include "trivet/project/map_numbers.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/questions.h"
 #include "trivet/project/suspicions.h"
@@ -72,80 +72,11 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
-std::optional<Case> read_case(const Node& document, const std::string& name, std::string& title,
-                              foundation::Problems& problems, const Questions& questions = {},
-                              const Case* base = nullptr, const KnownModel* known = nullptr);
-
-/// The document without its questions and cases.
-Node without_questions(Node document) {
-  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
-    if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
-      document.items.erase(document.items.begin() + (at - document.keys.begin()));
-      document.keys.erase(at);
-    }
-  return document;
-}
-
-/// First error that changes cause in addition to the known ones.
-std::optional<foundation::Problem> first_new_error(Node model, const std::vector<Node>& changes,
-                                                   const foundation::Problems& known, const KnownModel* read) {
-  foundation::Problems found;
-  for (const Node& change : changes) apply_changes(model, change, "", found);
-  std::string title;
-  static_cast<void>(read_case(model, "", title, found, {}, nullptr, read));
-  for (const foundation::Problem& problem : found.list()) {
-    const bool old = std::any_of(known.list().begin(), known.list().end(), [&](const foundation::Problem& p) {
-      return p.subject == problem.subject && p.rule == problem.rule;
-    });
-    if (problem.severity == foundation::Severity::error && !old) return problem;
-  }
-  return std::nullopt;
-}
-
-/// Reports a number of a map that no design can have (a second law of damping, a unit of another quantity): the model
-/// cannot be read with it at the ends or the middle of its range, at 1, or together with the other number.
-void check_numbers_of_map(const Node& document, const MapRequest& map, const KnownModel* known,
-                          foundation::Problems& problems) {
-  const Node model = without_questions(document);
-  const auto changed = [](const MapAxis& axis, double value) {
-    return change_of(path_keys(axis.parameter), value, axis.unit);
-  };
-  for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
-    const std::string subject = std::string("analyses.map.") + key;
-    const auto reported = [&](const std::string& of) {
-      return std::any_of(problems.list().begin(), problems.list().end(),
-                         [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); });
-    };
-    if (path_keys(axis->parameter).empty() || reported(key + std::string(".parameter"))) continue;
-    const bool has_range = !reported(key);
-    std::vector<std::vector<Node>> designs;
-    if (has_range)
-      for (const double value : {axis->from, axis->to, axis->at(0.5)}) designs.push_back({changed(*axis, value)});
-    designs.push_back({changed(*axis, 1.0)});
-    if (has_range && !reported(key == std::string("x") ? "y" : "x"))
-      for (const double a : {axis->from, axis->to})
-        for (const double b : {other->from, other->to}) designs.push_back({changed(*axis, a), changed(*other, b)});
-    std::optional<foundation::Problem> first;
-    bool possible = false;
-    for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
-      const auto problem = first_new_error(model, designs[d], problems, known);
-      possible = !problem;
-      if (!first) first = problem;
-    }
-    if (possible || (!has_range && first->finding != "unknown key")) continue;  // 1 may be outside an unreadable range
-    problems
-        .error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"",
-               fmt::format("the model rejects this number: {} = {}; {}", first->subject, first->finding, first->rule),
-               first->remedy)
-        .origin = deepest(document, subject + ".parameter").origin;
-  }
-}
-
 /// Reads one variant of the document and adds all problems; none if there are errors. A map that equals that of `base`
 /// is not checked again.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
-                              foundation::Problems& problems, const Questions& questions, const Case* base,
-                              const KnownModel* known) {
+                              foundation::Problems& problems, const Questions& questions = {},
+                              const Case* base = nullptr, const KnownModel* known = nullptr) {
   foundation::Problems reading;
   const std::optional<Node> completed = with_element_types(written, element_law_names(), reading);
   const Node& document = completed ? *completed : written;
@@ -183,7 +114,13 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   all = without_unrequested(all, questions, name, analyses);
   if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
     const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;
-    check_numbers_of_map(written, *analyses.map, known_here ? &*known_here : nullptr, all);
+    const auto read_model = [&](const Node& model) {
+      foundation::Problems found;
+      std::string title_of_design;
+      static_cast<void>(read_case(model, "", title_of_design, found, {}, nullptr, known_here ? &*known_here : nullptr));
+      return found;
+    };
+    check_map_numbers(written, *analyses.map, read_model, all);
     all = without_unrequested(all, questions, name, analyses);
   }
   const bool good = !all.has_errors();

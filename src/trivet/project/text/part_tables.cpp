@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <utility>
 
@@ -14,6 +13,7 @@
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/table_cells.h"
 #include "trivet/project/text/table_reader.h"
 #include "trivet/project/text/written_names.h"
 
@@ -22,118 +22,6 @@ namespace {
 
 /// Most rows of one table; a model has at most as many elements.
 constexpr std::size_t most_rows = 5000;
-
-Node text_node(std::string text, const foundation::Origin& origin) {
-  Node node;
-  node.kind = Node::Kind::text;
-  node.text = std::move(text);
-  node.origin = origin;
-  return node;
-}
-
-Node table_node(const foundation::Origin& origin) {
-  Node node;
-  node.origin = origin;
-  return node;
-}
-
-/// "at.x [mm]" → the keys at, x and the unit mm.
-struct Column {
-  std::vector<std::string> keys;
-  std::string unit;
-};
-
-std::optional<Column> column_of(const std::string& header) {
-  Column column;
-  std::string path = header;
-  if (const std::size_t open = header.find('['); open != std::string::npos) {
-    if (header.back() != ']') return std::nullopt;
-    column.unit = header.substr(open + 1, header.size() - open - 2);
-    path.erase(header.find_last_not_of(' ', open == 0 ? 0 : open - 1) + 1);
-  }
-  column.keys = path_keys(path);
-  return column.keys.empty() ? std::nullopt : std::optional(column);
-}
-
-std::optional<double> number_of(const std::string& cell) {
-  double value = 0;
-  const char* const begin = cell.data() + (cell.starts_with('+') ? 1 : 0);
-  const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
-  return error == std::errc() && end == cell.data() + cell.size() ? std::optional(value) : std::nullopt;
-}
-
-/// A cell as a value of the project file: a number with the unit of its column, true or false, or a text.
-Node cell_node(const std::string& cell, const std::string& unit, const foundation::Origin& origin) {
-  const auto number = number_of(cell);
-  if (number && unit.empty()) {
-    Node node = text_node("", origin);
-    node.kind = Node::Kind::real;
-    node.number = *number;
-    return node;
-  }
-  if (number) return text_node(cell + " " + unit, origin);
-  if (cell == "true" || cell == "false") {
-    Node node = text_node("", origin);
-    node.kind = Node::Kind::boolean;
-    node.boolean = cell == "true";
-    return node;
-  }
-  return text_node(cell, origin);
-}
-
-void put(Node& table, const std::vector<std::string>& keys, Node value) {
-  Node* node = &table;
-  for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
-    if (!node->find(keys[i])) {
-      node->keys.push_back(keys[i]);
-      node->items.push_back(table_node(value.origin));
-    }
-    node = node->find(keys[i]);
-  }
-  node->keys.push_back(keys.back());
-  node->items.push_back(std::move(value));
-}
-
-/// Combines columns such as at.x, at.y, at.z into one array.
-class VectorsOfRow {
- public:
-  VectorsOfRow(std::string path, foundation::Problems& problems) : path_(std::move(path)), problems_(problems) {}
-
-  void make_arrays(Node& table, const std::string& inside = "") const {
-    for (std::size_t i = 0; i < table.keys.size(); ++i) {
-      Node& item = table.items[i];
-      const std::string key = inside.empty() ? table.keys[i] : inside + "." + table.keys[i];
-      if (item.kind != Node::Kind::table || table.keys[i] == "moved" || table.keys[i] == "stiffness_factor" ||
-          table.keys[i] == "center_moved")
-        continue;
-      const bool components = !item.keys.empty() &&
-          std::all_of(item.keys.begin(), item.keys.end(),
-                      [](const std::string& k) { return k == "x" || k == "y" || k == "z"; });
-      if (components) make_array(item, key);
-      else make_arrays(item, key);
-    }
-  }
-
- private:
-  void make_array(Node& item, const std::string& key) const {
-    Node array = table_node(item.origin);
-    array.kind = Node::Kind::array;
-    for (const char* component : {"x", "y", "z"}) {
-      if (const Node* value = item.find(component)) array.items.push_back(*value);
-      else {
-        problems_
-            .error(path_ + "." + key + "." + component, "missing", "a place or direction has three components",
-                   fmt::format("give {0}.x, {0}.y and {0}.z", key))
-            .origin = item.origin;
-        array.items.push_back(cell_node("0", "", item.origin));  // to continue reading
-      }
-    }
-    item = std::move(array);
-  }
-
-  std::string path_;
-  foundation::Problems& problems_;
-};
 
 /// One kind of parts: "elements", "bodies" or "points".
 class PartTable {
@@ -289,7 +177,7 @@ class PartTable {
     Node* parts = holder(row, called);
     if (!parts) return;
     const std::string path = kind_ == "points" ? "points." + called : kind_ + "." + called;
-    VectorsOfRow(path, problems_).make_arrays(row);
+    combine_components(row, path, problems_);
     if (const Node* other = parts->find(called)) {
       problems_
           .error(path, fmt::format("a second one, in {}", foundation::place(origin)),
