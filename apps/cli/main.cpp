@@ -101,6 +101,60 @@ int dispatch(const CLI::App& app, const Options& options) {
   return trivet::cli::answer_command(which, options);
 }
 
+void add_response_options(CLI::App& app, Options& options) {
+  CLI::App* response = app.get_subcommand("response");
+  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")
+                        ->check(not_empty);
+  response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
+}
+
+void add_explain(CLI::App& app, Options& options) {
+  CLI::App* explain =
+      add_answer(app, "explain", "causes of each resonance peak, and the parameters that change it", options);
+  explain
+      ->add_option("--of", options.of,
+                   "answer with the peaks to explain (repeatable); default: the answers of `peaks` in the file")
+      ->allow_extra_args(false);
+  explain->add_option("--most", options.most, "number of peaks explained, the highest relative to their curve")
+      ->capture_default_str()
+      ->check(at_least_one);
+}
+
+void add_suspension(CLI::App& app, Options& options) {
+  CLI::App* suspension =
+      add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
+  suspension
+      ->add_option("--torque", options.torque,
+                   "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default")
+      ->check(not_empty);
+  suspension
+      ->add_option("--excitation", options.excitations,
+                   "frequencies to compare with the natural ones: 25Hz,50Hz, or in rad/s")
+      ->check(not_empty);
+}
+
+void add_map(CLI::App& app, Options& options) {
+  CLI::App* map =
+      add_answer(app, "map", "map of limits over two parameters: feasible designs and governing rules", options);
+  map->add_option("--points", options.points,
+                  "designs along both axes instead of those of the file: 200x150, or 100 for both")
+      ->check(not_empty);
+  add_picture(*map, "map", options);
+  add_strict(map, options);
+}
+
+void add_element(CLI::App& app, Options& options) {
+  CLI::App* element =
+      add_command(app, "element",
+                  "one element: its 12x12, checks, energy, and a comparison with three springs in its place", options);
+  element->add_option("NAME", options.element, "name of the element")->required();
+  element->add_option("--case", options.case_name, "a case of the file instead of the base model");
+  element->add_flag("--json", options.json, "JSON, SI");
+  element->add_flag("--all", options.all,
+                    "replace every element by three springs for the comparison, not only this one");
+  add_picture(*element, "element", options);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -125,45 +179,11 @@ int main(int argc, char** argv) {
   add_strict(check, options);
   for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions())
     add_strict(add_answer(app, question.name, question.about, options), options);
-  CLI::App* response = app.get_subcommand("response");
-  CLI::Option* at = response->add_option("--at", options.at, "single frequencies: 1,2.7,15.6 in rad/s, or with units")
-                        ->check(not_empty);
-  response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
-  CLI::App* explain =
-      add_answer(app, "explain", "causes of each resonance peak, and the parameters that change it", options);
-  explain
-      ->add_option("--of", options.of,
-                   "answer with the peaks to explain (repeatable); default: the answers of `peaks` in the file")
-      ->allow_extra_args(false);
-  explain->add_option("--most", options.most, "number of peaks explained, the highest relative to their curve")
-      ->capture_default_str()
-      ->check(at_least_one);
-  CLI::App* suspension =
-      add_answer(app, "suspension", "elastic centre, roll axes, decoupling and frequency separation", options);
-  suspension
-      ->add_option("--torque", options.torque,
-                   "axis of the moment, body frame: x, y, z or 0.9,0,0.1; all three by default")
-      ->check(not_empty);
-  suspension
-      ->add_option("--excitation", options.excitations,
-                   "frequencies to compare with the natural ones: 25Hz,50Hz, or in rad/s")
-      ->check(not_empty);
-  CLI::App* map =
-      add_answer(app, "map", "map of limits over two parameters: feasible designs and governing rules", options);
-  map->add_option("--points", options.points,
-                  "designs along both axes instead of those of the file: 200x150, or 100 for both")
-      ->check(not_empty);
-  add_picture(*map, "map", options);
-  add_strict(map, options);
-  CLI::App* element =
-      add_command(app, "element",
-                  "one element: its 12x12, checks, energy, and a comparison with three springs in its place", options);
-  element->add_option("NAME", options.element, "name of the element")->required();
-  element->add_option("--case", options.case_name, "a case of the file instead of the base model");
-  element->add_flag("--json", options.json, "JSON, SI");
-  element->add_flag("--all", options.all,
-                    "replace every element by three springs for the comparison, not only this one");
-  add_picture(*element, "element", options);
+  add_response_options(app, options);
+  add_explain(app, options);
+  add_suspension(app, options);
+  add_map(app, options);
+  add_element(app, options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");
   try {

@@ -263,6 +263,60 @@ foundation::Expected<model::System> changed_system(const Case& variant, const De
 
 namespace {
 
+/// Reports cases that are not tables, or too many; false if there is none to read.
+bool are_readable(const Node* cases, std::size_t parts, foundation::Problems& problems) {
+  if (parts > most_parts_of_cases) {
+    problems
+        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", parts),
+               fmt::format("at most {} are allowed", most_parts_of_cases), "split the file")
+        .origin = cases->origin;
+  } else if (cases && cases->kind != Node::Kind::table) {
+    problems.error("cases", kind_name(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
+  } else if (cases && cases->keys.size() > most_cases) {
+    problems
+        .error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases),
+               "split the file")
+        .origin = cases->origin;
+  } else {
+    return cases != nullptr;
+  }
+  return false;
+}
+
+/// Reads the cases of a document and adds those without errors to the project.
+/// @param written  the document without the settings of the command line
+/// @param known    problems of the base model; a case reports them only once
+void read_cases(const Node& document, const Node& written, const Settings& settings, const Questions& questions,
+                const foundation::Problems& known, AcceptanceBook& book, Project& project,
+                foundation::Problems& problems) {
+  const Node* cases = document.find("cases");
+  if (!are_readable(cases, parts_of_cases(document), problems)) return;
+  for (std::size_t i = 0; i < cases->keys.size(); ++i) {
+    const Node& change = cases->items[i];
+    const std::string& name = cases->keys[i];
+    if (change.kind != Node::Kind::table || name.empty()) {
+      problems
+          .error("cases." + name, name.empty() ? "name \"\"" : kind_name(change.kind), "a case is a table with a name",
+                 "write [cases.NAME] and the changed numbers below")
+          .origin = change.origin;
+      continue;
+    }
+    Node variant = written;
+    foundation::Problems of_case;
+    apply_changes(variant, change, "", of_case);
+    for (const Node& setting : settings.changes)
+      apply_changes(variant, setting, "", of_case);  // the command line overrides the case
+    std::string title;
+    auto variant_case =
+        read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
+    if (variant_case) judge(*variant_case, book, of_case);
+    add_of_case(of_case, known, name, problems);
+    if (!variant_case || project.cases.empty()) continue;
+    variant_case->changes = change_lines(&change, settings, variant);
+    project.cases.push_back(std::move(*variant_case));
+  }
+}
+
 foundation::Expected<Project> project_for(const Questions& questions, const std::string& text,
                                           const std::string& source, const std::vector<std::string>& given) {
   foundation::Expected<Node> parsed = parse_toml(text, source);
@@ -288,47 +342,8 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   problems.add(of_base);
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));
-  const Node* cases = document.find("cases");
-  if (const std::size_t parts = parts_of_cases(document); parts > most_parts_of_cases) {
-    problems
-        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", parts),
-               fmt::format("at most {} are allowed", most_parts_of_cases), "split the file")
-        .origin = cases->origin;
-  } else if (cases && cases->kind != Node::Kind::table) {
-    problems.error("cases", kind_name(cases->kind), "cases are tables", "write [cases.NAME]").origin = cases->origin;
-  } else if (cases && cases->keys.size() > most_cases) {
-    problems
-        .error("cases", fmt::format("{} cases", cases->keys.size()), fmt::format("a file holds at most {}", most_cases),
-               "split the file")
-        .origin = cases->origin;
-  } else if (cases) {
-    foundation::Problems known = of_base;
-    known.add(of_settings);
-    for (std::size_t i = 0; i < cases->keys.size(); ++i) {
-      const Node& change = cases->items[i];
-      const std::string& name = cases->keys[i];
-      if (change.kind != Node::Kind::table || name.empty()) {
-        problems
-            .error("cases." + name, name.empty() ? "name \"\"" : kind_name(change.kind),
-                   "a case is a table with a name", "write [cases.NAME] and the changed numbers below")
-            .origin = change.origin;
-        continue;
-      }
-      Node variant = as_written;
-      foundation::Problems of_case;
-      apply_changes(variant, change, "", of_case);
-      for (const Node& setting : settings.changes)
-        apply_changes(variant, setting, "", of_case);  // the command line overrides the case
-      std::string title;
-      auto variant_case =
-          read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
-      if (variant_case) judge(*variant_case, book, of_case);
-      add_of_case(of_case, known, name, problems);
-      if (!variant_case || project.cases.empty()) continue;
-      variant_case->changes = change_lines(&change, settings, variant);
-      project.cases.push_back(std::move(*variant_case));
-    }
-  }
+  of_base.add(of_settings);
+  read_cases(document, as_written, settings, questions, of_base, book, project, problems);
   if (!questions.requested && !problems.has_errors()) {
     problems.add(book.unused_acceptances(!settings.changes.empty()));
     const foundation::Problems unused = unused_parts(project.cases);

@@ -71,113 +71,149 @@ double allowed_difference(Eigen::Index n, double condition, Extended terms, Exte
       std::max(lost, 1.0);
 }
 
+/// The system in extended precision, summed from its description without the assembly.
+class SecondSystem {
+ public:
+  SecondSystem(const model::System& system, const assembly::Assembled& assembled, const assembly::Loading& loading,
+               const std::vector<std::string>& excitations)
+      : system_(system), loading_(loading), ends_(system, excitations) {
+    const numerics::DynamicMatrices& constant =
+        assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
+    n_ = constant.size();
+    stiffness_ = damping_ = mass_ = ExtendedMatrix::Zero(n_, n_);
+    add_elements(assembled.layout);
+    add_foundations(assembled.layout);
+    // System damping (Rayleigh, modal ratios) has no second derivation here.
+    if (!std::holds_alternative<std::monostate>(system.description().damping)) {
+      const Eigen::MatrixXd of_parts = damping_.real().cast<double>();
+      damping_ += (constant.B - of_parts).cast<ExtendedComplex>();
+      driven_damping_ = system_damping_on_ground(assembled, n_).cast<ExtendedComplex>();
+    }
+    add_bodies(assembled.layout);
+    stiffness_ += assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n_, n_).cast<ExtendedComplex>();
+  }
+
+  [[nodiscard]] Eigen::Index size() const { return n_; }
+
+  /// Z q = h at one ω with the magnitudes of the terms that they are sums of.
+  struct Equations {
+    ExtendedMatrix z, z_terms;
+    ExtendedVector h, h_terms;
+  };
+  [[nodiscard]] Equations at(double omega) const {
+    const Extended w = omega;
+    Equations e;
+    e.z = stiffness_ + ExtendedComplex(0, w) * damping_ - w * w * mass_;
+    e.z_terms = stiffness_.cwiseAbs().cast<ExtendedComplex>() + w * damping_.cwiseAbs().cast<ExtendedComplex>() +
+        w * w * mass_.cwiseAbs().cast<ExtendedComplex>();
+    e.h = loading_.force.head(n_).at(omega).cast<ExtendedComplex>();
+    e.h_terms = e.h.cwiseAbs().cast<ExtendedComplex>();
+    const auto drive = [&](const ExtendedVector& load) {
+      e.h -= load;
+      e.h_terms += load.cwiseAbs().cast<ExtendedComplex>();
+    };
+    for (const auto& [element, t] : dependent_) {
+      const ExtendedMatrix exact =
+          elements::dynamic_stiffness(system_.elements()[element].law, omega).cast<ExtendedComplex>();
+      const ExtendedMatrix transformed = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
+      e.z += transformed;
+      e.z_terms += transformed.cwiseAbs().cast<ExtendedComplex>();
+      drive(t.cast<ExtendedComplex>() * (exact * ends_.at(element, omega)));
+    }
+    for (const auto& [element, t, m] : driven_) {
+      const ExtendedMatrix dynamic =
+          m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) +
+          ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
+          w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
+      drive(t.cast<ExtendedComplex>() * (dynamic * ends_.at(element, omega)));
+    }
+    if (driven_damping_.size() > 0 && !loading_.motion.vanishes())
+      drive(ExtendedComplex(0, w) * driven_damping_ * loading_.motion.at(omega).cast<ExtendedComplex>());
+    return e;
+  }
+
+ private:
+  void add_elements(const assembly::Layout& layout) {
+    for (std::size_t e = 0; e < system_.elements().size(); ++e) {
+      const model::Element& element = system_.elements()[e];
+      if (elements::is_frequency_dependent(element.law)) {
+        dependent_.push_back({e, carrier(layout, e, element, 0, n_)});
+        continue;
+      }
+      const elements::Matrices m = elements::matrices(element.law);
+      const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n_);
+      const auto transformed = [&](const Eigen::MatrixXd& local) -> ExtendedMatrix {
+        return (t * local.cast<Extended>() * t.transpose()).eval().cast<ExtendedComplex>();
+      };
+      stiffness_ += transformed(m.stiffness) * ExtendedComplex(1, m.loss_factor);
+      mass_ += transformed(m.mass);
+      damping_ += transformed(m.damping);
+      if (ends_.can_move(e)) driven_.push_back({e, t, m});
+    }
+  }
+
+  void add_foundations(const assembly::Layout& layout) {
+    for (std::size_t f = 0; f < system_.description().foundations.size(); ++f) {
+      const model::Foundation& foundation = system_.description().foundations[f];
+      const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
+      stiffness_.block(row, row, size, size) += foundation.stiffness.cast<ExtendedComplex>();
+      damping_.block(row, row, size, size) += foundation.damping.cast<ExtendedComplex>();
+      mass_.block(row, row, size, size) += foundation.mass.cast<ExtendedComplex>();
+    }
+  }
+
+  void add_bodies(const assembly::Layout& layout) {
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b) {
+      const spatial::Matrix6 a = spatial::mass_matrix(system_.bodies()[b].mass);
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j)
+          if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass_(layout.row(b, i), layout.row(b, j)) += a(i, j);
+    }
+  }
+
+  struct Dependent {
+    std::size_t element;
+    Carrier free;
+  };
+  struct Driven {
+    std::size_t element;
+    Carrier free;
+    elements::Matrices matrices;
+  };
+
+  const model::System& system_;
+  const assembly::Loading& loading_;
+  PrescribedEnds ends_;
+  Eigen::Index n_ = 0;
+  ExtendedMatrix stiffness_, damping_, mass_, driven_damping_;
+  std::vector<Dependent> dependent_;
+  std::vector<Driven> driven_;
+};
+
 }  // namespace
 
 DeepCheck deep_check(const model::System& system, const assembly::Assembled& assembled,
                      const assembly::Loading& loading, const std::vector<double>& angular_frequency,
                      const std::vector<std::string>& excitations) {
-  const PrescribedEnds ends(system, excitations);
-  const assembly::Layout& layout = assembled.layout;
-  const numerics::DynamicMatrices& constant = assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
-  const Eigen::Index n = constant.size();
-  const Eigen::VectorXd d = numerics::unit_scale(constant);
-  ExtendedMatrix stiffness = ExtendedMatrix::Zero(n, n), damping = ExtendedMatrix::Zero(n, n),
-                 mass = ExtendedMatrix::Zero(n, n);
-  Eigen::MatrixXd element_damping = Eigen::MatrixXd::Zero(n, n);
-  struct Dependent {
-    std::size_t element;
-    Carrier free;
-  };
-  std::vector<Dependent> dependent;
-  struct Driven {
-    std::size_t element;
-    elements::Matrices matrices;
-  };
-  std::vector<Driven> driven;
-  for (std::size_t e = 0; e < system.elements().size(); ++e) {
-    const model::Element& element = system.elements()[e];
-    if (elements::is_frequency_dependent(element.law)) {
-      dependent.push_back({e, carrier(layout, e, element, 0, n)});
-      continue;
-    }
-    const elements::Matrices m = elements::matrices(element.law);
-    const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n);
-    const auto transformed = [&](const Eigen::MatrixXd& local) -> Carrier {
-      return t * local.cast<Extended>() * t.transpose();
-    };
-    stiffness += transformed(m.stiffness).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor);
-    mass += transformed(m.mass).cast<ExtendedComplex>();
-    damping += transformed(m.damping).cast<ExtendedComplex>();
-    element_damping += transformed(m.damping).cast<double>();
-    if (ends.can_move(e)) driven.push_back({e, m});
-  }
-  for (std::size_t f = 0; f < system.description().foundations.size(); ++f) {
-    const model::Foundation& foundation = system.description().foundations[f];
-    const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
-    stiffness.block(row, row, size, size) += foundation.stiffness.cast<ExtendedComplex>();
-    damping.block(row, row, size, size) += foundation.damping.cast<ExtendedComplex>();
-    mass.block(row, row, size, size) += foundation.mass.cast<ExtendedComplex>();
-    element_damping.block(row, row, size, size) += foundation.damping;
-  }
-  // System damping (Rayleigh, modal ratios) has no second derivation here.
-  ExtendedMatrix driven_damping;
-  if (!std::holds_alternative<std::monostate>(system.description().damping)) {
-    damping += (constant.B - element_damping).cast<ExtendedComplex>();
-    driven_damping = system_damping_on_ground(assembled, n).cast<ExtendedComplex>();
-  }
-  for (std::size_t b = 0; b < system.bodies().size(); ++b) {
-    const spatial::Matrix6 a = spatial::mass_matrix(system.bodies()[b].mass);
-    for (int i = 0; i < 6; ++i)
-      for (int j = 0; j < 6; ++j)
-        if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass(layout.row(b, i), layout.row(b, j)) += a(i, j);
-  }
-  stiffness += assembly::geometric_stiffness(system, layout).topLeftCorner(n, n).cast<ExtendedComplex>();
+  const SecondSystem second(system, assembled, loading, excitations);
+  const Eigen::VectorXd d =
+      numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices);
   const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
   const ExtendedMatrix scale = d.cast<ExtendedComplex>().asDiagonal();
-
   DeepCheck check;
   double worst_ratio = -1;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     const auto column = to_index(i);
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
-    const Extended w = angular_frequency[i];
-    ExtendedMatrix z = stiffness + ExtendedComplex(0, w) * damping - w * w * mass;
-    ExtendedMatrix terms = stiffness.cwiseAbs().cast<ExtendedComplex>() +
-        w * damping.cwiseAbs().cast<ExtendedComplex>() + w * w * mass.cwiseAbs().cast<ExtendedComplex>();
-    ExtendedVector h = loading.force.head(n).at(angular_frequency[i]).cast<ExtendedComplex>();
-    ExtendedVector load_terms = h.cwiseAbs().cast<ExtendedComplex>();
-    const auto drive = [&](const ExtendedVector& load) {
-      h -= load;
-      load_terms += load.cwiseAbs().cast<ExtendedComplex>();
-    };
-    for (const auto& [element, t] : dependent) {
-      const ExtendedMatrix exact =
-          elements::dynamic_stiffness(system.elements()[element].law, angular_frequency[i]).cast<ExtendedComplex>();
-      const ExtendedMatrix transformed = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
-      z += transformed;
-      terms += transformed.cwiseAbs().cast<ExtendedComplex>();
-      drive(t.cast<ExtendedComplex>() * (exact * ends.at(element, angular_frequency[i])));
-    }
-    for (const auto& [element, m] : driven) {
-      const Carrier t = carrier(layout, element, system.elements()[element], m.stiffness.rows() - 12, n);
-      const ExtendedMatrix dynamic =
-          m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) +
-          ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
-          w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
-      drive(t.cast<ExtendedComplex>() * (dynamic * ends.at(element, angular_frequency[i])));
-    }
-    if (driven_damping.size() > 0 && !loading.motion.vanishes())
-      drive(ExtendedComplex(0, w) * driven_damping * loading.motion.at(angular_frequency[i]).cast<ExtendedComplex>());
-    h = (scale * h).eval();
-    z = (scale * z * scale).eval();
-    terms = (scale * terms * scale).eval();
+    const SecondSystem::Equations e = second.at(angular_frequency[i]);
+    const ExtendedMatrix z = scale * e.z * scale, terms = scale * e.z_terms * scale;
     const numerics::RefinedSolver direct(z);
-    const ExtendedVector q = direct.solve(h);
+    const ExtendedVector q = direct.solve(ExtendedVector(scale * e.h));
     const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<ExtendedComplex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
-    const Extended of_load = size > 0 ? (scale * load_terms).cwiseAbs().sum() / size : 0;
-    const double allowed = allowed_difference(n, direct.condition(), one_norm(terms), of_load, one_norm(z));
+    const Extended of_load = size > 0 ? (scale * e.h_terms).cwiseAbs().sum() / size : 0;
+    const double allowed = allowed_difference(second.size(), direct.condition(), one_norm(terms), of_load, one_norm(z));
     if (!(allowed < 1e-3)) {
       ++check.incomparable;
       continue;
