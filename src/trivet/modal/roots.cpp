@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/exact_roots.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/system_roots.h"
 
 namespace trivet::modal {
@@ -146,6 +147,15 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
         "the free vibration grows and hides every steady vibration",
         "amplitudes computed for this model are formal; correct the mass, stiffness or damping data");
   return result;
+}
+
+bool cannot_grow(const assembly::Assembled& assembled, const Modes& modes) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  const bool stable_modes = m.symmetric && modes.route == numerics::ModeRoute::definite_mass &&
+      to_index(modes.list.size()) == m.size() &&
+      std::all_of(modes.list.begin(), modes.list.end(), [](const Mode& mode) { return mode.eigenvalue_squared >= 0; });
+  return stable_modes && numerics::is_positive_semidefinite(m.B) &&
+      (!m.lossy() || numerics::is_positive_semidefinite(m.K_loss));
 }
 
 Roots roots(const model::System& system) {

@@ -89,12 +89,7 @@ std::vector<double> subsample(const std::vector<double>& all, int most) {
 
 class CaseStudy {
  public:
-  CaseStudy(const project::Case& variant, const foundation::Progress& progress)
-      : system_(variant.system),
-        progress_(progress),
-        assembled_(assembly::assemble(variant.system)),
-        modes_(modal::modes(system_, assembled_)),
-        roots_(modal::roots(system_, assembled_, modes_)) {}
+  CaseStudy(const project::Case& variant, const foundation::Progress& progress) : c_(variant.system, progress) {}
 
   Answers answer(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* asked : {&variant.analyses, &analyses})
@@ -102,14 +97,16 @@ class CaseStudy {
     Answers result;
     result.case_name = variant.name;
     result.changes = variant.changes;
-    result.free_motions = modal::free_motions(system_, assembled_, modes_);
-    result.modes = modes_;
-    result.roots = roots_;
+    result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
+    result.modes = c_.modes;
     result.warnings = variant.warnings;
-    result.warnings.add(modes_.warnings);
-    result.warnings.add(roots_.warnings);
-    if (analyses.roots) result.warnings.add(roots_.remarks);
-    result.warnings.add(case_warnings(context(), analyses, search_to_));
+    result.warnings.add(c_.modes.warnings);
+    if (analyses.roots || !modal::cannot_grow(c_.assembled, c_.modes)) result.warnings.add(c_.roots().warnings);
+    if (analyses.roots) {
+      result.roots = c_.roots();
+      result.warnings.add(c_.roots().remarks);
+    }
+    result.warnings.add(case_warnings(c_, analyses, search_to_));
     const auto refuse = [&](const std::exception& reason) {
       result.failures.emplace_back(reason.what());
       result.warnings.warning(reason.what(), "not computed", "", "");
@@ -134,33 +131,30 @@ class CaseStudy {
     if (analyses.static_of)
       attempt([&] {
         result.statics = response::static_response(
-            system_, assembled_,
-            assembly::channels(system_, assembled_, *analyses.static_of, assembly::MotionQuantity::displacement));
+            c_.system, c_.assembled,
+            assembly::channels(c_.system, c_.assembled, *analyses.static_of, assembly::MotionQuantity::displacement));
       });
     answer_questions(analyses, attempt_question, result);
     return result;
   }
 
  private:
-  [[nodiscard]] CaseContext context() const { return {system_, assembled_, modes_, roots_, progress_}; }
-
   template <typename Attempt>
   void answer_questions(const project::Analyses& analyses, const Attempt& attempt, Answers& result) const {
-    const CaseContext c = context();
     if (analyses.load_sharing && result.statics) {
       try {
-        result.load_sharing = response::load_sharing(system_, assembled_);
+        result.load_sharing = response::load_sharing(c_.system, c_.assembled);
       } catch (const foundation::NotComputable&) {  // load sharing was not requested, and a model without mounts
                                                     // under its weight has none
       }
     }
     for (const QuestionAnswer& question : question_answers())
       if (const auto* asked = analyses.find<project::Question>(question.name))
-        attempt([&] { result.of_questions[question.name] = question.answer(c, *asked, result.warnings); });
+        attempt([&] { result.of_questions[question.name] = question.answer(c_, *asked, result.warnings); });
     if (result.response && !analyses.limit_lines.empty())
       attempt([&] {
         result.limit_lines =
-            limit_line_answer(c, analyses.limit_lines, analyses.response->selection, result.response->band);
+            limit_line_answer(c_, analyses.limit_lines, analyses.response->selection, result.response->band);
       });
   }
 
@@ -170,23 +164,23 @@ class CaseStudy {
                                   double min_prominence = response::PeakOptions{}.min_prominence) {
     for (const auto& earlier : searched_)
       if (earlier.selection == selection && earlier.min_prominence == min_prominence) return earlier.peaks;
-    const DrivenChannels driven = driven_channels(system_, assembled_, selection);
+    const DrivenChannels driven = driven_channels(c_.system, c_.assembled, selection);
     searched_.push_back({selection, min_prominence,
-                         response::peaks(assembled_, driven.channels, driven.load, modes_, roots_,
-                                         {min_prominence, search_to_}, progress_)});
+                         response::peaks(c_.assembled, driven.channels, driven.load, c_.modes, c_.roots(),
+                                         {min_prominence, search_to_}, c_.progress)});
     return searched_.back().peaks;
   }
 
   PeaksAnswer peaks_answer(const project::PeaksRequest& request) {
     PeaksAnswer result{peaks_of(request.selection, request.min_prominence), request.min_prominence,
                        request.peak_tolerance};
-    const DrivenChannels driven = driven_channels(system_, assembled_, request.selection);
-    response::set_nearest_modes(assembled_, driven.channels, driven.load, modes_, result.peaks);
+    const DrivenChannels driven = driven_channels(c_.system, c_.assembled, request.selection);
+    response::set_nearest_modes(c_.assembled, driven.channels, driven.load, c_.modes, result.peaks);
     return result;
   }
 
   ResponseAnswer response_of(const project::ResponseRequest& request) {
-    const DrivenChannels driven = driven_channels(system_, assembled_, request.selection);
+    const DrivenChannels driven = driven_channels(c_.system, c_.assembled, request.selection);
     ResponseAnswer result;
     result.quantity = request.selection.quantity;
     const bool needs_peaks =
@@ -194,14 +188,14 @@ class CaseStudy {
     const response::Peaks peaks = needs_peaks ? peaks_of(request.selection) : response::Peaks{};
     std::vector<double> grid = request.at;
     if (grid.empty()) {
-      result.band = request.band ? *request.band : default_band(context());
+      result.band = request.band ? *request.band : default_band(c_);
       if (!(result.band.from < result.band.to))
         throw foundation::NotComputable(
             "response: the tables of the elements and the natural frequencies have no band in common; give a band");
       if (request.spacing == response::Spacing::linear) grid = response::linear_grid(result.band, request.points);
       else if (request.spacing == response::Spacing::automatic) {
-        result.model = response::curve_model(assembled_, driven.channels, driven.load, roots_.poles, peaks, result.band,
-                                             {}, progress_);
+        result.model = response::curve_model(c_.assembled, driven.channels, driven.load, c_.roots().poles, peaks,
+                                             result.band, {}, c_.progress);
         result.extrema = response::extrema(peaks, result.band);
         grid = response::drawing_grid(*result.model, peaks);
       } else {
@@ -212,20 +206,21 @@ class CaseStudy {
     } else {
       result.band = {*std::min_element(grid.begin(), grid.end()), *std::max_element(grid.begin(), grid.end())};
     }
-    foundation::report_progress(progress_, "response", 0.5);
+    foundation::report_progress(c_.progress, "response", 0.5);
     // With constant matrices solving costs less than evaluating the curve model; with exact springs or tables it costs
     // more.
-    result.curves = result.model && assembled_.frequency_dependent()
+    result.curves = result.model && c_.assembled.frequency_dependent()
         ? response::interpolated(*result.model, driven.channels, peaks, grid)
-        : response::frequency_response(assembled_, driven.channels, driven.load, grid);
+        : response::frequency_response(c_.assembled, driven.channels, driven.load, grid);
     result.continuous_phase = request.continuous_phase;
-    result.phase = phases(assembled_, driven, result.curves, roots_, peaks, request.continuous_phase, progress_);
-    foundation::report_progress(progress_, "check by a second solver", 0.8);
-    const int checked = project::deep_check_frequencies(assembled_.matrices.A.rows());
+    result.phase =
+        phases(c_.assembled, driven, result.curves, c_.roots(), peaks, request.continuous_phase, c_.progress);
+    foundation::report_progress(c_.progress, "check by a second solver", 0.8);
+    const int checked = project::deep_check_frequencies(c_.assembled.matrices.A.rows());
     const std::vector<double> samples = request.at.empty()
-        ? response::check_frequencies(roots_.poles, result.band.from, result.band.to, checked)
+        ? response::check_frequencies(c_.resonances(), result.band.from, result.band.to, checked)
         : subsample(grid, checked);
-    result.deep = response::deep_check(system_, assembled_, driven.load, samples, request.selection.excitations);
+    result.deep = response::deep_check(c_.system, c_.assembled, driven.load, samples, request.selection.excitations);
     return result;
   }
 
@@ -248,12 +243,12 @@ class CaseStudy {
   bool grows_toward_rest(const response::Peaks& found, std::size_t curve, const DrivenChannels& driven) const {
     constexpr double rounding = 1e-9, nearer = 0.25, growth = 2;  // a curve ∝ ω⁻¹ grows by 4
     const response::CurveSummary& summary = found.curves[curve];
-    const bool from_tables = std::any_of(assembled_.elements.begin(), assembled_.elements.end(),
+    const bool from_tables = std::any_of(c_.assembled.elements.begin(), c_.assembled.elements.end(),
                                          [](const assembly::ElementMap& map) { return map.defined_from > 0; });
     if (from_tables) return false;  // unknown below the tables
     if (!(found.searched_from > 0) || summary.highest_at > found.searched_from * (1 + rounding)) return false;
     const auto near_rest =
-        response::frequency_response(assembled_, driven.channels, driven.load, {nearer * found.searched_from});
+        response::frequency_response(c_.assembled, driven.channels, driven.load, {nearer * found.searched_from});
     return std::abs(near_rest.curves[curve].value(0)) > growth * summary.highest;
   }
 
@@ -266,10 +261,10 @@ class CaseStudy {
                                found.curves.begin());
     LimitAnswer answer{limit.name, found.curves[curve].unit, limit.amplitude, 0, band.from, found.curves[curve].highest,
                        true};
-    const DrivenChannels driven = driven_channels(system_, assembled_, selection);
+    const DrivenChannels driven = driven_channels(c_.system, c_.assembled, selection);
     if (grows_toward_rest(found, curve, driven)) answer.anywhere = std::numeric_limits<double>::infinity();
     const design::LargestAmplitude largest =
-        design::largest_in_band(assembled_, driven.channels, driven.load, found, curve, band);
+        design::largest_in_band(c_.assembled, driven.channels, driven.load, found, curve, band);
     answer.in_band = largest.amplitude;
     answer.in_band_at = largest.angular_frequency;
     if (response_ && response_->band.from == band.from && response_->band.to == band.to)
@@ -281,11 +276,7 @@ class CaseStudy {
     return answer;
   }
 
-  const model::System& system_;
-  const foundation::Progress& progress_;
-  assembly::Assembled assembled_;
-  modal::Modes modes_;
-  modal::Roots roots_;
+  CaseContext c_;
 
   struct Searched {
     project::AnswerSelection selection;
@@ -309,12 +300,11 @@ Answers answers(const project::Case& variant, const project::Analyses& analyses,
 }
 
 response::DeepCheck deep_check(const project::Case& variant) {
-  const assembly::Assembled assembled = assembly::assemble(variant.system);
-  const modal::Modes modes = modal::modes(variant.system, assembled);
-  const modal::Roots roots = modal::roots(variant.system, assembled, modes);
+  const foundation::Progress silent;
+  const CaseContext c(variant.system, silent);
+  const assembly::Assembled& assembled = c.assembled;
   const auto& request = variant.analyses.response;
-  const response::Band band =
-      request && request->band ? *request->band : default_band({variant.system, assembled, modes, roots, {}});
+  const response::Band band = request && request->band ? *request->band : default_band(c);
   assembly::Loading load = assembly::harmonic_loading(variant.system, assembled);
   if (load.vanishes()) {
     Eigen::VectorXcd everywhere = Eigen::VectorXcd::Zero(assembled.layout.size());
@@ -325,7 +315,7 @@ response::DeepCheck deep_check(const project::Case& variant) {
   }
   return response::deep_check(
       variant.system, assembled, load,
-      response::check_frequencies(roots.poles, band.from, band.to,
+      response::check_frequencies(c.resonances(), band.from, band.to,
                                   project::deep_check_frequencies(assembled.matrices.A.rows())));
 }
 

@@ -64,7 +64,7 @@ struct Answers {
   foundation::Problems warnings;  ///< of data, modes and roots: they concern every answer
   std::vector<std::string> free_motions;
   modal::Modes modes;
-  modal::Roots roots;
+  modal::Roots roots;  ///< empty unless requested
   std::optional<ResponseAnswer> response;
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/modal_ground.h"
 #include "trivet/project/analyses/drive.h"
@@ -14,10 +15,30 @@ constexpr double default_band_factor = 1.3;
 
 }  // namespace
 
+CaseContext::CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress)
+    : system(system_of_case),
+      progress(shown_progress),
+      assembled(assembly::assemble(system)),
+      modes(modal::modes(system, assembled)) {}
+
+const modal::Roots& CaseContext::roots() const {
+  if (!roots_) roots_ = modal::roots(system, assembled, modes);
+  return *roots_;
+}
+
+Eigen::VectorXcd CaseContext::resonances() const {
+  constexpr Eigen::Index large = 60;
+  if (roots_ || assembled.matrices.size() <= large || assembled.frequency_dependent()) return roots().poles;
+  Eigen::VectorXcd natural(to_index(modes.list.size()));
+  for (std::size_t i = 0; i < modes.list.size(); ++i)
+    natural(to_index(i)) = {0, modes.list[i].angular_frequency.value_or(0)};
+  return natural;
+}
+
 response::Band default_band(const CaseContext& c) {
   double highest = 0;
   for (const modal::Mode& mode : c.modes.list) highest = std::max(highest, mode.angular_frequency.value_or(0));
-  for (const modal::Root& root : c.roots.list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
+  for (const modal::Root& root : c.roots().list) highest = std::max(highest, root.damped_angular_frequency.value_or(0));
   response::Band band{0, highest > 0 ? default_band_factor * highest : 1.0};
   for (const assembly::ElementMap& map : c.assembled.elements)
     band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
@@ -36,7 +57,7 @@ std::vector<assembly::Channel> channels_of(const CaseContext& c, const project::
 std::vector<double> grid_over(const CaseContext& c, const std::vector<assembly::Channel>& channels,
                               const assembly::Loading& loading, const response::Peaks& peaks,
                               const response::Band& band) {
-  return response::automatic_grid(c.assembled, channels, loading, c.roots.poles, peaks, band, c.progress);
+  return response::automatic_grid(c.assembled, channels, loading, c.roots().poles, peaks, band, c.progress);
 }
 
 void require_rigid_ground(const CaseContext& c, const std::string& question) {

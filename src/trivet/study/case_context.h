@@ -8,12 +8,23 @@
 /// The data that every answer for a case starts from.
 namespace trivet::study {
 
-struct CaseContext {
+/// The solved model of a case; damped roots are computed when they are first needed.
+class CaseContext {
+ public:
+  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress);
+
   const model::System& system;
-  const assembly::Assembled& assembled;
-  const modal::Modes& modes;
-  const modal::Roots& roots;
   const foundation::Progress& progress;
+  const assembly::Assembled assembled;
+  const modal::Modes modes;
+
+  [[nodiscard]] const modal::Roots& roots() const;
+  /// Poles near which a response is checked: the damped roots, or the natural frequencies iω of a large model, whose
+  /// roots would take longer than its response.
+  [[nodiscard]] Eigen::VectorXcd resonances() const;
+
+ private:
+  mutable std::optional<modal::Roots> roots_;
 };
 
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.

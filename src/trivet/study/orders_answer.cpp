@@ -17,8 +17,9 @@ OrdersResult answer_orders(const CaseContext& c, const project::OrdersQuestion& 
         "\"unbalance\"");
   response::RunUpOptions options;
   options.speed = asked.speed;
-  return {response::run_up(c.assembled, channels_of(c, asked.selection), orders, c.modes, c.roots, options, c.progress),
-          response::campbell(orders, c.modes, c.roots, asked.speed), asked.selection.quantity};
+  return {
+      response::run_up(c.assembled, channels_of(c, asked.selection), orders, c.modes, c.roots(), options, c.progress),
+      response::campbell(orders, c.modes, c.roots(), asked.speed), asked.selection.quantity};
 }
 
 }  // namespace

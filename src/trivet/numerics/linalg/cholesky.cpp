@@ -3,6 +3,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "trivet/foundation/constants.h"
+
 namespace trivet::numerics {
 
 template <typename Matrix, typename Right>
@@ -16,6 +18,18 @@ Right ldlt_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainO
 }
 
 Eigen::VectorXd ldlt_pivots(const Eigen::MatrixXd& A) { return Eigen::LDLT<Eigen::MatrixXd>(A).vectorD(); }
+
+bool is_positive_semidefinite(const Eigen::MatrixXd& A) {
+  const Eigen::VectorXd diagonal = A.diagonal();
+  if (!(diagonal.size() == 0 || diagonal.minCoeff() >= 0)) return false;
+  for (Eigen::Index i = 0; i < A.rows(); ++i)
+    if (diagonal(i) == 0 && !(A.row(i).head(i).isZero(0) && A.col(i).tail(A.rows() - i).isZero(0))) return false;
+  const Eigen::VectorXd d = (diagonal.array() > 0).select(diagonal.array().rsqrt(), 0.0);
+  Eigen::MatrixXd shifted = d.asDiagonal() * A * d.asDiagonal();
+  const double round_off = 64 * static_cast<double>(A.rows()) * foundation::epsilon;
+  shifted.diagonal().array() += (diagonal.array() > 0).select(round_off, Eigen::ArrayXd::Ones(A.rows()));
+  return Eigen::LLT<Eigen::MatrixXd>(shifted).info() == Eigen::Success;
+}
 
 namespace {
 template <typename Matrix>

@@ -84,12 +84,73 @@ QuadraticRoots roots_from_states(const DynamicMatrices& matrices) {
   return result;
 }
 
+namespace {
+
+/// (λ²A + λB + K) v = 0 in extended precision, solved by Newton's method with the factors of a double Jacobian.
+class RootRefinement {
+ public:
+  explicit RootRefinement(const DynamicMatrices& m)
+      : m_(m),
+        stiffness_(m.complex_stiffness()),
+        A_(m.A.cast<ExtendedComplex>()),
+        B_(m.B.cast<ExtendedComplex>()),
+        K_(stiffness_.cast<ExtendedComplex>()) {}
+
+  struct Root {
+    ExtendedComplex lambda;
+    ExtendedVector v;              ///< of norm about 1
+    Extended first = 0, last = 0;  ///< first and last change of λ
+    bool finite = true;
+  };
+
+  /// Three steps from a start. The Jacobian is that of the start, which is near enough: each step gains some ten
+  /// digits.
+  [[nodiscard]] Root refined(const Complex& start, ExtendedVector v) const {
+    constexpr int steps = 3;
+    Root root{start, std::move(v)};
+    const PivotedLu<Complex> jacobian(bordered(start, root.v.cast<Complex>()));
+    const Eigen::Index n = m_.size();
+    for (int step = 0; step < steps; ++step) {
+      const ExtendedVector residual = root.lambda * (root.lambda * (A_ * root.v) + B_ * root.v) + K_ * root.v;
+      Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + 1);
+      right.head(n) = -residual.cast<Complex>();
+      const Eigen::VectorXcd change = jacobian.solve(right);
+      if (!change.allFinite()) {
+        root.finite = root.last <= Extended(64) * std::numeric_limits<Extended>::epsilon() * std::abs(root.lambda);
+        break;  // the Jacobian is singular to working precision: a double root
+      }
+      const ExtendedComplex of_lambda = ExtendedComplex(change(n)) * Extended(std::abs(start));
+      root.lambda += of_lambda;
+      root.v += change.head(n).cast<ExtendedComplex>();
+      root.last = std::abs(of_lambda);
+      if (step == 0) root.first = root.last;
+    }
+    return root;
+  }
+
+ private:
+  /// [Q(λ), Q'(λ)v |λ|; |λ|² vᴴ, 0] for the unknowns v and λ/|λ|: all blocks have the size of Q.
+  [[nodiscard]] Eigen::MatrixXcd bordered(const Complex& lambda, const Eigen::VectorXcd& v) const {
+    const Eigen::Index n = m_.size();
+    const double size = std::abs(lambda);
+    Eigen::MatrixXcd j = Eigen::MatrixXcd::Zero(n + 1, n + 1);
+    j.topLeftCorner(n, n) = stiffness_ + lambda * m_.B + lambda * lambda * m_.A;
+    j.col(n).head(n) = size * (Complex(2) * lambda * (m_.A * v) + m_.B * v);
+    j.row(n).head(n) = size * size * v.adjoint();
+    return j;
+  }
+
+  const DynamicMatrices& m_;
+  Eigen::MatrixXcd stiffness_;
+  ExtendedMatrix A_, B_, K_;
+};
+
+}  // namespace
+
 void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
-  constexpr int steps = 3;
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices matrices = scaled(given, d);
-  const ExtendedMatrix A = matrices.A.cast<ExtendedComplex>(), B = matrices.B.cast<ExtendedComplex>();
-  const ExtendedMatrix K = matrices.complex_stiffness().cast<ExtendedComplex>();
+  const RootRefinement refinement(matrices);
   const double scale = roots.lambda.size() ? roots.lambda.cwiseAbs().maxCoeff() : 0;
   const Eigen::VectorXd weight = d.cwiseInverse();
   const Eigen::VectorXcd starts = roots.lambda;
@@ -102,32 +163,15 @@ void refine_roots(const DynamicMatrices& given, QuadraticRoots& roots) {
       continue;
     }
     const bool real = roots.lambda(k).imag() == 0 && !matrices.lossy();
-    ExtendedComplex lambda = roots.lambda(k);
-    ExtendedVector v = (weight.asDiagonal() * roots.vectors.col(k)).cast<ExtendedComplex>();
-    v.normalize();
-    Extended first = 0, last = 0;
-    bool finite = true;
-    for (int step = 0; step < steps && finite; ++step) {
-      const ExtendedMatrix polynomial = lambda * lambda * A + lambda * B + K;
-      const ExtendedVector derivative = Extended(2) * lambda * (A * v) + B * v;
-      const ExtendedVector u = lu_solution(polynomial, derivative);
-      const ExtendedComplex denominator = v.dot(u);
-      if (!std::isfinite(std::abs(denominator)) || std::abs(denominator) == 0) {
-        finite = last <= Extended(64) * std::numeric_limits<Extended>::epsilon() * std::abs(lambda);
-        break;  // the matrix is singular to working precision: λ is already a root
-      }
-      const ExtendedComplex change = Extended(1) / denominator;
-      lambda -= change;
-      last = std::abs(change);
-      if (step == 0) first = last;
-      v = u.normalized();
-    }
-    const bool small = first <= Extended(1e-6) * Extended(scale);
-    const bool converged =
-        last <= Extended(1e-3) * first || last <= Extended(16) * Extended(epsilon) * std::abs(lambda);
-    if (!finite || !small || !converged) continue;
-    roots.lambda(k) = Complex(static_cast<double>(lambda.real()), real ? 0.0 : static_cast<double>(lambda.imag()));
-    roots.vectors.col(k) = d.asDiagonal() * v.cast<Complex>();
+    const RootRefinement::Root found = refinement.refined(
+        starts(k), (weight.asDiagonal() * roots.vectors.col(k)).normalized().cast<ExtendedComplex>());
+    const bool small = found.first <= Extended(1e-6) * Extended(scale);
+    const bool converged = found.last <= Extended(1e-3) * found.first ||
+        found.last <= Extended(16) * Extended(epsilon) * std::abs(found.lambda);
+    if (!found.finite || !small || !converged) continue;
+    roots.lambda(k) =
+        Complex(static_cast<double>(found.lambda.real()), real ? 0.0 : static_cast<double>(found.lambda.imag()));
+    roots.vectors.col(k) = d.asDiagonal() * found.v.cast<Complex>();
     normalise_by_largest(roots.vectors.col(k), weight);
   }
 }

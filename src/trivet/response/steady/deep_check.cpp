@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "trivet/assembly/geometric_stiffness.h"
 #include "trivet/elements/law.h"
@@ -20,7 +21,6 @@ using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
 using numerics::ExtendedMatrix;
 using numerics::ExtendedVector;
-using Carrier = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// System damping in the free rows from the motion of the ground; it has no second derivation here.
 Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, Eigen::Index n) {
@@ -32,28 +32,48 @@ Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, E
   return rest;
 }
 
-/// T (n × (12 + internal)) of one element, directly from the convention: each column is the generalised force of a unit
-/// force on an end or an internal coordinate.
-Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element, Eigen::Index internal,
-                Eigen::Index n) {
-  Carrier t = Carrier::Zero(n, 12 + internal);
-  for (Eigen::Index i = 0; i < internal; ++i) t(layout.internal_row(index) + i, 12 + i) = 1;
+/// Rows of T (n × (12 + internal)) of one element that are not zero: each column is the generalised force of a unit
+/// force on an end or an internal coordinate, directly from the convention.
+struct Carrier {
+  std::vector<Eigen::Index> rows;
+  ExtendedMatrix t;
+
+  /// T M Tᵀ added to a matrix.
+  void add(const ExtendedMatrix& m, ExtendedMatrix& sum) const { sum(rows, rows) += t * m * t.transpose(); }
+};
+
+Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element,
+                Eigen::Index internal) {
+  Carrier result;
+  std::vector<ExtendedMatrix> parts;  // of the rows
+  const auto add_row = [&](Eigen::Index row, Eigen::Index first, const auto& values) {
+    if (row < 0) return;
+    const auto at = std::find(result.rows.begin(), result.rows.end(), row) - result.rows.begin();
+    if (to_size(at) == result.rows.size()) {
+      result.rows.push_back(row);
+      parts.emplace_back(ExtendedMatrix::Zero(1, 12 + internal));
+    }
+    parts[to_size(at)].block(0, first, 1, values.size()) += values;
+  };
+  const ExtendedMatrix one = ExtendedMatrix::Ones(1, 1);
+  for (Eigen::Index i = 0; i < internal; ++i) add_row(layout.internal_row(index) + i, 12 + i, one);
   int first = 0;
   for (const model::End* end : {&element.n, &element.k}) {
-    if (end->body)
-      for (int j = 0; j < 6; ++j) {
-        const Eigen::Index row = layout.row(*end->body, j);
-        if (row < 0) continue;
-        const Eigen::Matrix<Extended, 6, 6> x = spatial::rigid_motion(end->at).cast<Extended>();
-        const Eigen::Matrix<Extended, 6, 6> r = spatial::both_blocks(end->axes).cast<Extended>();
-        t.block<1, 6>(row, first) += (x.transpose() * r).row(j);
-      }
-    if (end->foundation)
-      t.block(layout.foundation_row(end->foundation->foundation), first, end->foundation->shape.cols(), 6) +=
-          end->foundation->shape.transpose().cast<Extended>() * spatial::both_blocks(end->axes).cast<Extended>();
+    const ExtendedMatrix axes = spatial::both_blocks(end->axes).cast<ExtendedComplex>();
+    if (end->body) {
+      const ExtendedMatrix x = spatial::rigid_motion(end->at).cast<ExtendedComplex>(), t = x.transpose() * axes;
+      for (int j = 0; j < 6; ++j) add_row(layout.row(*end->body, j), first, t.row(j));
+    }
+    if (end->foundation) {
+      const ExtendedMatrix t = end->foundation->shape.transpose().cast<ExtendedComplex>() * axes;
+      for (Eigen::Index j = 0; j < t.rows(); ++j)
+        add_row(layout.foundation_row(end->foundation->foundation) + j, first, t.row(j));
+    }
     first += 6;
   }
-  return t;
+  result.t.resize(to_index(parts.size()), 12 + internal);
+  for (std::size_t i = 0; i < parts.size(); ++i) result.t.row(to_index(i)) = parts[i];
+  return result;
 }
 
 /// Largest column sum of the magnitudes of entries.
@@ -108,27 +128,30 @@ class SecondSystem {
         w * w * mass_.cwiseAbs().cast<ExtendedComplex>();
     e.h = loading_.force.head(n_).at(omega).cast<ExtendedComplex>();
     e.h_terms = e.h.cwiseAbs().cast<ExtendedComplex>();
-    const auto drive = [&](const ExtendedVector& load) {
-      e.h -= load;
-      e.h_terms += load.cwiseAbs().cast<ExtendedComplex>();
+    const auto drive = [&](const std::vector<Eigen::Index>& rows, const ExtendedVector& load) {
+      e.h(rows) -= load;
+      e.h_terms(rows) += load.cwiseAbs().cast<ExtendedComplex>();
     };
-    for (const auto& [element, t] : dependent_) {
+    for (const auto& [element, carried] : dependent_) {
       const ExtendedMatrix exact =
           elements::dynamic_stiffness(system_.elements()[element].law, omega).cast<ExtendedComplex>();
-      const ExtendedMatrix transformed = t.cast<ExtendedComplex>() * exact * t.transpose().cast<ExtendedComplex>();
-      e.z += transformed;
-      e.z_terms += transformed.cwiseAbs().cast<ExtendedComplex>();
-      drive(t.cast<ExtendedComplex>() * (exact * ends_.at(element, omega)));
+      const ExtendedMatrix transformed = carried.t * exact * carried.t.transpose();
+      e.z(carried.rows, carried.rows) += transformed;
+      e.z_terms(carried.rows, carried.rows) += transformed.cwiseAbs().cast<ExtendedComplex>();
+      drive(carried.rows, carried.t * (exact * ends_.at(element, omega)));
     }
-    for (const auto& [element, t, m] : driven_) {
+    for (const auto& [element, carried, m] : driven_) {
       const ExtendedMatrix dynamic =
           m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) +
           ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
           w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
-      drive(t.cast<ExtendedComplex>() * (dynamic * ends_.at(element, omega)));
+      drive(carried.rows, carried.t * (dynamic * ends_.at(element, omega)));
     }
-    if (driven_damping_.size() > 0 && !loading_.motion.vanishes())
-      drive(ExtendedComplex(0, w) * driven_damping_ * loading_.motion.at(omega).cast<ExtendedComplex>());
+    if (driven_damping_.size() > 0 && !loading_.motion.vanishes()) {
+      std::vector<Eigen::Index> all(to_size(n_));
+      std::iota(all.begin(), all.end(), Eigen::Index{0});
+      drive(all, ExtendedComplex(0, w) * driven_damping_ * loading_.motion.at(omega).cast<ExtendedComplex>());
+    }
     return e;
   }
 
@@ -137,17 +160,14 @@ class SecondSystem {
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const model::Element& element = system_.elements()[e];
       if (elements::is_frequency_dependent(element.law)) {
-        dependent_.push_back({e, carrier(layout, e, element, 0, n_)});
+        dependent_.push_back({e, carrier(layout, e, element, 0)});
         continue;
       }
       const elements::Matrices m = elements::matrices(element.law);
-      const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12, n_);
-      const auto transformed = [&](const Eigen::MatrixXd& local) -> ExtendedMatrix {
-        return (t * local.cast<Extended>() * t.transpose()).eval().cast<ExtendedComplex>();
-      };
-      stiffness_ += transformed(m.stiffness) * ExtendedComplex(1, m.loss_factor);
-      mass_ += transformed(m.mass);
-      damping_ += transformed(m.damping);
+      const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12);
+      t.add(m.stiffness.cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor), stiffness_);
+      t.add(m.mass.cast<ExtendedComplex>(), mass_);
+      t.add(m.damping.cast<ExtendedComplex>(), damping_);
       if (ends_.can_move(e)) driven_.push_back({e, t, m});
     }
   }
@@ -173,11 +193,11 @@ class SecondSystem {
 
   struct Dependent {
     std::size_t element;
-    Carrier free;
+    Carrier carried;
   };
   struct Driven {
     std::size_t element;
-    Carrier free;
+    Carrier carried;
     elements::Matrices matrices;
   };
 
@@ -199,20 +219,21 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   const Eigen::VectorXd d =
       numerics::unit_scale(assembled.frequency_dependent() ? assembled.constant : assembled.matrices);
   const Eigen::MatrixXcd fast = steady_solution(assembled, loading, angular_frequency).response;
-  const ExtendedMatrix scale = d.cast<ExtendedComplex>().asDiagonal();
+  const ExtendedVector scale = d.cast<ExtendedComplex>();
   DeepCheck check;
   double worst_ratio = -1;
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     const auto column = to_index(i);
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
     const SecondSystem::Equations e = second.at(angular_frequency[i]);
-    const ExtendedMatrix z = scale * e.z * scale, terms = scale * e.z_terms * scale;
+    const ExtendedMatrix z = scale.asDiagonal() * e.z * scale.asDiagonal(),
+                         terms = scale.asDiagonal() * e.z_terms * scale.asDiagonal();
     const numerics::RefinedSolver direct(z);
-    const ExtendedVector q = direct.solve(ExtendedVector(scale * e.h));
+    const ExtendedVector q = direct.solve(ExtendedVector(scale.cwiseProduct(e.h)));
     const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<ExtendedComplex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
-    const Extended of_load = size > 0 ? (scale * e.h_terms).cwiseAbs().sum() / size : 0;
+    const Extended of_load = size > 0 ? scale.cwiseProduct(e.h_terms).cwiseAbs().sum() / size : 0;
     const double allowed = allowed_difference(second.size(), direct.condition(), one_norm(terms), of_load, one_norm(z));
     if (!(allowed < 1e-3)) {
       ++check.incomparable;
