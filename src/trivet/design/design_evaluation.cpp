@@ -12,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/modal/highest_frequency.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/roots/design_modes.h"
 

@@ -19,7 +19,8 @@ constexpr double repeated_within = 1e-10;
 
 using spatial::Vector6;
 
-void describe_bodies(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
+void describe_bodies(const model::System& system, const assembly::Assembled& assembled,
+                     const std::vector<spatial::PrincipalInertia>& principal_inertia, const Eigen::VectorXd& phi,
                      Mode& mode) {
   const auto count = to_index(system.bodies().size());
   mode.shape.resize(6 * count);
@@ -32,7 +33,7 @@ void describe_bodies(const model::System& system, const assembly::Assembled& ass
     const Vector6 at_centre = spatial::rigid_motion(body.mass.centre) * at_pole;
     mode.shape.segment<6>(6 * b) = at_pole;
     mode.shape_at_centre.segment<6>(6 * b) = at_centre;
-    const spatial::PrincipalInertia principal = spatial::principal_inertia(body.mass);
+    const spatial::PrincipalInertia& principal = principal_inertia[to_size(b)];
     Vector6 share;
     share << body.mass.mass * (principal.axes.transpose() * at_centre.head<3>()).array().square(),
         principal.moments.array() * (principal.axes.transpose() * at_centre.tail<3>()).array().square();
@@ -43,9 +44,21 @@ void describe_bodies(const model::System& system, const assembly::Assembled& ass
   if (energy != 0) mode.principal_kinetic_energy_share /= energy;
 }
 
+/// φᵀK_eφ of every element (rows) and mode (columns).
+Eigen::MatrixXd strain_energies(const assembly::Assembled& assembled, const Eigen::MatrixXd& shapes) {
+  Eigen::MatrixXd energies(to_index(assembled.elements.size()), shapes.cols());
+  for (std::size_t e = 0; e < assembled.elements.size(); ++e) {
+    const assembly::ElementMap& map = assembled.elements[e];
+    const Eigen::MatrixXd motion = map.ends * shapes(map.rows, Eigen::all);
+    energies.row(to_index(e)) = motion.cwiseProduct(map.matrices.stiffness * motion).colwise().sum();
+  }
+  return energies;
+}
+
+/// @param momentum  Aφ
+/// @param strain    φᵀK_eφ of every element
 void share_energy(const model::System& system, const assembly::Assembled& assembled, const Eigen::VectorXd& phi,
-                  Mode& mode) {
-  const Eigen::VectorXd momentum = assembled.matrices.A * phi;
+                  const Eigen::VectorXd& momentum, const Eigen::VectorXd& strain, Mode& mode) {
   const Eigen::VectorXd share = phi.cwiseProduct(momentum) / phi.dot(momentum);
   const auto bodies = to_index(system.bodies().size());
   mode.kinetic_energy_share.resize(6 * bodies);
@@ -61,12 +74,6 @@ void share_energy(const model::System& system, const assembly::Assembled& assemb
       mode.element_kinetic_energy_share(to_index(e)) += share(map.rows[j]);
   }
   if (mode.eigenvalue_squared == 0 || assembled.elements.empty()) return;
-  Eigen::VectorXd strain(to_index(assembled.elements.size()));
-  for (Eigen::Index e = 0; e < strain.size(); ++e) {
-    const assembly::ElementMap& map = assembled.elements[to_size(e)];
-    const Eigen::VectorXd d = map.coordinates(phi);
-    strain(e) = d.dot(map.matrices.stiffness * d);
-  }
   // A foundation mode that moves no mount stores all its energy in the foundation: shares of round-off mean nothing.
   constexpr double round_off = 1e-12;
   if (std::abs(strain.sum()) > round_off * std::abs(mode.eigenvalue_squared * phi.dot(momentum)))
@@ -100,6 +107,11 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
   const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
   const numerics::GeneralizedModes raw =
       numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
+  const bool all_massive = massive.A.rows() == assembled.matrices.A.rows();
+  const Eigen::MatrixXd shapes = all_massive ? raw.shapes : Eigen::MatrixXd(massive.recovery * raw.shapes);
+  const Eigen::MatrixXd momentum = assembled.matrices.A * shapes, strain = strain_energies(assembled, shapes);
+  std::vector<spatial::PrincipalInertia> principal;
+  for (const model::Body& body : system.bodies()) principal.push_back(spatial::principal_inertia(body.mass));
   Modes result;
   result.route = raw.route;
   for (Eigen::Index i = 0; i < raw.lambda.size(); ++i) {
@@ -108,9 +120,9 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
     mode.eigenvalue_squared = raw.lambda(i);
     if (raw.lambda(i) >= 0) mode.angular_frequency = std::sqrt(raw.lambda(i));
     mode.modal_mass = raw.norm(i);
-    const Eigen::VectorXd& phi = mode.coordinates = massive.recovery * raw.shapes.col(i);
-    describe_bodies(system, assembled, phi, mode);
-    share_energy(system, assembled, phi, mode);
+    mode.coordinates = shapes.col(i);
+    describe_bodies(system, assembled, principal, mode.coordinates, mode);
+    share_energy(system, assembled, mode.coordinates, momentum.col(i), strain.col(i), mode);
     mode.name = mode_name(system, mode);
   }
   mark_repeated(result.list);

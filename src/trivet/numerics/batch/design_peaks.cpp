@@ -11,6 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/system_roots.h"
 #include "trivet/numerics/peaks/disc_search.h"

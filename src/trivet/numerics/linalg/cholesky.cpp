@@ -19,9 +19,17 @@ Right ldlt_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainO
 
 Eigen::VectorXd ldlt_pivots(const Eigen::MatrixXd& A) { return Eigen::LDLT<Eigen::MatrixXd>(A).vectorD(); }
 
+bool is_positive_definite(const Eigen::MatrixXd& A) {
+  if (!A.allFinite() || !(A.diagonal().minCoeff() > 0)) return false;
+  const Eigen::VectorXd d = A.diagonal().cwiseSqrt().cwiseInverse();
+  Eigen::MatrixXd shifted = d.asDiagonal() * A * d.asDiagonal();
+  shifted.diagonal().array() -= 8 * static_cast<double>(A.rows()) * foundation::epsilon;
+  return Eigen::LLT<Eigen::MatrixXd>(shifted).info() == Eigen::Success;
+}
+
 bool is_positive_semidefinite(const Eigen::MatrixXd& A) {
   const Eigen::VectorXd diagonal = A.diagonal();
-  if (!(diagonal.size() == 0 || diagonal.minCoeff() >= 0)) return false;
+  if (!A.allFinite() || !(diagonal.size() == 0 || diagonal.minCoeff() >= 0)) return false;
   for (Eigen::Index i = 0; i < A.rows(); ++i)
     if (diagonal(i) == 0 && !(A.row(i).head(i).isZero(0) && A.col(i).tail(A.rows() - i).isZero(0))) return false;
   const Eigen::VectorXd d = (diagonal.array() > 0).select(diagonal.array().rsqrt(), 0.0);

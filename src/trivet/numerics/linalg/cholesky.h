@@ -18,6 +18,10 @@ template <typename Matrix, typename Right>
 /// Diagonal of D in that factorisation: it has as many negative entries as A has negative eigenvalues (Sylvester).
 [[nodiscard]] Eigen::VectorXd ldlt_pivots(const Eigen::MatrixXd& A);
 
+/// True if A (symmetric, only its lower triangle is read) is positive definite, for coordinates scaled to a unit
+/// diagonal by more than round-off.
+[[nodiscard]] bool is_positive_definite(const Eigen::MatrixXd& A);
+
 /// True if A (symmetric, only its lower triangle is read) has no negative eigenvalue beyond round-off, for coordinates
 /// scaled to a unit diagonal.
 [[nodiscard]] bool is_positive_semidefinite(const Eigen::MatrixXd& A);

@@ -3,11 +3,18 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "trivet/numerics/linalg/lapack.h"
+
 namespace trivet::numerics {
 namespace {
 
 template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
+  if (lapack::is_available() && A.rows() > lapack::worth_it) {
+    GeneralEigen found;
+    found.converged = lapack::general_eigen(A, found.values, with_vectors ? &found.vectors : nullptr);
+    return found;
+  }
   const Solver solver(A, with_vectors);
   const bool converged = solver.info() == Eigen::Success;
   return {solver.eigenvalues(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/cholesky.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,12 +39,12 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
   Eigen::VectorXd lambda(count), norm(count);
   Eigen::MatrixXd normed = shapes;
   const Eigen::VectorXd weight = A.diagonal().cwiseAbs().cwiseSqrt();
+  const QuadraticForm mass(A), stiffness(K);
   for (Eigen::Index i = 0; i < count; ++i) {
-    const long double a = quadratic_form(A, shapes.col(i));
-    const long double k = quadratic_form(K, shapes.col(i));
+    const long double a = mass(shapes.col(i));
+    const long double k = stiffness(shapes.col(i));
     lambda(i) = rayleigh ? static_cast<double>(k / a) : given(i);
-    const Eigen::VectorXd magnitude = shapes.col(i).cwiseAbs();
-    const double available = magnitude.dot(K.cwiseAbs() * magnitude);
+    const double available = stiffness.terms(shapes.col(i));
     if (std::abs(static_cast<double>(k)) <= 256 * static_cast<double>(n) * epsilon * available) lambda(i) = 0;
     norm(i) = a < 0 ? -1 : 1;
     normed.col(i) /= std::sqrt(std::abs(static_cast<double>(a)));
@@ -92,13 +93,6 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
 }
 
 }  // namespace
-
-bool is_positive_definite(const Eigen::MatrixXd& matrix) {
-  if (!(matrix.diagonal().minCoeff() > 0)) return false;
-  const Eigen::VectorXd d = matrix.diagonal().cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd unit = d.asDiagonal() * matrix * d.asDiagonal();
-  return symmetric_eigenvalues(unit)(0) > 8 * static_cast<double>(matrix.rows()) * epsilon;
-}
 
 GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric) {
   const Eigen::VectorXd d = unit_scale(A);

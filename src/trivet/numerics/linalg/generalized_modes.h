@@ -25,7 +25,4 @@ struct GeneralizedModes {
 /// indefinite A. λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|, or |λ| ≤ (64 n ε)² of the largest.
 [[nodiscard]] GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric);
 
-/// Whether a symmetric matrix, scaled to a unit diagonal, is positive definite beyond round-off.
-[[nodiscard]] bool is_positive_definite(const Eigen::MatrixXd& matrix);
-
 }  // namespace trivet::numerics

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <type_traits>
 
+#include "trivet/numerics/linalg/lapack.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
 
 namespace trivet::numerics {
@@ -16,12 +17,28 @@ using Plain = const Eigen::PlainObjectBase<Matrix>&;
 /// One compiled version for all fixed sizes.
 template <typename Matrix>
 using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic, Matrix, UpToTwelve<double>>;
+
+template <typename Matrix>
+SymmetricEigen<Matrix> solved(const Matrix& S, bool with_vectors) {
+  if constexpr (std::is_same_v<Matrix, Eigen::MatrixXd>)
+    if (lapack::is_available() && S.rows() > lapack::worth_it) {
+      SymmetricEigen<Matrix> found;
+      found.vectors = S;
+      found.converged = lapack::symmetric_eigen(found.vectors, found.values, with_vectors);
+      return found;
+    }
+  const Eigen::SelfAdjointEigenSolver<Matrix> solver(
+      S, with_vectors ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
+  SymmetricEigen<Matrix> found{solver.eigenvalues(), {}, solver.info() == Eigen::Success};
+  if (with_vectors) found.vectors = solver.eigenvectors();
+  return found;
+}
 }  // namespace
 
 template <typename Matrix>
 SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S) {
-  const Eigen::SelfAdjointEigenSolver<Computed<Matrix>> solver(S.derived());
-  return {solver.eigenvalues(), solver.eigenvectors(), solver.info() == Eigen::Success};
+  const auto found = solved(Computed<Matrix>(S.derived()), true);
+  return {found.values, found.vectors, found.converged};
 }
 
 template <typename Matrix>
@@ -32,13 +49,13 @@ SymmetricEigen<Matrix> symmetric_eigen(const Eigen::PlainObjectBase<Matrix>& S,
   const Computed<Matrix> half = L.solve(Computed<Matrix>(S.derived()));
   Computed<Matrix> reduced = L.solve(half.transpose());
   reduced = (0.5 * (reduced + reduced.transpose())).eval();
-  const Eigen::SelfAdjointEigenSolver<Computed<Matrix>> solver(reduced);
-  return {solver.eigenvalues(), cholesky.matrixU().solve(solver.eigenvectors()), solver.info() == Eigen::Success};
+  const auto found = solved(reduced, true);
+  return {found.values, cholesky.matrixU().solve(found.vectors), found.converged};
 }
 
 template <typename Matrix>
 Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1> symmetric_eigenvalues(const Eigen::PlainObjectBase<Matrix>& S) {
-  return Eigen::SelfAdjointEigenSolver<Computed<Matrix>>(S.derived(), Eigen::EigenvaluesOnly).eigenvalues();
+  return solved(Computed<Matrix>(S.derived()), false).values;
 }
 
 template SymmetricEigen<Eigen::MatrixXd> symmetric_eigen(Plain<Eigen::MatrixXd>);

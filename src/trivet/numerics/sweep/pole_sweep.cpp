@@ -34,9 +34,9 @@ std::optional<ExtendedModes> extended_modes(const DynamicMatrices& m) {
   if (!found.definite[0] || !(found.lambda(0, 0) > 0)) return std::nullopt;
   ExtendedModes modes;
   modes.shapes = Eigen::Map<const Eigen::MatrixXd>(found.shapes.data(), n, n);
+  const QuadraticForm mass_form(m.A), stiffness_form(m.K);
   for (int k = 0; k < n; ++k) {
-    const Extended mass = quadratic_form(m.A, modes.shapes.col(k)),
-                   stiffness = quadratic_form(m.K, modes.shapes.col(k));
+    const Extended mass = mass_form(modes.shapes.col(k)), stiffness = stiffness_form(modes.shapes.col(k));
     if (!(mass > 0 && stiffness > 0)) return std::nullopt;
     modes.omega[k] = std::sqrt(stiffness / mass);
     modes.shapes.col(k) /= static_cast<double>(std::sqrt(mass));
