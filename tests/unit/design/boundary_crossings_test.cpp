@@ -30,11 +30,11 @@ TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
 }
 
 TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {
-  const auto leaps = [](double x) { return design::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
+  const auto jumps = [](double x) { return design::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
   const auto ends = [](double x) {
     return x < 0.7 ? design::DesignOutcome{1.5F, 0} : design::DesignOutcome{0, design::DesignOutcome::no_model};
   };
-  EXPECT_NEAR(crossing_of(leaps), 0.3, design::boundary_tolerance);
+  EXPECT_NEAR(crossing_of(jumps), 0.3, design::boundary_tolerance);
   EXPECT_NEAR(crossing_of(ends), 0.7, design::boundary_tolerance);
 }
 

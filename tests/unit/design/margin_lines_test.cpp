@@ -13,6 +13,10 @@ using namespace trivet;
 using test::outcomes;
 using test::unlimited;
 
+constexpr double round_off = 1e-15;  // a few operations on numbers from 0 to 1
+/// Margins up to 4 are stored as floats of 6e-8; the lines interpolate their logarithms, which is exact here.
+constexpr double float_margins = 1e-5;
+
 TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
   const design::DrawnGrid drawn = design::drawn_grid({1000, 100});
   EXPECT_EQ(drawn.columns.size(), 241u);
@@ -21,7 +25,7 @@ TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
   EXPECT_EQ(drawn.columns.back(), 999);
   const design::MapGrid nodes = drawn.nodes();
   for (const int k : {0, 1, 100, 239, 240})
-    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[to_size(k)] / 999.0, 1e-15);
+    EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[to_size(k)] / 999.0, round_off);
 }
 
 TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
@@ -32,8 +36,7 @@ TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
   ASSERT_FALSE(lines.empty());
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
-      for (const design::MapPlace& p : line)
-        EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, 1e-5);  // float nodes
+      for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, float_margins);
 }
 
 TEST(MarginLines, EndBesideDesignsWithoutBound) {
@@ -45,7 +48,7 @@ TEST(MarginLines, EndBesideDesignsWithoutBound) {
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
       for (const design::MapPlace& p : line)
-        EXPECT_NEAR(std::exp(2 * p.x), margin.margin, 1e-5) << "a step along the border of what has no bound";
+        EXPECT_NEAR(std::exp(2 * p.x), margin.margin, float_margins) << "a step along the border of what has no bound";
 }
 
 TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
@@ -58,7 +61,7 @@ TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
   for (const design::MarginLine& margin : lines)
     for (const design::MapLine& line : margin.lines)
       for (const design::MapPlace& p : line)
-        EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, 1e-5) << "a step along the cliff";
+        EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, float_margins) << "a step along the cliff";
 }
 
 TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
@@ -72,7 +75,7 @@ TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
     for (const design::MarginLine& margin : lines)
       for (const design::MapLine& line : margin.lines)
         for (const design::MapPlace& p : line)
-          EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, 1e-5 * largest);
+          EXPECT_NEAR(least * std::exp(growth * p.x), margin.margin, float_margins * largest);
   }
 }
 
