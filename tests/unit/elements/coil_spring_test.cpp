@@ -77,11 +77,11 @@ TEST(CoilSpring, WithoutDensityItHasStiffnessButNoDynamics) {
 
 TEST(CoilSpring, TorsionConstantOfRectangles) {
   // Timoshenko and Goodier, table: J/(b h³) for side ratios 1, 2, 10.
-  constexpr double printed = 5e-3;
+  constexpr double printed = 5e-3, mm4 = 1e-12;  // three digits: half a unit of the last is 2e-3 of 0.229
   CoilSpring spring = literature_spring();
   for (const auto& [ratio, factor] : {std::pair{1.0, 0.1406}, {2.0, 0.229}, {10.0, 0.312}}) {
     spring.wire = elements::RectangularWire{1e-3, ratio * 1e-3};
-    EXPECT_THAT(elements::wire_section(spring).torsion_constant, test::RelativelyNear(factor * ratio * 1e-12, printed))
+    EXPECT_THAT(elements::wire_section(spring).torsion_constant, test::RelativelyNear(factor * ratio * mm4, printed))
         << ratio;
   }
 }
@@ -91,14 +91,14 @@ TEST(CoilSpring, APivotedSeatCarriesNoMoment) {
   spring.seat_n = spring.seat_k = elements::Seat::pivoted;
   const elements::Matrix12 k = elements::stiffness(spring);
   for (const int i : {3, 4, 9, 10}) EXPECT_EQ(k.row(i).cwiseAbs().maxCoeff(), 0);
-  constexpr double round_off = 1e-12;
+  constexpr double round_off = 1e-12;  // the solution of four equations
   EXPECT_LE(std::abs(k(0, 0)), round_off * k(2, 2)) << "between two pivots only axial force and torsion are carried";
   EXPECT_GT(k(2, 2), 0);
   EXPECT_GT(k(5, 5), 0);
 }
 
 TEST(CoilSpring, DeadCoilsAddTheirMassAndHeight) {
-  constexpr double round_off = 1e-9;
+  constexpr double round_off = 1e-9;  // some thousand operations along the wire
   CoilSpring spring = literature_spring();
   const double omega = 100, bare = elements::dynamic_stiffness(spring, omega)(8, 8);
   spring.dead_coils_k = 2;
@@ -108,7 +108,7 @@ TEST(CoilSpring, DeadCoilsAddTheirMassAndHeight) {
 }
 
 TEST(CoilSpring, RepeatedLookupsOfFrequenciesAgree) {
-  constexpr double resolution = 1e-12;
+  constexpr double resolution = 1e-12;  // the bisection ends within 1e-13 of a frequency
   const auto three = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 3);
   const auto ten = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 10);
   for (std::size_t i = 0; i < three.size(); ++i) EXPECT_NEAR(three[i], ten[i], resolution * ten[i]);
@@ -129,8 +129,8 @@ TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
   const auto first = [&](double compression) {
     return natural_frequencies(compressed_by(spring, compression).coil, elements::SeatsHeld::both, 1).front();
   };
-  constexpr double smooth = 1e-6;
-  EXPECT_NEAR(first(0.024) / (0.5 * (first(0.02399) + first(0.02401))), 1, smooth);
+  constexpr double second_difference = 1e-6;  // the square of the step, 4e-4 of the compression, is 2e-7
+  EXPECT_NEAR(first(0.024) / (0.5 * (first(0.02399) + first(0.02401))), 1, second_difference);
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ namespace {
 using namespace trivet;
 using namespace trivet::elements;
 
+constexpr double round_off = 1e-14;  // the ten operations of an interpolation between numbers of equal size
+
 StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vector<double>& storage,
                                 Interpolation interpolation) {
   StiffnessTable table{.angular_frequencies = std::move(frequencies),
@@ -32,8 +34,8 @@ TEST(StiffnessTable, GivesItsKnotsBack) {
     const StiffnessTable table = over_frequencies({0, 10, 30, 100}, {1e5, 3e5, 2.5e5, 8e5}, way);
     for (int i = 0; i < 4; ++i) {
       const auto k = dynamic_stiffness(table, table.angular_frequencies[to_size(i)], 0);
-      EXPECT_THAT(k.real(), test::RelativelyNear(table.storage(i, 0), 1e-14));
-      EXPECT_THAT(k.imag(), test::RelativelyNear(table.loss(i, 0), 1e-14));
+      EXPECT_THAT(k.real(), test::RelativelyNear(table.storage(i, 0), round_off));
+      EXPECT_THAT(k.imag(), test::RelativelyNear(table.loss(i, 0), round_off));
     }
   }
 }
@@ -42,7 +44,7 @@ TEST(StiffnessTable, FollowsAStraightLineExactly) {
   for (const Interpolation way : {Interpolation::linear, Interpolation::monotone_cubic}) {
     const StiffnessTable table = over_frequencies({1, 2, 5, 7, 20}, {3, 5, 11, 15, 41}, way);
     for (double w = 1; w <= 20; w += 0.37)
-      EXPECT_THAT(dynamic_stiffness(table, w, 0).real(), test::RelativelyNear(2 * w + 1, 1e-14));
+      EXPECT_THAT(dynamic_stiffness(table, w, 0).real(), test::RelativelyNear(2 * w + 1, round_off));
   }
 }
 
@@ -61,8 +63,8 @@ TEST(StiffnessTable, TheMonotoneCubicNeverOvershoots) {
                 table, std::min(frequencies[i] + j / 20.0 * (frequencies[i + 1] - frequencies[i]), frequencies.back()),
                 0)
                 .real();
-        EXPECT_GE(value, std::min(storage[i], storage[i + 1]) - 1e-14);
-        EXPECT_LE(value, std::max(storage[i], storage[i + 1]) + 1e-14);
+        EXPECT_GE(value, std::min(storage[i], storage[i + 1]) - round_off);
+        EXPECT_LE(value, std::max(storage[i], storage[i + 1]) + round_off);
       }
   }
 }
@@ -91,8 +93,8 @@ TEST(StiffnessTable, InterpolatesOverAmplitudeAndNeedsNoFrequencies) {
   rope.loss << 1e4, 1.5e4;
   EXPECT_TRUE(check(rope, "z").list().empty());
   const auto k = dynamic_stiffness(rope, 1234, 0.00055);
-  EXPECT_THAT(k.real(), test::RelativelyNear(5.5e4, 1e-14));
-  EXPECT_THAT(k.imag(), test::RelativelyNear(1.25e4, 1e-14));
+  EXPECT_THAT(k.real(), test::RelativelyNear(5.5e4, round_off));
+  EXPECT_THAT(k.imag(), test::RelativelyNear(1.25e4, round_off));
 }
 
 TEST(StiffnessTable, RefusesToExtrapolate) {
@@ -114,7 +116,8 @@ TEST(TableLaw, ResistsNoRigidMotion) {
   const ComplexMatrix12 k = dynamic_stiffness(law, arm, 37, Vector6::Zero());
   for (const Matrix12& part : {Matrix12(k.real()), Matrix12(k.imag())}) {
     const MatrixVerdict verdict = examine(part, rigid_motions(arm, Eigen::Matrix3d::Identity()));
-    EXPECT_LE(verdict.rigid_residual, 1e-13);
+    constexpr double matrix_round_off = 1e-13;  // a dozen operations per scaled entry
+    EXPECT_LE(verdict.rigid_residual, matrix_round_off);
     EXPECT_TRUE(is_semidefinite(verdict));
   }
   EXPECT_EQ(frequency_range(law).to, 100);
