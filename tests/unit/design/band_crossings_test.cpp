@@ -30,7 +30,7 @@ design::BandCrossings crossings(const std::function<double(double)>& omega, floa
   return design::band_crossings({2, 1}, {design(omega(0), there), design(omega(1), there)}, judge);
 }
 
-TEST(BandCrossings, AreFoundWhicheverWayTheFrequencyGoesAndSayWhichGridMeetsThem) {
+TEST(BandCrossings, AreFoundForRisingAndFallingFrequenciesWithAGridThatShowsThem) {
   for (const auto& omega : {std::function<double(double)>([](double x) { return 1 + 4.3 * x; }),
                             std::function<double(double)>([](double x) { return 9 - 7.7 * x; })}) {
     const design::BandCrossings found = crossings(omega, 0.5F);
@@ -44,11 +44,11 @@ TEST(BandCrossings, AreFoundWhicheverWayTheFrequencyGoesAndSayWhichGridMeetsThem
   }
 }
 
-TEST(BandCrossings, ThatBreakNothingAreNone) {
+TEST(BandCrossings, AreNotCountedIfTheyMeetTheLimit) {
   EXPECT_EQ(crossings([](double x) { return 1 + 4.3 * x; }, 1.2F).pairs, 0u);
 }
 
-TEST(BandCrossings, WhoseHeightOneOfTheDesignsHasSeenAreNotAsked) {
+TEST(BandCrossings, AreNotJudgedIfADesignIsInTheBand) {
   const design::JudgePlaces never = [](const std::vector<design::MapPlace>&,
                                        const foundation::Progress&) -> std::vector<design::DesignOutcome> {
     throw std::logic_error("asked");
@@ -59,7 +59,7 @@ TEST(BandCrossings, WhoseHeightOneOfTheDesignsHasSeenAreNotAsked) {
   }
 }
 
-TEST(BandCrossings, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
+TEST(BandCrossings, CountTwoDesignsOnceForSeveralFrequencies) {
   const auto pair = [](double x) {
     return design::DesignOutcome{x > 0.4 && x < 0.6 ? 0.5F : 5.0F, 0, 0, static_cast<std::uint16_t>(x < 0.5 ? 2 : 0)};
   };
@@ -73,7 +73,7 @@ TEST(BandCrossings, OfSeveralFrequenciesBetweenTheSameTwoAreOnePair) {
 
 /// ω = 10 √scale rad/s passes a narrow band between the designs 1 and 1.5: computed by poles for a force, and by
 /// separate designs for an unbalance of equal size there.
-TEST(BandCrossings, OfALightlyDampedMachineAreWarnedOfAndOfAHeavilyDampedOneAreNot) {
+TEST(BandCrossings, GiveAWarningForALightlyDampedMachineOnly) {
   const std::string axes =
       "x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = 8}, y = {parameter = "
       "\"elements.spring.damping.proportional\", from = 1e-4, to = 2e-4, points = 3}";

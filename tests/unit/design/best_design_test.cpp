@@ -22,7 +22,7 @@ TEST(BestDesign, HasTheLargestMargin) {
   EXPECT_EQ(found->equals, 1u);
 }
 
-TEST(BestDesign, StandsInTheMidstOfEquals) {
+TEST(BestDesign, IsInTheMiddleOfEqualDesigns) {
   const design::MapGrid grid{21, 21};  // a plateau that begins at the right frame
   const auto found =
       design::best_design(design::drawn_grid(grid),
@@ -33,7 +33,7 @@ TEST(BestDesign, StandsInTheMidstOfEquals) {
   EXPECT_EQ(found->without_bound, 0u);
 }
 
-TEST(BestDesign, StandsInTheMiddleOfAStrip) {
+TEST(BestDesign, IsInTheMiddleOfAStrip) {
   const design::MapGrid grid{21, 21};
   const auto found =
       design::best_design(design::drawn_grid(grid),
@@ -41,7 +41,7 @@ TEST(BestDesign, StandsInTheMiddleOfAStrip) {
   EXPECT_EQ(found->design, grid.index(20, 9));
 }
 
-TEST(BestDesign, StandsInTheMidstOfThoseWithoutBound) {
+TEST(BestDesign, IsInTheMiddleOfDesignsWithoutBound) {
   const design::MapGrid grid{21, 21};  // not limited: a disc of 5 nodes about (12, 9)
   const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int i, int j) {
                                            return std::hypot(i - 12, j - 9) < 5.5 ? unlimited : 2.0F;
@@ -50,13 +50,13 @@ TEST(BestDesign, StandsInTheMidstOfThoseWithoutBound) {
   EXPECT_EQ(found->without_bound, 97u);
 }
 
-TEST(BestDesign, KeepsAwayFromTheFrameWhereNothingIsLimited) {
+TEST(BestDesign, IsFarFromTheFrameIfNothingIsLimited) {
   const design::MapGrid grid{11, 21};
   const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int, int) { return unlimited; }));
   EXPECT_EQ(found->design % 11, 5u);
 }
 
-TEST(BestDesign, OfAFineGridIsOneOfItsOwnDesigns) {
+TEST(BestDesign, IsADesignOfAFineGrid) {
   const design::MapGrid grid{1000, 500};
   const auto all = outcomes(
       grid, [](int i, int j) { return std::hypot((i - 700) / 1000.0, (j - 200) / 500.0) < 0.2 ? unlimited : 1.0F; });
@@ -67,14 +67,14 @@ TEST(BestDesign, OfAFineGridIsOneOfItsOwnDesigns) {
   EXPECT_TRUE(std::isinf(all[found->design].margin));
 }
 
-TEST(BestDesign, StandsInTheMidstWhereEveryMarginIsZero) {
+TEST(BestDesign, IsInTheMiddleIfEveryMarginIsZero) {
   const design::MapGrid grid{11, 11};
   const auto found = design::best_design(design::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }));
   EXPECT_EQ(found->design, grid.index(5, 5));
   EXPECT_EQ(found->equals, 121u);
 }
 
-TEST(BestDesign, IsNoneWithoutAnyModel) {
+TEST(BestDesign, DoesNotExistWithoutAnyModel) {
   const design::MapGrid grid{2, 2};
   EXPECT_FALSE(design::best_design(design::drawn_grid(grid),
                                    std::vector<design::DesignOutcome>(4, {0, design::DesignOutcome::no_model})));

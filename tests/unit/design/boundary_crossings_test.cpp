@@ -22,14 +22,14 @@ double crossing_of(const std::function<design::DesignOutcome(double)>& design, i
   return design::boundary_crossings(grid, {design(0), design(1), design(0), design(1)}, {{0, 0, false}}, judge).at(0);
 }
 
-TEST(BoundaryCrossings, AreFoundToTheirToleranceOnASmoothMargin) {
+TEST(BoundaryCrossings, AreFoundWithinToleranceOnASmoothMargin) {
   int judged = 0;
   EXPECT_NEAR(crossing_of([](double x) { return design::DesignOutcome{static_cast<float>(0.5 + x * x), 0}; }, &judged),
               std::sqrt(0.5), design::boundary_tolerance);
   EXPECT_LT(judged, 20);  // fewer than bisection needs
 }
 
-TEST(BoundaryCrossings, AreFoundWhereTheMarginLeaps) {
+TEST(BoundaryCrossings, AreFoundWhereTheMarginJumps) {
   const auto jumps = [](double x) { return design::DesignOutcome{x < 0.3 ? 20.0F : 0.9F, 0}; };
   const auto ends = [](double x) {
     return x < 0.7 ? design::DesignOutcome{1.5F, 0} : design::DesignOutcome{0, design::DesignOutcome::no_model};

@@ -16,7 +16,7 @@ using namespace trivet;
 using test::mapped_machine;
 using test::two_axes;
 
-TEST(DesignEvaluation, SaysWhyADesignHasNoModelAndGoesOn) {
+TEST(DesignEvaluation, ReportsWhyADesignHasNoModelAndContinues) {
   const project::Project project =
       test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = 15, points = 5}, "
                                    "y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
@@ -41,7 +41,7 @@ TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
   EXPECT_LE(map.report.missing.size(), 3u);
 }
 
-TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
+TEST(DesignEvaluation, AssemblesElementsWithLossFactorsSeparately) {
   const std::string text = mapped_machine(
       "map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = "
       "\"bodies.machine.mass\", from = 5, to = 20, points = 3}, "
@@ -54,7 +54,7 @@ TEST(DesignEvaluation, JudgesElementsWithLossFactorsOneByOneAndSaysSo) {
 }
 
 /// With heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it only at infinity.
-TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
+TEST(DesignEvaluation, MeetsALimitThatEveryDesignReachesExactly) {
   const project::Project project =
       test::project(mapped_machine("map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 4, points = "
                                    "15}, y = {parameter = \"elements.spring.damping.proportional\", from = "
@@ -70,7 +70,7 @@ TEST(DesignEvaluation, KeepsALimitThatEveryDesignStandsOn) {
   }
 }
 
-TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
+TEST(DesignEvaluation, ReportsThatRowsOfAnswersChangeBetweenDesigns) {
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
@@ -78,14 +78,14 @@ TEST(DesignEvaluation, SaysThatRowsOfAnswersChangeWhereTheyForbidTheFastWay) {
   EXPECT_THAT(map.report.summary(), testing::HasSubstr("defined differently from design to design"));
 }
 
-TEST(DesignEvaluation, CountsDesignsByTheWayTheyWereJudged) {
+TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {
   const project::Project project = *project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/map.toml");
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map, {30, 30, {}});
   EXPECT_EQ(map.report.proven + map.report.fallback + map.report.assembled_separately, 900u);
   EXPECT_GT(map.report.proven, 800u);
 }
 
-TEST(DesignEvaluation, JudgesDesignsAndCasesOneByOneOnAnyNumberOfThreadsAlikeAndTellsHowFarItIs) {
+TEST(DesignEvaluation, IsTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   std::string cases;
   for (int k = 0; k < 12; ++k) cases += fmt::format("[cases.c{}]\nelements.spring.scale = {}\n", k, 0.6 + 0.1 * k);
   const project::Project project =

@@ -45,7 +45,7 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
   }
 }
 
-TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
+TEST(DesignFamily, UsesLogarithmsIfTheyAreSmoother) {
   const auto family =
       design::DesignFamily::fitted(
           [](const design::FamilyPoint& p) { return design::PlainDesignOrReason{design_of(std::log(p.x), p.y), ""}; },
@@ -55,7 +55,7 @@ TEST(DesignFamily, TakesLogarithmsWhereTheseAreSmoother) {
   EXPECT_EQ(family->x_nodes(), 2u);
 }
 
-TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
+TEST(DesignFamily, RejectsAKinkAndNamesItsParameter) {
   const auto along_x = [](const design::FamilyPoint& p) {
     return design::PlainDesignOrReason{design_of(std::abs(p.x - 3.3), p.y), ""};
   };
@@ -70,7 +70,7 @@ TEST(DesignFamily, RefusesAKinkAndNamesTheNumber) {
   EXPECT_THAT(of_y.reason, testing::EndsWith("within 1e-12 along delta"));
 }
 
-TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
+TEST(DesignFamily, RejectsRowsThatChange) {
   const auto changing = [](const design::FamilyPoint& p) {
     design::PlainDesign design = design_of(p.x, p.y);
     design.rows(0, 0) = p.x;
@@ -81,7 +81,7 @@ TEST(DesignFamily, RefusesRowsThatChangeAndSaysSo) {
   EXPECT_THAT(found.reason, testing::HasSubstr("defined differently from design to design"));
 }
 
-TEST(DesignFamily, TellsWhyADesignInTheMiddleIsNotPlain) {
+TEST(DesignFamily, ReportsWhyADesignInTheMiddleIsNotPlain) {
   const auto lossy = [](const design::FamilyPoint& p) {
     return p.x > 5 ? design::PlainDesignOrReason{{}, "loss factors"}
                    : design::PlainDesignOrReason{design_of(p.x, p.y), ""};

@@ -13,21 +13,21 @@ using namespace trivet;
 const design::RuleSet four_limits{
     std::vector<design::DesignRule>(4, {design::DesignRule::Kind::amplitude, 0, 1.0}), {}, 1e-6};
 
-TEST(Governing, TakesTheFirstOfRulesThatRoundOffAloneTellsApart) {
+TEST(Governing, IsTheFirstOfRulesThatDifferByRoundOffOnly) {
   const design::Governing found = design::governing(four_limits, {0.1, 2 * (1 - 1e-13), 2.0, 2 * (1 + 1e-9)});
   EXPECT_EQ(found.rule, 1u);
   EXPECT_EQ(found.margin, 1 / (2 * (1 + 1e-9)));
 }
 
-TEST(Governing, TakesTheLeastWhereADesignTellsRulesApart) {
+TEST(Governing, HasTheLeastMarginIfRulesDiffer) {
   EXPECT_EQ(design::governing(four_limits, {0.1, 2.0, 2.0001, 2.00005}).rule, 2u);
 }
 
-TEST(Governing, NamesNoKeptRuleWhereOneIsBroken) {
+TEST(Governing, IsAViolatedRuleIfOneIsViolated) {
   EXPECT_EQ(design::governing(four_limits, {1 - 1e-8, 1 + 1e-8, 1.0, 0.5}).rule, 1u);
 }
 
-TEST(Margin, OfAValueOnItsLimitIsOne) {
+TEST(Margin, IsOneForAValueOnItsLimit) {
   const design::DesignRule limit{design::DesignRule::Kind::amplitude, 0, 1e-3},
       no_peak{design::DesignRule::Kind::no_peak, 0, 0.01};
   EXPECT_EQ(design::margin(limit, 1.0000000000000002e-3), 1);
@@ -38,7 +38,7 @@ TEST(Margin, OfAValueOnItsLimitIsOne) {
   EXPECT_LT(design::margin(no_peak, 0.01 * (1 + 1e-6)), 1);
 }
 
-TEST(Governing, HasNoBoundWhereNoRuleHasAMargin) {
+TEST(Governing, IsUnboundedIfNoRuleHasAMargin) {
   const design::Governing found = design::governing(four_limits, {0, 0, 0, 0});
   EXPECT_EQ(found.rule, 0u);
   EXPECT_EQ(found.margin, std::numeric_limits<double>::infinity());

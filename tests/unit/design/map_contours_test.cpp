@@ -49,13 +49,13 @@ TEST(MapContours, EndTheirLinesOnTheFrame) {
   for (const design::MapPlace& p : half.lines[0]) EXPECT_NEAR(p.x, 0.42, round_off);
 }
 
-TEST(MapContours, ConnectOppositeCornersOnlyWhereToldTo) {
+TEST(MapContours, ConnectOppositeCornersOnlyOnRequest) {
   const auto saddle = [](design::MapPlace p) { return (p.x - 0.5) * (p.y - 0.5); };
   EXPECT_EQ(contours_of({2, 2}, saddle, false).rings.size(), 2u);
   EXPECT_EQ(contours_of({2, 2}, saddle, true).rings.size(), 1u);
 }
 
-TEST(MapContours, OfEverythingIsTheFrame) {
+TEST(MapContours, AreTheFrameIfEverythingIsInside) {
   const design::MapContours all = contours_of({5, 4}, [](design::MapPlace) { return 1.0; });
   constexpr double few_roundings = 1e-15;  // 14 triangles over the nodes of the frame
   EXPECT_NEAR(all.area, 1, few_roundings);

@@ -17,7 +17,7 @@ constexpr double round_off = 1e-15;  // a few operations on numbers from 0 to 1
 /// Margins up to 4 are stored as floats of 6e-8; the lines interpolate their logarithms, which is exact here.
 constexpr double float_margins = 1e-5;
 
-TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
+TEST(DrawnGrid, ContainsBothEndsAndMapsItsPlaces) {
   const design::DrawnGrid drawn = design::drawn_grid({1000, 100});
   EXPECT_EQ(drawn.columns.size(), 241u);
   EXPECT_EQ(drawn.rows.size(), 100u);
@@ -28,7 +28,7 @@ TEST(DrawnGrid, HoldsBothEndsAndPutsPlacesOntoTheMap) {
     EXPECT_NEAR(drawn.on_map(nodes.place(k, 0)).x, drawn.columns[to_size(k)] / 999.0, round_off);
 }
 
-TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
+TEST(MarginLines, LieAtTheirMarginOnAFineGrid) {
   const design::MapGrid grid{700, 500};
   const auto all =
       outcomes(grid, [](int i, int j) { return static_cast<float>(std::exp(0.9 * i / 699 + 0.4 * j / 499)); });
@@ -39,7 +39,7 @@ TEST(MarginLines, LieWhereTheMarginIsAlsoOnAFineGrid) {
       for (const design::MapPlace& p : line) EXPECT_NEAR(std::exp(0.9 * p.x + 0.4 * p.y), margin.margin, float_margins);
 }
 
-TEST(MarginLines, EndBesideDesignsWithoutBound) {
+TEST(MarginLines, EndNextToDesignsWithoutBound) {
   const design::MapGrid grid{41, 41};
   const auto all =
       outcomes(grid, [](int i, int j) { return i + j > 50 ? unlimited : static_cast<float>(std::exp(0.05 * i)); });
@@ -51,7 +51,7 @@ TEST(MarginLines, EndBesideDesignsWithoutBound) {
         EXPECT_NEAR(std::exp(2 * p.x), margin.margin, float_margins) << "a step along the border of what has no bound";
 }
 
-TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
+TEST(MarginLines, EndIfTheyWouldLieCloserThanTheDesigns) {
   const design::MapGrid grid{41, 41};
   const auto all = outcomes(grid, [](int i, int j) {
     return i + j < 30 ? 0.9F : static_cast<float>(1.4 * std::exp(0.02 * i));
@@ -64,7 +64,7 @@ TEST(MarginLines, EndWhereTheyWouldLieCloserThanTheDesigns) {
         EXPECT_NEAR(1.4 * std::exp(0.8 * p.x), margin.margin, float_margins) << "a step along the cliff";
 }
 
-TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
+TEST(MarginLines, LeadToTheNearestDesignIfNoneIsFeasible) {
   const design::MapGrid grid{201, 101};
   for (const auto& [least, largest] : {std::pair{1e-4, 0.95}, {0.5, 0.9}, {0.037, 0.042}}) {
     const double growth = std::log(largest / least);
@@ -79,7 +79,7 @@ TEST(MarginLines, LeadToTheNearestDesignWhereNoneIsFeasible) {
   }
 }
 
-TEST(MarginLines, AreNoneWhereNoMarginIsAboveZero) {
+TEST(MarginLines, AreMissingIfNoMarginIsAboveZero) {
   const design::MapGrid grid{5, 5};
   EXPECT_TRUE(design::margin_lines(design::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }), 0).empty());
 }

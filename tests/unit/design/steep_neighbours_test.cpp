@@ -27,17 +27,17 @@ TEST(SteepNeighbours, DifferMoreThanTenfold) {
   EXPECT_EQ(steep({0.5F, amplitude}, {5, amplitude}), 0u);
 }
 
-TEST(SteepNeighbours, AreGovernedByLimitsOnAmplitudesBoth) {
+TEST(SteepNeighbours, AreBothGovernedByAmplitudeLimits) {
   EXPECT_EQ(steep({0.5F, amplitude}, {50, no_peak}), 0u);
   EXPECT_EQ(steep({0.5F, no_peak}, {50, no_peak}), 0u);
 }
 
-TEST(SteepNeighbours, MayHaveNoMarginAtAllOnOneSide) {
+TEST(SteepNeighbours, MayHaveZeroMarginOnOneSide) {
   EXPECT_EQ(steep({0, amplitude}, {0.1F, amplitude}), 1u);  // an unbounded amplitude
   EXPECT_EQ(steep({0, amplitude}, {0, amplitude}), 0u);
 }
 
-TEST(SteepNeighbours, AreKnownAndBounded) {
+TEST(SteepNeighbours, HaveKnownFiniteMargins) {
   EXPECT_EQ(steep({0.5F, amplitude}, {std::numeric_limits<float>::infinity(), amplitude}), 0u);
   EXPECT_EQ(steep({0.5F, amplitude}, {0, design::DesignOutcome::no_model}), 0u);
 }

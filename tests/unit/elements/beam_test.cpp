@@ -62,7 +62,7 @@ TEST(Beam, TheMassMatrixHasTheInertiaOfTheRigidBeam) {
   }
 }
 
-TEST(Beam, TwoHalvesInSeriesAreTheWhole) {
+TEST(Beam, TwoPartsInSeriesEqualTheWhole) {
   std::mt19937 engine(5);
   for (int round = 0; round < 20; ++round) {
     const Beam whole = random_beam(engine);

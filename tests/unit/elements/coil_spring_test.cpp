@@ -33,7 +33,7 @@ TEST(CoilSpringCheck, AnEmptyDescriptionNamesEverythingMissing) {
                                    "shear_modulus", "density"));
 }
 
-TEST(CoilSpringCheck, EveryBrokenBoundIsNamed) {
+TEST(CoilSpringCheck, EveryViolatedBoundIsNamed) {
   const auto errors = [](auto change) {
     CoilSpring spring = literature_spring();
     change(spring);
@@ -116,7 +116,7 @@ TEST(CoilSpring, RepeatedLookupsOfFrequenciesAgree) {
                foundation::InvalidInput);
 }
 
-TEST(CoilNaturalFrequencies, AreFoundWhenTheSearchHitsOneToTheLastDigit) {
+TEST(CoilNaturalFrequencies, AreFoundIfTheSearchHitsOneExactly) {
   CoilSpring spring;
   spring.wire = elements::RoundWire{0.01};
   spring.mean_diameter = 0.08;

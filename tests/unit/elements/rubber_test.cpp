@@ -101,7 +101,7 @@ TEST(RubberBlock, ExchangingTheWidthsTurnsTheElement) {
   EXPECT_GT(a.bending_1, a.bending_2);
 }
 
-TEST(PressureModulus, OfARingTendsToTheIncompressibleOne) {
+TEST(PressureModulus, TendsToTheIncompressibleOneForARing) {
   constexpr double compressibility = 1e-5;  // (κ times the width)², by which the pressure decays
   const double h = 0.02;
   const Rubber stiff{1e6, 1e13}, rigid{1e6, std::numeric_limits<double>::infinity()};
@@ -111,7 +111,7 @@ TEST(PressureModulus, OfARingTendsToTheIncompressibleOne) {
               test::RelativelyNear(ring_pressure_bending_modulus(rigid, 0.1, 0.04, h), compressibility));
 }
 
-TEST(PressureModulus, OfAThinRingAndOfALongBlockIsThatOfAStrip) {
+TEST(PressureModulus, IsThatOfAStripForAThinRingAndALongBlock) {
   const double w = 0.01, h = 0.002;
   const Rubber rigid{1e6, std::numeric_limits<double>::infinity()};
   const double strip = 1e6 * w * w / (h * h);  // G w²/h²
@@ -122,21 +122,21 @@ TEST(PressureModulus, OfAThinRingAndOfALongBlockIsThatOfAStrip) {
   EXPECT_THAT(block_pressure_bending_modulus(rigid, w, 1000, h), test::RelativelyNear(strip / 5, free_ends));
 }
 
-TEST(PressureModulus, OfAnEndlessLayerIsTheBulkModulus) {
+TEST(PressureModulus, IsTheBulkModulusForAVeryWideLayer) {
   const Rubber rubber{1e6, 2e9};
   constexpr double free_edge = 0.01;  // pressure decays within 0.13 m of the edges of 100 m
   EXPECT_THAT(disc_pressure_modulus(rubber, 100, 0.01), test::RelativelyNear(2e9, free_edge));
   EXPECT_THAT(block_pressure_modulus(rubber, 100, 100, 0.01), test::RelativelyNear(2e9, free_edge));
 }
 
-TEST(Sandwich, OfOneLayerIsTheLayer) {
+TEST(Sandwich, IsTheLayerIfThereIsOnlyOne) {
   const RubberDisc disc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.02};
   const Matrix12 one = rubber_disc(disc);
   EXPECT_LE((sandwich({.layer = disc, .layers = 1}) - one).cwiseAbs().maxCoeff(),
             round_off * one.cwiseAbs().maxCoeff());
 }
 
-TEST(Sandwich, OfManyLayersBendsLikeATimoshenkoColumn) {
+TEST(Sandwich, BendsLikeATimoshenkoColumn) {
   // n layers: the flexibility of a parallel shift of the ends is n/k_shear plus that of tilting layers,
   // Σ z_i²/k_bending about the middle.
   const RubberDisc disc{.rubber = {1e6}, .radius = 0.1, .thickness = 0.01};
@@ -171,7 +171,7 @@ TEST(RubberChecks, NameEveryBadNumber) {
   EXPECT_THROW((void)in_series({}, {}), foundation::InvalidInput);
 }
 
-TEST(Hardness, IsHeldToItsRange) {
+TEST(Hardness, IsCheckedAgainstItsRange) {
   EXPECT_TRUE(check_hardness(55).list().empty());
   EXPECT_EQ(check_hardness(85).list().front().severity, foundation::Severity::warning);
   EXPECT_TRUE(check_hardness(100).has_errors());

@@ -29,7 +29,7 @@ StiffnessTable over_frequencies(std::vector<double> frequencies, const std::vect
   return table;
 }
 
-TEST(StiffnessTable, GivesItsKnotsBack) {
+TEST(StiffnessTable, PassesThroughItsKnots) {
   for (const Interpolation way : {Interpolation::linear, Interpolation::monotone_cubic}) {
     const StiffnessTable table = over_frequencies({0, 10, 30, 100}, {1e5, 3e5, 2.5e5, 8e5}, way);
     for (int i = 0; i < 4; ++i) {
@@ -97,7 +97,7 @@ TEST(StiffnessTable, InterpolatesOverAmplitudeAndNeedsNoFrequencies) {
   EXPECT_THAT(k.imag(), test::RelativelyNear(1.25e4, round_off));
 }
 
-TEST(StiffnessTable, RefusesToExtrapolate) {
+TEST(StiffnessTable, RejectsFrequenciesOutsideItsRange) {
   const StiffnessTable table = over_frequencies({10, 100}, {1e5, 2e5}, Interpolation::linear);
   EXPECT_THROW((void)dynamic_stiffness(table, 9.99, 0), foundation::InvalidInput);
   EXPECT_THROW((void)dynamic_stiffness(table, 100.1, 0), foundation::InvalidInput);

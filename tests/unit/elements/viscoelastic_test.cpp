@@ -48,7 +48,7 @@ TEST(RelativeModulus, IsAnalyticInTheRightHalfOfTheComplexFrequencies) {
     }
 }
 
-TEST(RelativeModulus, AFractionalLawOfOrderOneIsZeners) {
+TEST(RelativeModulus, AFractionalLawOfOrderOneIsAZenerLaw) {
   for (double w = 0.01; w < 1e5; w *= 7)
     EXPECT_THAT(relative_modulus(FractionalZener{0.8, 0.01, 1}, w),
                 test::RelativelyNear(relative_modulus(Zener{0.8, 0.01}, w), few_roundings));
@@ -60,7 +60,7 @@ TEST(RelativeModulus, StaysFiniteAtExtremeFrequencies) {
       EXPECT_TRUE(std::isfinite(std::abs(relative_modulus(law, w)))) << law_description(law);
 }
 
-TEST(RationalForm, IsTheLawItselfWhereTheLawIsRational) {
+TEST(RationalForm, IsTheLawItselfIfTheLawIsRational) {
   for (std::size_t i = 0; i < 3; ++i) {
     const RationalForm form = rational_form(laws[i], 1, 1e4);
     EXPECT_EQ(form.worst_error, 0);
@@ -86,7 +86,7 @@ TEST(RationalForm, FitsAFractionalLawPassivelyToTheAccuracyAsked) {
       }
 }
 
-TEST(RationalForm, RefusesAnEmptyBandAndAnUnphysicalLaw) {
+TEST(RationalForm, RejectsAnEmptyBandAndAnUnphysicalLaw) {
   EXPECT_THROW((void)rational_form(laws[3], 10, 10), foundation::InvalidInput);
   EXPECT_THROW((void)rational_form(laws[3], 0, 10), foundation::InvalidInput);
   EXPECT_THROW((void)rational_form(FractionalZener{1, -1, 0.5}, 1, 10), foundation::InvalidInput);
