@@ -23,7 +23,11 @@ using ::testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr double round_off = 1e-13;  // some hundred operations on numbers of order 1
+constexpr double round_off = 1e-13;       // some hundred operations on numbers of order 1
+constexpr double time_round_off = 1e-12;  // times near 3 s are rounded by 4e-16 s, 4e-14 of a pulse of 11 ms
+constexpr double simpsons_error = 1e-9;   // h⁴ u⁗ T/180 with steps of 2 ms and u⁗ of a few hundred
+constexpr double time_step = 1e-5;        // [s] of central differences; their error is h² times a third derivative / 6
+constexpr double step_error = 1e-8, higher_step_error = 1e-7;  // third derivatives up to 400, and up to 4000
 
 /// Simpson's rule, the second method for every integral here. Only for functions that are smooth on [a, b].
 double simpson(const std::function<double(double)>& f, double a, double b, int halves = 400) {
@@ -42,12 +46,13 @@ TEST(Signal, IsZeroBeforeItsFirstPieceAndJumpsAtItsStart) {
 }
 
 TEST(Signal, StateHoldsTheDerivativesOfItsValue) {
-  const double h = 1e-5;
+  const double h = time_step;
   for (const Piece& piece : {Piece{1, 2, 3, 4, 0}, Piece{1, 2, 3, 4, 5}, Piece{1, 2, 3, 4, 0.01}}) {
     const SignalState before = state_on(piece, 0.7 - h), here = state_on(piece, 0.7), after = state_on(piece, 0.7 + h);
-    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
-    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-8);
-    EXPECT_NEAR((after.curvature - before.curvature) / (2 * h), -piece.kappa * piece.kappa * here.rate, 1e-7);
+    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, step_error);
+    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, step_error);
+    EXPECT_NEAR((after.curvature - before.curvature) / (2 * h), -piece.kappa * piece.kappa * here.rate,
+                higher_step_error);
   }
 }
 
@@ -57,7 +62,8 @@ TEST(Signal, ASlowSineGoesOverIntoAParabola) {
   EXPECT_THAT(slow.rate, RelativelyNear(parabola.rate, round_off));
   const double slow_integral = integrals({{Piece{0, 1, 2, 3, 1e-5}}}, 2).twice,
                parabola_integral = integrals({{Piece{0, 1, 2, 3, 0}}}, 2).twice;
-  EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, 1e-9));  // κ²s² = 4e-10
+  constexpr double curved = 1e-9;  // κ²s² = 4e-10
+  EXPECT_THAT(slow_integral, RelativelyNear(parabola_integral, curved));
   // Both sides of the change from series to closed form at κs = 1.
   EXPECT_THAT(state_on({0, 1, 2, 3, 1 + 1e-14}, 1).value,
               RelativelyNear(state_on({0, 1, 2, 3, 1 - 1e-14}, 1).value, round_off));
@@ -71,16 +77,16 @@ TEST(Signal, IntegralsAgreeWithSimpsonsRule) {
           simpson([&](double t) { return weight(t) * state_on(second, t - 1.5).value; }, 1.5, 3);
     };
     const SignalIntegrals sum = integrals({{piece, second}}, 3);
-    EXPECT_THAT(sum.once, RelativelyNear(both([](double) { return 1.0; }), 1e-9));
-    EXPECT_THAT(sum.twice, RelativelyNear(both([](double t) { return 3 - t; }), 1e-9));  // ∬u = ∫(t − τ)u dτ
+    EXPECT_THAT(sum.once, RelativelyNear(both([](double) { return 1.0; }), simpsons_error));
+    EXPECT_THAT(sum.twice, RelativelyNear(both([](double t) { return 3 - t; }), simpsons_error));  // ∬u = ∫(t − τ)u dτ
   }
 }
 
 TEST(Pulses, ChangeTheVelocityByTheirTextbookAreas) {
   const double A = 490, T = 0.011;
   EXPECT_THAT(integrals(half_sine(A, T, 3), 4).once, RelativelyNear(2 * A * T / pi, round_off));
-  EXPECT_THAT(integrals(versed_sine(A, T, 3), 4).once, RelativelyNear(A * T / 2, 1e-12));
-  EXPECT_THAT(integrals(terminal_peak_sawtooth(A, T, 3), 4).once, RelativelyNear(A * T / 2, 1e-12));
+  EXPECT_THAT(integrals(versed_sine(A, T, 3), 4).once, RelativelyNear(A * T / 2, time_round_off));
+  EXPECT_THAT(integrals(terminal_peak_sawtooth(A, T, 3), 4).once, RelativelyNear(A * T / 2, time_round_off));
   EXPECT_THAT(integrals(rectangular(A, T), 4).once, RelativelyNear(A * T, round_off));
   EXPECT_THAT(integrals(trapezoid(A, 0.1, 0.5, 0.2), 4).once, RelativelyNear(A * 0.65, round_off));
   EXPECT_NEAR(integrals(sine_burst(A, 50, 3), 4).once, 0, A / 50 * round_off);
@@ -89,7 +95,8 @@ TEST(Pulses, ChangeTheVelocityByTheirTextbookAreas) {
 TEST(Pulses, ReachTheirAmplitudeAndReturnToZero) {
   EXPECT_THAT(state(half_sine(7, 2, 1), 2).value, RelativelyNear(7, round_off));
   EXPECT_THAT(state(versed_sine(7, 2, 1), 2).value, RelativelyNear(7, round_off));
-  EXPECT_THAT(state(terminal_peak_sawtooth(7, 2, 1), 3 - 1e-9).value, RelativelyNear(7, 1e-8));
+  constexpr double just_before = 1e-9, slope = 1e-8;  // 1e-9 s before its end it is 5e-10 below its peak
+  EXPECT_THAT(state(terminal_peak_sawtooth(7, 2, 1), 3 - just_before).value, RelativelyNear(7, slope));
   EXPECT_THAT(state(triangle(7, 1, 3, 1), 2).value, RelativelyNear(7, round_off));
   EXPECT_THAT(state(sine_burst(7, pi, 2.5, 1), 1.5).value, RelativelyNear(7, round_off));
   EXPECT_THAT(state(ramp(7, 2, 1), 2).value, RelativelyNear(3.5, round_off));
@@ -139,6 +146,12 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
   using Law = Sweep::Law;
   using Amplitude = Sweep::Amplitude;
   const double slowest = 2 * pi * 2, fastest = 2 * pi * 40;
+  constexpr double angle_error = 1e-8;  // [rad] Simpson's rule in steps of 5 ms, and round-off of 500 rad
+  constexpr double run_up = 1.2;        // the amplitude at the end of an interval counts
+  constexpr double not_wasteful = 0.3;  // not much more accurate than necessary
+  constexpr double rate_factor = 4;     // the value is wrong by (2/81)|u‴|h³, the rate by a multiple of |u‴|h²
+  constexpr double joint_round_off =
+      1e-9;  // times near 5 s are rounded by 1e-15 s, differences by more over short pieces
   for (const Sweep& sweep : {Sweep{3, slowest, fastest, 4, Law::linear, Amplitude::constant, 0.3, 1},
                              Sweep{3, 0, fastest, 4}, Sweep{3, fastest, slowest, 4, Law::logarithmic},
                              Sweep{3, slowest, fastest, 4, Law::logarithmic, Amplitude::speed_squared},
@@ -154,7 +167,7 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
         const double amplitude =
             sweep.amplitude * (sweep.amplitude_law == Amplitude::constant ? 1 : std::pow(omega / sweep.to, 2));
         if (i % 50 == 0) {
-          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(angle(sweep, s)), 1e-8);  // Simpson's error
+          EXPECT_NEAR(sweep_state(sweep, s).value, amplitude * std::sin(angle(sweep, s)), angle_error);
         }
         const SignalState state_here = state(signal, sweep.start + s), exact = sweep_state(sweep, s);
         if (omega > slowest / 2) {
@@ -162,26 +175,26 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
           worst_rate = std::max(worst_rate, std::abs(state_here.rate - exact.rate) / (amplitude * omega));
         }
       }
-      EXPECT_LE(worst, 1.2 * tolerance);  // in a run-up the amplitude at the end of an interval counts
-      EXPECT_GE(worst, 0.3 * tolerance);  // not much more accurate than necessary
-      EXPECT_LE(worst_rate, 4 * std::pow(tolerance, 2.0 / 3));
+      EXPECT_LE(worst, run_up * tolerance);
+      EXPECT_GE(worst, not_wasteful * tolerance);
+      EXPECT_LE(worst_rate, rate_factor * std::pow(tolerance, 2.0 / 3));
       for (std::size_t i = 1; i + 1 < signal.pieces.size(); ++i) {  // value and rate are continuous
         const SignalState end = state_on(signal.pieces[i - 1], signal.pieces[i].start - signal.pieces[i - 1].start);
-        ASSERT_NEAR(end.value, signal.pieces[i].value, 1e-9);
-        ASSERT_NEAR(end.rate, signal.pieces[i].rate, 1e-9 * fastest);
+        ASSERT_NEAR(end.value, signal.pieces[i].value, joint_round_off);
+        ASSERT_NEAR(end.rate, signal.pieces[i].rate, joint_round_off * fastest);
       }
       EXPECT_EQ(state(signal, sweep.start + sweep.duration + 1e-9).value, 0);
     }
 }
 
 TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
-  const double h = 1e-5;
+  const double h = time_step;
   for (const auto law : {Sweep::Law::linear, Sweep::Law::logarithmic}) {
     const Sweep sweep{2, 3, 8, 4, law, Sweep::Amplitude::speed_squared, 0.3};
     const SignalState before = sweep_state(sweep, 1.7 - h), here = sweep_state(sweep, 1.7),
                       after = sweep_state(sweep, 1.7 + h);
-    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, 1e-8);  // h² u‴/6
-    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, 1e-7);
+    EXPECT_NEAR((after.value - before.value) / (2 * h), here.rate, step_error);
+    EXPECT_NEAR((after.rate - before.rate) / (2 * h), here.curvature, higher_step_error);
   }
 }
 

@@ -62,7 +62,7 @@ TEST(Hyperelastic, TangentIsTheSlopeOfTheStress) {
 
 TEST(Hyperelastic, UniaxialTensionFollowsTheInvariants) {
   // Incompressible bar at stretch λ: P = 2 (λ − λ⁻²)(W1 + W2/λ), Treloar; the pressure cancels the lateral stress.
-  constexpr double stretch = 1.4, round_off = 1e-13;
+  constexpr double stretch = 1.4, round_off = 1e-13;  // a few dozen operations on numbers up to 50
   const Eigen::Matrix3d f = Eigen::Vector3d(stretch, 1 / std::sqrt(stretch), 1 / std::sqrt(stretch)).asDiagonal();
   const double e = stretch * stretch + 2 / stretch - 3;
   for (const fem::Material& m : solids()) {
@@ -75,7 +75,8 @@ TEST(Hyperelastic, UniaxialTensionFollowsTheInvariants) {
 }
 
 TEST(FemElement, TangentIsTheSlopeOfTheForces) {
-  constexpr double step = 1e-6, truncation = 1e-6;
+  constexpr double step = 1e-6,
+                   truncation = 1e-6;  // central differences: step² of numbers up to 50, and their round-off over step
   for (const fem::Material& material : solids())
     for (const bool tetrahedra : {false, true}) {
       const fem::Mesh hexahedra = fem::mesh(fem::Disc{.diameter = 2, .layers = {{.thickness = 1}}}, 1);
@@ -134,7 +135,7 @@ double patch_unbalance(const fem::Mesh& regular, const Eigen::Matrix3d& gradient
 TEST(FemElement, PassesThePatchTestAtFiniteStrainOnDistortedElements) {
   // The rule of 3×3×3 points is exact here even on curved elements: gradient times determinant is a polynomial of
   // degree 5.
-  constexpr double round_off = 1e-12;
+  constexpr double round_off = 1e-12;  // sums over 27 points of some hundred operations
   const fem::Mesh hexahedra = fem::mesh(fem::Block{.width = 1, .depth = 1, .layers = {{.thickness = 1}}}, 1);
   const Eigen::Matrix3d gradient = Eigen::Matrix3d::Identity() + 0.1 * random_matrix(3, 3, 3);
   for (const fem::Material& m : solids()) {
@@ -145,7 +146,7 @@ TEST(FemElement, PassesThePatchTestAtFiniteStrainOnDistortedElements) {
 }
 
 TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
-  constexpr double round_off = 1e-11;
+  constexpr double round_off = 1e-11;  // 61 eliminations, in another order than the factorization
   constexpr int elements = 60, inner = 61,
                 retained = 2;  // an indefinite chain of elements with 3 unknowns, with loops to the retained ones
   std::vector<std::vector<int>> unknowns;
@@ -175,7 +176,7 @@ TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
 }
 
 TEST(FemCondensation, IsAPassiveStressFreeElementInSkewAxes) {
-  constexpr double round_off = 1e-10;
+  constexpr double round_off = 1e-10;  // all eliminations; the bulk modulus is 2000 times the shear modulus
   fem::ElementFrame skew = fem::frame(cylinder);
   skew.point_n = Eigen::Vector3d(0.003, -0.002, -0.001);
   skew.axes = Eigen::AngleAxisd(0.8, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
