@@ -47,7 +47,7 @@ NamedMatrix shuffled(const NamedMatrix& matrix) {
   return result;
 }
 
-TEST(EndStiffness, OfAChainOfBeamsIsTheLongBeam) {
+TEST(EndStiffness, AChainOfBeamsEqualsTheLongBeam) {
   const Eigen::MatrixXd wanted = bernoulli();
   for (const NamedMatrix& matrix : {chain(), shuffled(chain())}) {
     const auto ends = exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15});
@@ -57,7 +57,7 @@ TEST(EndStiffness, OfAChainOfBeamsIsTheLongBeam) {
   }
 }
 
-TEST(EndStiffness, ByRowsIsThatByLabels) {
+TEST(EndStiffness, IsTheSameByRowsAndByLabels) {
   NamedMatrix matrix = chain();
   matrix.labels.clear();
   const auto ends = exchange::reduce_to_rows(matrix, {1, 2, 3, 4, 5, 6, 25, 26, 27, 28, 29, 30});
@@ -79,7 +79,7 @@ TEST(EndStiffness, InSiPassesTheChecksOfAnElement) {
   EXPECT_TRUE(elements::is_semidefinite(verdict));
 }
 
-TEST(EndStiffness, WithRotationsOnASecondNodeIsTheSame) {
+TEST(EndStiffness, IsTheSameWithRotationsOnASecondNode) {
   NamedMatrix matrix = chain();
   for (Label& label : matrix.labels)
     if ((label.node == 11 || label.node == 15) && label.component > 3) label = {label.node + 100, label.component - 3};
@@ -88,7 +88,7 @@ TEST(EndStiffness, WithRotationsOnASecondNodeIsTheSame) {
   EXPECT_THAT(ends->values, NearInUnits(bernoulli(), entry_scale(bernoulli()), condensed_round_off));
 }
 
-TEST(EndStiffness, OfPlatesCountsTheirLevers) {
+TEST(EndStiffness, IncludesTheLeversOfPlates) {
   // The reference point of end N is 30 mm in front of it, and node 12 is in the same plate: the bar is shortened to
   // 90 mm, its lever is 60 mm.
   exchange::RigidEnd n{{0, 0, -30}, {{11, {0, 0, 0}}, {12, {0, 0, 30}}}};
@@ -102,7 +102,7 @@ TEST(EndStiffness, OfPlatesCountsTheirLevers) {
   EXPECT_THAT(ends->values, NearInUnits(wanted, entry_scale(wanted), condensed_round_off));
 }
 
-TEST(EndStiffness, OfAComplexMatrixKeepsItsLossFactor) {
+TEST(EndStiffness, KeepsTheLossFactorOfAComplexMatrix) {
   NamedMatrix matrix = chain();
   matrix.imaginary = 0.02 * matrix.values;
   const auto ends = exchange::reduce_to_ends(matrix, exchange::NodeEnd{11}, exchange::NodeEnd{15});
@@ -112,7 +112,7 @@ TEST(EndStiffness, OfAComplexMatrixKeepsItsLossFactor) {
   EXPECT_THAT(*ends->imaginary, NearInUnits(loss, entry_scale(loss), condensed_round_off));
 }
 
-TEST(EndStiffness, LeavesOutEmptyRowsAndSaysSo) {
+TEST(EndStiffness, ExcludesEmptyRowsWithAWarning) {
   NamedMatrix matrix = chain();
   matrix.values.conservativeResizeLike(Eigen::MatrixXd::Zero(32, 32));
   matrix.labels.push_back({20, 4});
@@ -124,7 +124,7 @@ TEST(EndStiffness, LeavesOutEmptyRowsAndSaysSo) {
               HasSubstr("2 rows hold only zeros, the first one is node 20, component 4"));
 }
 
-TEST(EndStiffness, NamesWhatHangsLoose) {
+TEST(EndStiffness, NamesUnconnectedParts) {
   NamedMatrix matrix = chain();
   matrix.values.conservativeResizeLike(Eigen::MatrixXd::Zero(32, 32));  // two masses on a free spring
   matrix.values.bottomRightCorner<2, 2>() << 500, -500, -500, 500;
@@ -134,7 +134,7 @@ TEST(EndStiffness, NamesWhatHangsLoose) {
   EXPECT_THAT(complaint(ends), HasSubstr("condensation: node 21, component 1 can move without force"));
 }
 
-TEST(EndStiffness, SaysWhichEndIsMissing) {
+TEST(EndStiffness, NamesTheMissingEnd) {
   const auto said = [](int n, int k) {
     return complaint(exchange::reduce_to_ends(chain(), exchange::NodeEnd{n}, exchange::NodeEnd{k}));
   };
@@ -152,14 +152,14 @@ TEST(EndStiffness, SaysWhichEndIsMissing) {
               HasSubstr("end N: no nodes"));
 }
 
-TEST(EndStiffness, RefusesRowsOutsideTheMatrix) {
+TEST(EndStiffness, RejectsRowsOutsideTheMatrix) {
   EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 31})),
               HasSubstr("rows: row 0"));
   EXPECT_THAT(complaint(exchange::reduce_to_rows(chain(), {1, 1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12})),
               HasSubstr("named twice"));
 }
 
-TEST(EndStiffness, RefusesUnitsThatAreNone) {
+TEST(EndStiffness, RejectsInvalidUnits) {
   EXPECT_THROW(static_cast<void>(exchange::in_si(bernoulli(), 0, 1)), foundation::InvalidInput);
   EXPECT_THROW(static_cast<void>(exchange::in_si(bernoulli(), 1, -1)), foundation::InvalidInput);
 }

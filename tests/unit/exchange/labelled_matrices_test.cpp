@@ -83,7 +83,7 @@ TEST(NastranDmig, IsTheSameInFreeFieldLargeFieldWithContinuationsAndTabs) {
   }
 }
 
-TEST(NastranDmig, TakesAmplitudeAndPhaseInDegrees) {
+TEST(NastranDmig, ReadsAmplitudeAndPhaseInDegrees) {
   const auto matrix = exchange::read_nastran_dmig("DMIG,K,0,6,4,,1\nDMIG,K,7,,,7,,2.0,30.\n", "f");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_DOUBLE_EQ(matrix->values(0, 0), std::sqrt(3.0));
@@ -92,7 +92,7 @@ TEST(NastranDmig, TakesAmplitudeAndPhaseInDegrees) {
   EXPECT_EQ(matrix->labels[0], (Label{7, 0}));
 }
 
-TEST(NastranDmig, SaysWhatIsWrongAndWhere) {
+TEST(NastranDmig, ReportsWhatIsWrongAndWhere) {
   const auto said = [](const std::string& text, const std::string& name = "") {
     return complaint(exchange::read_nastran_dmig(text, "f", name));
   };
@@ -119,7 +119,7 @@ TEST(NastranDmig, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(many), HasSubstr("at most 6000"));
 }
 
-TEST(Substructure, OfCalculixIsReadWithItsNodes) {
+TEST(Substructure, IsReadWithItsNodes) {
   const auto matrix = exchange::read_matrix_file(folder + "block_plates.mtx");
   ASSERT_TRUE(matrix) << complaint(matrix);
   ASSERT_EQ(matrix->labels.size(), 24u);
@@ -136,7 +136,7 @@ elements::MatrixVerdict verdict(const exchange::Matrix12& matrix) {
   return elements::examine(matrix, elements::rigid_motions({0, 0, 60}, Eigen::Matrix3d::Identity()));
 }
 
-TEST(MatrixStorage, OfCalculixCondensedOntoItsPlatesResistsNoRigidMotion) {
+TEST(MatrixStorage, CondensedOntoItsPlatesResistsNoRigidMotion) {
   const auto matrix = exchange::read_matrix_file(folder + "block_storage.sti");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_EQ(matrix->labels.size(), 96u);  // 20 nodes, and nine inner modes of each of four elements
@@ -150,7 +150,7 @@ TEST(MatrixStorage, OfCalculixCondensedOntoItsPlatesResistsNoRigidMotion) {
   EXPECT_LT(ends->values(8, 8), clamped_ends * bar);
 }
 
-TEST(Substructure, OfCalculixWithRigidBodiesIsCaughtByRigidMotionAlone) {
+TEST(Substructure, WithRigidBodiesFailsTheCheckOfRigidMotionOnly) {
   const auto matrix = exchange::read_matrix_file(folder + "block_rigid_body.mtx");
   ASSERT_TRUE(matrix) << complaint(matrix);
   const auto ends = exchange::reduce_to_ends(*matrix, NodeEnd{101, 103}, NodeEnd{102, 104});
@@ -162,7 +162,7 @@ TEST(Substructure, OfCalculixWithRigidBodiesIsCaughtByRigidMotionAlone) {
   EXPECT_TRUE(ends->values.topRightCorner(6, 6).isZero(printed));  // the ends are not coupled
 }
 
-TEST(Substructure, OfCalculixWithPlatesIsCaughtToo) {
+TEST(Substructure, WithPlatesFailsTheCheckOfRigidMotion) {
   const auto matrix = exchange::read_matrix_file(folder + "block_plates.mtx");
   const auto ends = exchange::reduce_to_ends(*matrix, bottom, top);
   ASSERT_TRUE(ends) << complaint(ends);
@@ -190,7 +190,7 @@ TEST(Substructure, IsReadUnsymmetricAndWithoutNamesOfNodes) {
   ASSERT_EQ(matrix->warnings.list().size(), 1u);
 }
 
-TEST(MatrixInput, OfAbaqusIsReadFromOneTriangleOrBoth) {
+TEST(AbaqusMatrix, IsReadFromOneTriangleOrBoth) {
   for (const char* text :
        {"7,1, 7,1, 3.0\n9,1, 7,1, -2.0\n9,1, 9,1, 5.\n", "** both\n7 1 7 1 3\n9 1 7 1 -2\n7 1 9 1 -2\n9 1 9 1 5\n"}) {
     const auto matrix = exchange::read_abaqus_matrix(text, "f");
@@ -200,7 +200,7 @@ TEST(MatrixInput, OfAbaqusIsReadFromOneTriangleOrBoth) {
   }
 }
 
-TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
+TEST(AbaqusMatrix, ReportsWhatIsWrongAndWhere) {
   const auto said = [](const std::string& text, const std::string& type = "stiffness") {
     return complaint(exchange::read_abaqus_matrix(text, "f", type));
   };
@@ -227,7 +227,7 @@ TEST(AbaqusMatrix, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said(element + element), HasSubstr("f:3: error: *USER ELEMENT: a second one"));
 }
 
-TEST(MatrixStorage, SaysWhatIsWrongAndWhere) {
+TEST(MatrixStorage, ReportsWhatIsWrongAndWhere) {
   const auto said = [](const char* entries, const char* rows) {
     return complaint(exchange::read_matrix_storage(entries, "k.sti", rows, "k.dof"));
   };
@@ -242,7 +242,7 @@ TEST(MatrixStorage, SaysWhatIsWrongAndWhere) {
   EXPECT_THAT(said("", "1.1\n"), HasSubstr("k.sti: error: entries: none"));
 }
 
-TEST(MatrixFile, NeedsAFormatThatIsKnown) {
+TEST(MatrixFile, NeedsAKnownFormat) {
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "README.md")),
               HasSubstr("the file name does not show it; known formats are matrix_market, numpy"));
   EXPECT_THAT(complaint(exchange::read_matrix_file(folder + "beam.npy", {"ansys", ""})),

@@ -50,7 +50,7 @@ TEST(MatrixMarket, KeepsTheImaginaryPart) {
   EXPECT_THAT(read->imaginary, NearInUnits(wanted, entry_scale(wanted), printed));
 }
 
-TEST(MatrixMarket, TakesCommentsBlankLinesAndWindowsLineEnds) {
+TEST(MatrixMarket, AcceptsCommentsBlankLinesAndWindowsLineEnds) {
   const auto read = exchange::read_matrix_market(
       "%%MatrixMarket Matrix Coordinate Integer General\r\n% by hand\r\n\r\n2 2 2\r\n1 1 3\r\n\r\n2 2 -4\r\n", "f");
   ASSERT_TRUE(read) << complaint(read);
@@ -77,7 +77,7 @@ TEST(CsvMatrix, IsReadWithCommasSemicolonsTabsAndBlanks) {
   }
 }
 
-TEST(CsvMatrix, SaysThatItTookALineForAHeading) {
+TEST(CsvMatrix, WarnsAboutALineReadAsHeading) {
   const auto read = exchange::read_csv_matrix("ux, uy\n1, 2\n3, 4\n", "f");
   ASSERT_TRUE(read);
   ASSERT_EQ(read->warnings.list().size(), 1u);
@@ -89,7 +89,7 @@ struct Bad {
   const char* complaint;
 };
 
-TEST(MatrixMarket, SaysWhatIsWrongAndWhere) {
+TEST(MatrixMarket, ReportsWhatIsWrongAndWhere) {
   const std::string head = "%%MatrixMarket matrix coordinate real general\n";
   const Bad cases[] = {
       {"2 2 1\n1 1 1\n", "f:1: error: header"},  // placed after the header below; a second line is missing
@@ -140,7 +140,7 @@ std::string numpy_file(const std::string& header, std::size_t bytes) {
   return file + header + std::string(bytes, '\0');
 }
 
-TEST(NumpyArray, SaysWhatIsWrong) {
+TEST(NumpyArray, ReportsWhatIsWrong) {
   const auto said = [](const std::string& bytes) { return complaint(exchange::read_numpy_array(bytes, "f")); };
   const std::string order = "'fortran_order': False, ";
   EXPECT_EQ(said(numpy_file("{'descr': '<f8', " + order + "'shape': (1, 1), }", 8)), "none");
@@ -171,7 +171,7 @@ TEST(NumpyArray, SaysWhatIsWrong) {
       HasSubstr("entry (1, 1): nan"));
 }
 
-TEST(CsvMatrix, SaysWhatIsWrongAndWhere) {
+TEST(CsvMatrix, ReportsWhatIsWrongAndWhere) {
   const Bad cases[] = {
       {"", "size: 0 × 0"},
       {"# nothing\n\n", "size: 0 × 0"},

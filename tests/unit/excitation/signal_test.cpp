@@ -45,7 +45,7 @@ TEST(Signal, IsZeroBeforeItsFirstPieceAndJumpsAtItsStart) {
   EXPECT_EQ(state(Signal{}, 1).value, 0);
 }
 
-TEST(Signal, StateHoldsTheDerivativesOfItsValue) {
+TEST(Signal, StateContainsTheDerivativesOfItsValue) {
   const double h = time_step;
   for (const Piece& piece : {Piece{1, 2, 3, 4, 0}, Piece{1, 2, 3, 4, 5}, Piece{1, 2, 3, 4, 0.01}}) {
     const SignalState before = state_on(piece, 0.7 - h), here = state_on(piece, 0.7), after = state_on(piece, 0.7 + h);
@@ -56,7 +56,7 @@ TEST(Signal, StateHoldsTheDerivativesOfItsValue) {
   }
 }
 
-TEST(Signal, ASlowSineGoesOverIntoAParabola) {
+TEST(Signal, ASlowSineTendsToAParabola) {
   const SignalState parabola = state_on({0, 1, 2, 3, 0}, 2), slow = state_on({0, 1, 2, 3, 1e-9}, 2);
   EXPECT_THAT(slow.value, RelativelyNear(parabola.value, round_off));
   EXPECT_THAT(slow.rate, RelativelyNear(parabola.rate, round_off));
@@ -108,7 +108,7 @@ TEST(Pulses, ReachTheirAmplitudeAndReturnToZero) {
   EXPECT_EQ(state(rounded_step(7, 2, 1), 5).value, 7);
 }
 
-TEST(Pulses, RefuseWhatHasNoDuration) {
+TEST(Pulses, RejectInvalidDurations) {
   EXPECT_THROW((void)half_sine(1, 0), foundation::InvalidInput);
   EXPECT_THROW((void)half_sine(not_a_number, 1), foundation::InvalidInput);
   EXPECT_THROW((void)rectangular(1, -1), foundation::InvalidInput);
@@ -142,7 +142,7 @@ double angle(const Sweep& sweep, double s) {  // by quadrature of the frequency
              0, s);
 }
 
-TEST(Sweep, KeepsItsToleranceEverywhere) {
+TEST(Sweep, IsWithinItsToleranceEverywhere) {
   using Law = Sweep::Law;
   using Amplitude = Sweep::Amplitude;
   const double slowest = 2 * pi * 2, fastest = 2 * pi * 40;
@@ -187,7 +187,7 @@ TEST(Sweep, KeepsItsToleranceEverywhere) {
     }
 }
 
-TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
+TEST(Sweep, StateContainsTheDerivativesOfItsValue) {
   const double h = time_step;
   for (const auto law : {Sweep::Law::linear, Sweep::Law::logarithmic}) {
     const Sweep sweep{2, 3, 8, 4, law, Sweep::Amplitude::speed_squared, 0.3};
@@ -198,7 +198,7 @@ TEST(Sweep, StateHoldsTheDerivativesOfItsValue) {
   }
 }
 
-TEST(Sweep, RefusesWhatItCannotRun) {
+TEST(Sweep, RejectsInvalidParameters) {
   EXPECT_THROW((void)sweep_signal({1, 0, 10, 1, Sweep::Law::logarithmic}), foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, 1, 10, 0}), foundation::InvalidInput);
   EXPECT_THROW((void)sweep_signal({1, -1, 10, 1}), foundation::InvalidInput);

@@ -134,7 +134,7 @@ TEST(Spectrum, FindingsNameTheRow) {
   EXPECT_THROW((void)from_table({{1, 2}, {1, -3}}), foundation::InvalidInput);
 }
 
-TEST(Road, RefusesWhatIsNoRoad) {
+TEST(Road, RejectsInvalidParameters) {
   EXPECT_THROW((void)road_class('I'), foundation::InvalidInput);
   EXPECT_THROW((void)road_spectrum(road_class('C'), 0), foundation::InvalidInput);
   EXPECT_THROW((void)road_spectrum({.roughness = -1}, 20), foundation::InvalidInput);
@@ -171,7 +171,7 @@ TEST(RandomInputs, CoherenceDecaysWithDistanceOverWavelength) {
   EXPECT_THAT(coherence({0.5}, 100), RelativelyNear(0.5, round_off));
 }
 
-TEST(RandomInputs, RefuseWhatNoSignalsCanDo) {
+TEST(RandomInputs, RejectImpossibleCoherences) {
   const auto first = [](const RandomInputs& inputs) {
     return foundation::message(check(inputs, "random").list().at(0));
   };

@@ -195,7 +195,7 @@ TEST(FemCondensation, DoesNotDependOnTheNumberOfThreads) {
             fem::condense(mesh, {rubber}, fem::frame(cylinder), {.threads = 2}).stiffness);
 }
 
-TEST(FemCondensation, CanBeInterruptedAndRefusesWhatDoesNotFit) {
+TEST(FemCondensation, CanBeInterruptedAndRespectsItsMemoryLimit) {
   const fem::Mesh mesh = fem::mesh(cylinder, 2);
   const foundation::Progress stop = [](std::string_view, double) { throw foundation::Interrupted(); };
   EXPECT_THROW((void)fem::condense(mesh, {rubber}, fem::frame(cylinder), {.threads = 2}, stop),

@@ -139,7 +139,7 @@ TEST_F(StepMeshing, JoinsTouchingSolidsAndNumbersThemAsMaterials) {
   }
 }
 
-TEST_F(StepMeshing, RefusesSolidsThatOverlap) {
+TEST_F(StepMeshing, RejectsSolidsThatOverlap) {
   EXPECT_THAT(messages(mesh_step(step("Box(1) = {0, 0, 0, 20, 20, 10}; Box(2) = {0, 0, 8, 20, 20, 10};"), coarse())),
               HasSubstr("overlap"));
 }
@@ -175,7 +175,7 @@ TEST_F(StepMeshing, BondsFacesByBoxAndByNumber) {
   EXPECT_EQ(by_box->mesh.plate_n, by_default->mesh.plate_n);
 }
 
-TEST_F(StepMeshing, APlateWithoutFaceIsRefusedWithAListOfTheFaces) {
+TEST_F(StepMeshing, APlateWithoutFaceIsRejectedWithAListOfTheFaces) {
   StepMeshOptions options = coarse();
   options.plate_n = FurthestFaces{{1, 0, 0}};
   options.plate_k = FacesByNumber{{2, 17}};
@@ -188,7 +188,7 @@ TEST_F(StepMeshing, APlateWithoutFaceIsRefusedWithAListOfTheFaces) {
   EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("no face on the cylinder of radius 0.026 m"));
 }
 
-TEST_F(StepMeshing, RefusesSizesThatCannotBe) {
+TEST_F(StepMeshing, RejectsInvalidSizes) {
   EXPECT_THAT(messages(mesh_step("none.step", {})), HasSubstr("size: not given"));
   EXPECT_THAT(messages(mesh_step("none.step", {.size = -1, .rim_distance = -1, .scale = 0})),
               AllOf(HasSubstr("size: -1"), HasSubstr("rim_distance: -1"), HasSubstr("scale: 0")));
@@ -205,7 +205,7 @@ TEST_F(StepMeshing, EndsAtItsTimeLimitWithAMessage) {
   EXPECT_THAT(messages(mesh_step(cylinder(), options)), HasSubstr("gmsh had not finished after 0.3 s"));
 }
 
-TEST(MshFile, ThatIsNoneIsRefused) {
+TEST(MshFile, RejectsInvalidContent) {
   const foundation::TemporaryFolder folder;
   for (const char* text :
        {"", "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n2\n1 0 0 0\n",
