@@ -20,6 +20,11 @@ using testing::SizeIs;
 const Eigen::Vector3d arm(0, 0, 0.1);
 constexpr double no_reading = std::numeric_limits<double>::quiet_NaN();
 
+constexpr double round_off = 1e-13;        // a few dozen operations per scaled entry
+constexpr double fit_round_off = 1e-10;    // least squares of 21 constants in mixed units
+constexpr double weight_round_off = 1e-9;  // the same with weights of 1 and 2500
+constexpr double noise_force = 0.6;        // [N] standard deviation
+
 Matrix6 moved_end_stiffness() {
   Matrix6 k = (Vector6() << 2e5, 3e5, 9e5, 800, 600, 150).finished().asDiagonal();
   k(0, 4) = k(4, 0) = -6000;
@@ -84,7 +89,7 @@ TEST(IdentifiedStiffness, TheMeasuringEndDoesNotMatter) {
   const Matrix12 truth = elements::from_moved_end(moved_end_stiffness(), arm);
   for (LoadCase& one : at_n) one.wrench << (truth * one.displacement).head<6>(), Vector6::Constant(no_reading);
   const Matrix12 difference = identified_stiffness(at_k, arm)->stiffness - identified_stiffness(at_n, arm)->stiffness;
-  EXPECT_LE(difference.cwiseAbs().maxCoeff(), 1e-10 * truth.maxCoeff());
+  EXPECT_LE(difference.cwiseAbs().maxCoeff(), fit_round_off * truth.maxCoeff());
 }
 
 TEST(IdentifiedStiffness, NamesAMistypedReadingAndNoOther) {
@@ -94,7 +99,8 @@ TEST(IdentifiedStiffness, NamesAMistypedReadingAndNoOther) {
   ASSERT_THAT(fit.outliers, SizeIs(1));
   EXPECT_EQ(fit.outliers[0].load_case, 4);
   EXPECT_EQ(fit.outliers[0].channel, 8);
-  EXPECT_NEAR(fit.outliers[0].deviation, 25, 3);
+  constexpr double five_deviations = 5 * noise_force;
+  EXPECT_NEAR(fit.outliers[0].deviation, 25, five_deviations);
   EXPECT_THAT(foundation::message(fit.warnings.list().front()), HasSubstr("load case 'case 5': force z at K deviates"));
 }
 
@@ -125,8 +131,9 @@ TEST(IdentifiedStiffness, FindsZeroOffsets) {
   StiffnessFitOptions options;
   options.zero_offsets = true;
   const auto fit = identified_stiffness(cases, arm, options).value();
-  EXPECT_NEAR(fit.offset(8), 40, 0.5);
-  EXPECT_NEAR(fit.offset(6), 0, 0.5);
+  constexpr double five_deviations = 0.5;  // of the mean of 36 readings, noise_force / 6
+  EXPECT_NEAR(fit.offset(8), 40, five_deviations);
+  EXPECT_NEAR(fit.offset(6), 0, five_deviations);
 }
 
 TEST(IdentifiedStiffness, OnlyRatiosOfGivenDeviationsCount) {
@@ -135,8 +142,8 @@ TEST(IdentifiedStiffness, OnlyRatiosOfGivenDeviationsCount) {
   one.standard_deviation << Vector6::Ones(), 1, 1, 1, 0.02, 0.02, 0.02;
   ten.standard_deviation = 10 * one.standard_deviation;
   const auto a = identified_stiffness(cases, arm, one).value(), b = identified_stiffness(cases, arm, ten).value();
-  EXPECT_LE((a.stiffness - b.stiffness).cwiseAbs().maxCoeff(), 1e-9 * a.stiffness.maxCoeff());
-  EXPECT_LE((a.half_width - b.half_width).cwiseAbs().maxCoeff(), 1e-9 * a.half_width.maxCoeff());
+  EXPECT_LE((a.stiffness - b.stiffness).cwiseAbs().maxCoeff(), weight_round_off * a.stiffness.maxCoeff());
+  EXPECT_LE((a.half_width - b.half_width).cwiseAbs().maxCoeff(), weight_round_off * a.half_width.maxCoeff());
 }
 
 TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnlyWhenAsked) {
@@ -149,20 +156,21 @@ TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnlyWhenAsked) {
     one.wrench.tail<6>() = k * one.displacement.tail<6>();
     for (int c = 6; c < 12; ++c) one.wrench(c) += (c < 9 ? 6 : 0.3) * normal(random);
   }
+  constexpr double far_above_round_off = 1e-4;
   StiffnessFitOptions options;
   const auto plain = identified_stiffness(cases, arm, options).value();
   options.nearest_semidefinite = true;
   const auto mended = identified_stiffness(cases, arm, options).value();
   EXPECT_FALSE(plain.semidefinite.has_value());
-  EXPECT_LT(plain.lowest_eigenvalue, -1e-4);
+  EXPECT_LT(plain.lowest_eigenvalue, -far_above_round_off);
   EXPECT_THAT(foundation::message(plain.warnings.list().back()), HasSubstr("passive"));
   ASSERT_TRUE(mended.semidefinite.has_value());
   EXPECT_EQ((plain.stiffness - mended.stiffness).norm(), 0);
   const auto verdict =
       elements::examine(mended.semidefinite->stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity()));
-  EXPECT_GE(verdict.lowest_eigenvalue, -1e-13);
-  EXPECT_LE(verdict.rigid_residual, 1e-13);
-  EXPECT_GT(mended.semidefinite->distance, 1e-4);
+  EXPECT_GE(verdict.lowest_eigenvalue, -round_off);
+  EXPECT_LE(verdict.rigid_residual, round_off);
+  EXPECT_GT(mended.semidefinite->distance, far_above_round_off);
 }
 
 TEST(IdentifiedStiffness, AWrongSignConventionIsSaid) {
@@ -177,7 +185,7 @@ TEST(IdentifiedStiffness, AWrongSignConventionIsSaid) {
 
 TEST(NearestSemidefinite, LeavesAPassiveMatrixAlone) {
   const Matrix12 sound = elements::from_moved_end(moved_end_stiffness(), arm);
-  EXPECT_LE(nearest_semidefinite(sound, arm).distance, 1e-14);
+  EXPECT_LE(nearest_semidefinite(sound, arm).distance, round_off);
 }
 
 TEST(NearestSemidefinite, DropsARigidMotionResidual) {
@@ -186,8 +194,9 @@ TEST(NearestSemidefinite, DropsARigidMotionResidual) {
   const auto nearest = nearest_semidefinite(loaded, arm);
   EXPECT_LE(
       elements::examine(nearest.stiffness, elements::rigid_motions(arm, Eigen::Matrix3d::Identity())).rigid_residual,
-      1e-13);
-  EXPECT_NEAR(nearest.distance, 0.01, 0.005);
+      round_off);
+  constexpr double half = 0.005;  // the size only: 2 % of 12 diagonal entries, in the norm of some 30 entries near 1
+  EXPECT_NEAR(nearest.distance, 0.01, half);
 }
 
 TEST(LoadCases, AllProblemsAreNamedAtOnce) {

@@ -56,12 +56,12 @@ double rest(const Eigen::MatrixBase<Derived>& m) {
 }
 
 template <typename Matrix>
-class SymmetricEigenOf : public testing::Test {};
+class SymmetricEigenByType : public testing::Test {};
 using SymmetricTypes = testing::Types<Eigen::MatrixXd, Eigen::Matrix2d, Eigen::Matrix3d, Eigen::Matrix<double, 6, 6>,
                                       Eigen::Matrix<double, 12, 12>>;
-TYPED_TEST_SUITE(SymmetricEigenOf, SymmetricTypes);
+TYPED_TEST_SUITE(SymmetricEigenByType, SymmetricTypes);
 
-TYPED_TEST(SymmetricEigenOf, SatisfiesItsEquationWithOrthonormalVectorsInAscendingOrder) {
+TYPED_TEST(SymmetricEigenByType, SatisfiesItsEquationWithOrthonormalVectorsInAscendingOrder) {
   const Eigen::Index n = TypeParam::RowsAtCompileTime == Eigen::Dynamic ? 7 : TypeParam::RowsAtCompileTime;
   const Eigen::MatrixXd m = sample<TypeParam>(n, n), S = m + m.transpose();
   const auto found = numerics::symmetric_eigen(TypeParam(S));
@@ -246,9 +246,9 @@ TEST(SmallestSolution, SolvesWithinTheRowSpaceWhateverTheRank) {
 }
 
 TEST(PivotedQr, SolvesInExtendedPrecision) {
+  constexpr double extended_round_off = 1e4 * std::numeric_limits<long double>::epsilon();  // as round_off
   const auto A = sample<numerics::ExtendedRealMatrix>(6, 6), B = sample<numerics::ExtendedRealMatrix>(6, 2);
-  EXPECT_LE(rest(A * numerics::pivoted_qr_solution(A, B) - B),
-            1e4 * double(std::numeric_limits<long double>::epsilon()));
+  EXPECT_LE(rest(A * numerics::pivoted_qr_solution(A, B) - B), extended_round_off);
 }
 
 TEST(PivotedQr, RestoresTheMatrixAndCountsItsRank) {

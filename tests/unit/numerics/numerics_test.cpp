@@ -18,6 +18,8 @@ namespace {
 using namespace trivet;
 using namespace trivet::numerics;
 
+constexpr double round_off = 1e-12;  // some hundred operations on entries of equal scaled size
+
 /// Coefficients of Π (τ − root).
 std::vector<double> polynomial(const std::vector<double>& roots) {
   std::vector<double> c = {1};
@@ -33,7 +35,8 @@ TEST(SignChanges, FindAllSimpleRootsAndTheirDirection) {
   const auto found = sign_changes(polynomial({-0.9, -0.2, -0.1999, 0.5, 0.50001, 1.7}), -1, 1);
   ASSERT_EQ(found.size(), 5u);
   const double expected[] = {-0.9, -0.2, -0.1999, 0.5, 0.50001};
-  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(found[i].at, expected[i], 1e-9);
+  constexpr double of_close_roots = 1e-9;  // the round-off of the coefficients over a slope of 8e-6
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(found[i].at, expected[i], of_close_roots);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_NE(found[i].falling, found[i - 1].falling);
 }
 
@@ -42,8 +45,9 @@ TEST(SignChanges, ATouchingRootIsNone) { EXPECT_TRUE(sign_changes(polynomial({0.
 TEST(SignChanges, ATripleRootIsOneWithItsUncertainty) {
   const auto found = sign_changes(polynomial({0.3, 0.3, 0.3}), -1, 1);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found[0].at, 0.3, 1e-4);
-  EXPECT_GT(found[0].uncertainty, 1e-7);
+  constexpr double cube_root_of_round_off = 1e-4, far_above_round_off = 1e-7;  // ∛1e-16 is 5e-6
+  EXPECT_NEAR(found[0].at, 0.3, cube_root_of_round_off);
+  EXPECT_GT(found[0].uncertainty, far_above_round_off);
 }
 
 TEST(SignChanges, NoiseIsNoSignChange) {
@@ -63,7 +67,8 @@ RC_GTEST_PROP(SignChanges, FindEverySeparatedRoot, ()) {
   }
   const auto found = sign_changes(polynomial(roots), -1, 1);
   RC_ASSERT(found.size() == roots.size());
-  for (std::size_t i = 0; i < roots.size(); ++i) RC_ASSERT(std::abs(found[i].at - roots[i]) < 1e-6);
+  constexpr double of_close_roots = 1e-6;  // seven roots 0.02 apart: the round-off over a slope of 2e-9
+  for (std::size_t i = 0; i < roots.size(); ++i) RC_ASSERT(std::abs(found[i].at - roots[i]) < of_close_roots);
 }
 
 DynamicMatrices random_matrices(unsigned seed) {
@@ -116,12 +121,13 @@ TEST(ResponseSeries, SumsToTheResponseAndAtInfinityToo) {
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(m.size()), far_sum = sum;
   for (Eigen::Index j = 0; j <= 30; ++j) sum += c.col(j) * std::pow(0.7, static_cast<double>(j));
   for (Eigen::Index j = 0; j <= 36; ++j) far_sum += far.col(j) * std::pow(0.5, static_cast<double>(j));
-  EXPECT_THAT(sum, test::NearVector(sweep(m, h, {centre + 0.7 * radius}).response.col(0).eval(), 1e-12));
+  EXPECT_THAT(sum, test::NearVector(sweep(m, h, {centre + 0.7 * radius}).response.col(0).eval(), round_off));
   EXPECT_THAT((far_sum / (16000.0 * 16000.0)).eval(),
-              test::NearVector(sweep(m, h, {16000.0}).response.col(0).eval(), 1e-12));
+              test::NearVector(sweep(m, h, {16000.0}).response.col(0).eval(), round_off));
 }
 
 TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
+  constexpr double relative = 1e-10, absolute = 1e-9;  // [rad/s] two eigensolvers, 24 states
   for (unsigned seed = 1; seed < 6; ++seed) {
     const DynamicMatrices m = random_matrices(seed);
     const GeneralizedModes modes = generalized_modes(m.K, m.A, true);
@@ -130,7 +136,7 @@ TEST(QuadraticRoots, ModalBasisAndCompanionAgree) {
     const QuadraticRoots two = roots_from_states(m);
     ASSERT_EQ(one.lambda.size(), two.lambda.size());
     for (Eigen::Index k = 0; k < one.lambda.size(); ++k)
-      EXPECT_LE((two.lambda.array() - one.lambda(k)).abs().minCoeff(), 1e-10 * std::abs(one.lambda(k)) + 1e-9);
+      EXPECT_LE((two.lambda.array() - one.lambda(k)).abs().minCoeff(), relative * std::abs(one.lambda(k)) + absolute);
   }
 }
 
@@ -146,13 +152,15 @@ TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
   refine_roots(m, roots);
   Eigen::Index nearest = 0;
   (roots.lambda.array() - Complex(0, 1)).abs().minCoeff(&nearest);
-  EXPECT_THAT(roots.lambda(nearest).real(), test::RelativelyNear(-1e-7, 1e-9));
+  constexpr double last_digit = 1e-9;  // a double of |λ| = 1 resolves 2e-9 of its real part
+  EXPECT_THAT(roots.lambda(nearest).real(), test::RelativelyNear(-1e-7, last_digit));
 }
 
 TEST(GeneralizedModes, ASoftModeBesideStiffOnesKeepsItsDigits) {
   const Eigen::Matrix3d K = Eigen::Vector3d(1e-6, 1e6, 1e8).asDiagonal();
   const auto modes = generalized_modes(K, Eigen::Matrix3d::Identity(), true);
-  EXPECT_THAT(modes.lambda(0), test::RelativelyNear(1e-6, 1e-14));
+  constexpr double few_roundings = 1e-14;
+  EXPECT_THAT(modes.lambda(0), test::RelativelyNear(1e-6, few_roundings));
 }
 
 TEST(GeneralizedModes, UnsymmetricSystemsReportComplexPairs) {
