@@ -80,7 +80,7 @@ TEST(Causality, AConstantLossFactorWithConstantStiffnessDoesNotPass) {
   EXPECT_LE(growing.relative_rms, fit_error);
 }
 
-TEST(Causality, NoiseIsItsOwnMisfitAndNoMore) {
+TEST(Causality, NoiseGivesAMisfitOfItsOwnSize) {
   std::mt19937_64 random(2);
   std::normal_distribution<double> normal;
   DynamicStiffnessTable noisy =
@@ -90,7 +90,7 @@ TEST(Causality, NoiseIsItsOwnMisfitAndNoMore) {
   EXPECT_NEAR(checked(noisy).relative_rms, 0.01 * std::sqrt(2.0), scatter);
 }
 
-TEST(Causality, TheMisfitIsWhereTheTableIsWrong) {
+TEST(Causality, TheMisfitIsLargestWhereTheTableIsWrong) {
   DynamicStiffnessTable wrong =
       table([](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); });
   wrong.stiffness(17) *= std::polar(1.0, 0.3);  // a phase error of one row
@@ -100,7 +100,7 @@ TEST(Causality, TheMisfitIsWhereTheTableIsWrong) {
   EXPECT_NEAR(check.misfit(17), 0.3, followed);
 }
 
-TEST(Causality, AMassIsFollowedAndNamed) {
+TEST(Causality, AMassIsFittedAndNamed) {
   const CausalityCheck check = checked(table(
       [](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)) - 1e-7 * w * w; }));
   EXPECT_TRUE(check.passes);
@@ -156,7 +156,7 @@ TEST(Causality, OnePercentOfNoiseOnAHydraulicMountPasses) {
   EXPECT_TRUE(check.passes) << check.verdict;
 }
 
-TEST(Causality, AResonanceWithAWrongPhaseIsCaught) {
+TEST(Causality, AResonanceWithAWrongPhaseIsDetected) {
   // Conjugate: the phase has the wrong sign. Turned around the high stiffness: each row is passive, but k' falls where
   // k'' is large. Late by 3 ms: the effect of a filter of the rig.
   using Wrong = std::function<Complex(Complex, double)>;
@@ -176,7 +176,7 @@ TEST(Causality, AResonanceWithAWrongPhaseIsCaught) {
     }
 }
 
-TEST(Causality, AResonanceBetweenTwoRowsIsAskedForWithFinerRows) {
+TEST(Causality, AResonanceBetweenTwoRowsRequiresFinerRows) {
   const CausalityCheck check = checked(over_hertz([](double w) { return hydromount(w, 12, 0.03); }, 1, 50, 20));
   EXPECT_FALSE(check.passes);
   EXPECT_EQ(check.kind, identification::Causality::too_coarse) << check.verdict;
@@ -199,7 +199,7 @@ TEST(Causality, BadTablesAreNamedRowByRow) {
   EXPECT_TRUE(causality({{}, {}}).error().has_errors());
 }
 
-TEST(InterpolatedStiffness, MeetsTheRowsAndStaysInTheBand) {
+TEST(InterpolatedStiffness, PassesThroughTheRowsAndEndsWithTheBand) {
   const auto zener = [](double w) { return elements::relative_modulus(elements::Zener{0.7, 0.003}, Complex(w)); };
   const DynamicStiffnessTable data = table(zener, 60);
   EXPECT_EQ(interpolated_stiffness(data, data.angular_frequency(7)), data.stiffness(7));

@@ -48,7 +48,7 @@ std::string first_problem(const LoopRecord& record) {
   return loop ? "a loop" : foundation::message(loop.error().list().front());
 }
 
-TEST(LoopFit, ACleanLoopIsMetDespiteOffsetAndDrift) {
+TEST(LoopFit, ACleanLoopIsRecoveredDespiteOffsetAndDrift) {
   constexpr double round_off = 1e-9;  // normal equations of 13 columns
   const LoopFit loop = loop_fit(HarmonicTest().record()).value();
   EXPECT_EQ(loop.cycles, 6);
@@ -77,7 +77,7 @@ TEST(LoopFit, OneClosedLoopWithoutTimeIsEnough) {
   EXPECT_THAT(loop_fit(record)->viscous_coefficient->value, test::RelativelyNear(stiffness * loss / omega, one_cycle));
 }
 
-TEST(LoopFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
+TEST(LoopFit, IntervalsContainTheTruthAtTheirConfidence) {
   constexpr int rigs = 600;
   constexpr double fewest = 0.923, most = 0.977;  // 95 % ± 2.7 %: three standard deviations of the simulation
   for (const double noise : {0.01, 0.05}) {
@@ -101,7 +101,7 @@ TEST(LoopFit, IntervalsHoldTheTruthAsOftenAsTheySay) {
   }
 }
 
-TEST(LoopFit, HigherHarmonicsOfTheForceDoNotMixIn) {
+TEST(LoopFit, HigherHarmonicsOfTheForceDoNotChangeTheStiffness) {
   LoopRecord record = HarmonicTest().record();
   record.force.array() += 0.2 * stiffness * amplitude * (3 * omega * record.time.array() + 0.4).cos();
   const LoopFit loop = loop_fit(record).value();
@@ -138,7 +138,7 @@ TEST(LoopFit, CyclesThatDoNotRepeatWidenTheIntervals) {
   EXPECT_THAT(foundation::message(bad.warnings.list().back()), HasSubstr("cycles differ"));
 }
 
-TEST(LoopFit, WrongSignsAreSaid) {
+TEST(LoopFit, WrongSignsAreReported) {
   LoopRecord record = HarmonicTest().record();
   record.force *= -1;
   EXPECT_THAT(foundation::message(loop_fit(record)->warnings.list().front()),
@@ -153,7 +153,7 @@ TEST(LoopFit, WrongSignsAreSaid) {
               HasSubstr("check the units of time and frequency"));
 }
 
-TEST(LoopFit, UnusableRecordsAreRefusedInWords) {
+TEST(LoopFit, UnusableRecordsAreRejectedWithAReason) {
   LoopRecord record = HarmonicTest().record();
   record.force(5) = std::nan("");
   EXPECT_THAT(first_problem(record), HasSubstr("loop '7.3 Hz': sample 6: a value is missing"));

@@ -76,7 +76,7 @@ TEST(FittedLaws, CleanDataGiveTheParameters) {
               test::RelativelyNear(std::abs(stiffness * modulus(50)), fit_error));
 }
 
-TEST(FittedLaws, IntervalsHoldTheTruthAsOftenAsTheySay) {
+TEST(FittedLaws, IntervalsContainTheTruthAtTheirConfidence) {
   constexpr int rigs = 400;
   constexpr double fewest = 0.93, most = 0.97;  // 95 % ± 2 %: three standard deviations of 1200 intervals
   int held = 0;
@@ -89,7 +89,7 @@ TEST(FittedLaws, IntervalsHoldTheTruthAsOftenAsTheySay) {
   EXPECT_LE(held, most * 3 * rigs);
 }
 
-TEST(FittedLaws, GivenDeviationsWeigh) {
+TEST(FittedLaws, GivenDeviationsAreWeights) {
   auto data = points(constant_loss, 0);
   data[3].stiffness *= 1.5;
   for (StiffnessPoint& p : data) p.standard_deviation = 1e3;
@@ -98,7 +98,7 @@ TEST(FittedLaws, GivenDeviationsWeigh) {
   EXPECT_THAT(law("hysteretic", data).stiffness, test::RelativelyNear(stiffness, remaining));
 }
 
-TEST(FittedLaws, FewPointsLeaveOutTheLongLawsAndSaySo) {
+TEST(FittedLaws, FewPointsExcludeLawsWithManyConstants) {
   auto data = points(constant_loss, 0.01);
   data.resize(3);
   const auto ranking = fitted_laws(data).value();
@@ -121,7 +121,7 @@ TEST(FittedLaws, UnusablePointsAreNamed) {
               HasSubstr("the mean loss is not positive"));
 }
 
-TEST(StiffnessPoints, LoopsOfTwoAmplitudesAreToldApart) {
+TEST(StiffnessPoints, LoopsOfTwoAmplitudesGiveAWarning) {
   LoopFit small, large;
   small.name = "small", large.name = "large";
   small.angular_frequency = large.angular_frequency = 10;

@@ -54,14 +54,14 @@ std::string first_message(const foundation::Expected<StiffnessFit>& fit) {
   return fit ? "a fit" : foundation::message(fit.error().list().front());
 }
 
-TEST(IdentifiedStiffness, SaysThatNoLoadCaseTiltsAboutY) {
+TEST(IdentifiedStiffness, ReportsThatNoLoadCaseTiltsAboutY) {
   const std::string said = first_message(identified_stiffness(one_at_a_time({0, 1, 2, 3, 5}, 2), arm));
   EXPECT_THAT(said, HasSubstr("no load case tilts K about y"));
   EXPECT_THAT(said, HasSubstr("20 of 21 constants"));
   EXPECT_THAT(said, HasSubstr("not determined: (θ_K y, θ_K y)"));
 }
 
-TEST(IdentifiedStiffness, NamesAMotionThatIsOnlyMadeTogetherWithAnother) {
+TEST(IdentifiedStiffness, NamesMotionsThatOccurOnlyTogether) {
   auto cases = one_at_a_time({1, 2, 3, 5}, 2);
   const Vector6 both = (Vector6() << 1e-3, 0, 0, 0, 5e-3, 0).finished();
   cases.push_back(moved_end_case("lever", both, moved_end_stiffness() * both));
@@ -92,7 +92,7 @@ TEST(IdentifiedStiffness, TheMeasuringEndDoesNotMatter) {
   EXPECT_LE(difference.cwiseAbs().maxCoeff(), fit_round_off * truth.maxCoeff());
 }
 
-TEST(IdentifiedStiffness, NamesAMistypedReadingAndNoOther) {
+TEST(IdentifiedStiffness, NamesTheMistypedReadingOnly) {
   auto cases = one_at_a_time({0, 1, 2, 3, 4, 5}, 3);
   cases[4].wrench(8) += 25;  // newtons, noise 0.6 N
   const auto fit = identified_stiffness(cases, arm).value();
@@ -136,7 +136,7 @@ TEST(IdentifiedStiffness, FindsZeroOffsets) {
   EXPECT_NEAR(fit.offset(6), 0, five_deviations);
 }
 
-TEST(IdentifiedStiffness, OnlyRatiosOfGivenDeviationsCount) {
+TEST(IdentifiedStiffness, DependsOnRatiosOfGivenDeviationsOnly) {
   const auto cases = one_at_a_time({0, 1, 2, 3, 4, 5}, 3);
   StiffnessFitOptions one, ten;
   one.standard_deviation << Vector6::Ones(), 1, 1, 1, 0.02, 0.02, 0.02;
@@ -146,7 +146,7 @@ TEST(IdentifiedStiffness, OnlyRatiosOfGivenDeviationsCount) {
   EXPECT_LE((a.half_width - b.half_width).cwiseAbs().maxCoeff(), weight_round_off * a.half_width.maxCoeff());
 }
 
-TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnlyWhenAsked) {
+TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnRequestOnly) {
   Matrix6 k = moved_end_stiffness();
   k(0, 0) = 6000.0 * 6000 / 600 + 200;  // u_x and θ_y nearly cancel
   std::mt19937_64 random(3);
@@ -173,7 +173,7 @@ TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnlyWhenAsked) {
   EXPECT_GT(mended.semidefinite->distance, far_above_round_off);
 }
 
-TEST(IdentifiedStiffness, AWrongSignConventionIsSaid) {
+TEST(IdentifiedStiffness, AWrongSignConventionIsReported) {
   auto cases = one_at_a_time({0, 1, 2, 3, 4, 5}, 2);
   for (LoadCase& one : cases) one.wrench *= -1;
   StiffnessFitOptions options;
@@ -211,7 +211,7 @@ TEST(LoadCases, AllProblemsAreNamedAtOnce) {
   EXPECT_TRUE(load_case_problems({}).has_errors());
 }
 
-TEST(IdentifiedStiffness, RefusesAsManyConstantsAsReadings) {
+TEST(IdentifiedStiffness, RejectsMissingLoadCasesAndAnInvalidConfidence) {
   EXPECT_THAT(first_message(identified_stiffness({}, arm)), HasSubstr("no load case"));
   StiffnessFitOptions options;
   options.confidence = 95;

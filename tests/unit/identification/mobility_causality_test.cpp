@@ -47,7 +47,7 @@ TEST(MobilityCausality, EveryPassiveGroundPasses) {
   }
 }
 
-TEST(MobilityCausality, AConjugateOrReversedMobilityIsCaught) {
+TEST(MobilityCausality, AConjugateOrReversedMobilityIsDetected) {
   for (const auto& [name, ground] : grounds) {
     if (std::string(name) == "wide plate") continue;  // real, so it equals its conjugate
     EXPECT_FALSE(causality_verdict(ground, [](Complex y, double) { return std::conj(y); }).passes) << name;
@@ -56,7 +56,7 @@ TEST(MobilityCausality, AConjugateOrReversedMobilityIsCaught) {
     EXPECT_TRUE(causality_verdict(ground, [](Complex y, double) { return -y; }).refused) << name;
 }
 
-TEST(MobilityCausality, ADelayIsCaught) {
+TEST(MobilityCausality, ADelayIsDetected) {
   for (const auto& [name, ground] : grounds)
     EXPECT_FALSE(causality_verdict(ground, [](Complex y, double w) { return y * std::polar(1.0, -0.004 * w); }).passes)
         << name;

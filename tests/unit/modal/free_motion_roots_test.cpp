@@ -39,7 +39,7 @@ force = [10, 5, 100]
 peaks = {}
 )";
 
-TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
+TEST(FreeMotions, HaveZeroRootsIfADamperDoesNotResistThem) {
   const project::Project project = test::project(damped_pendulum_without_weight);
   project::Analyses asked;
   asked.roots = true;
@@ -54,7 +54,7 @@ TEST(FreeMotions, ThatADamperDoesNotResistHaveRootsOfExactlyZero) {
   EXPECT_GT(slowest, slowest_decay);      // the root of the damper
 }
 
-TEST(FreeMotions, BesideADamperAndModalDampingTheirPeaksAreFound) {
+TEST(FreeMotions, HaveFinitePeaksWithADamperAndModalDamping) {
   const project::Project project = test::project(damped_pendulum_without_weight);
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
   ASSERT_TRUE(answers.peaks.has_value());

@@ -41,13 +41,13 @@ TEST(FreeMotions, AreNamed) {
   EXPECT_THAT(turns[0], HasSubstr("free to turn about z through (0.500, 0.000, 0.000)"));
 }
 
-TEST(FreeMotions, OfAPartAreToldFromThoseOfTheWhole) {
+TEST(FreeMotions, DistinguishAPartFromTheWhole) {
   const auto words = free_words(test::chain({1, 1}, {100, 0, 0}, {}));
   ASSERT_EQ(words.size(), 1u);
   EXPECT_THAT(words[0], HasSubstr("m2"));
 }
 
-TEST(Modes, RepeatedRootsGetAnOrthonormalBasisAndSaySo) {
+TEST(Modes, RepeatedRootsHaveAnOrthonormalBasisAndAreMarked) {
   const auto project =
       test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "
                          "60]\nrotation = [40, 40, 90]\n"));
@@ -68,7 +68,7 @@ TEST(Modes, AreNamedAfterTheirMotion) {
   EXPECT_THAT(modes.list[5].name, HasSubstr("rotation about z through (0.000, 0.000, 0.000)"));
 }
 
-TEST(Modes, OfAGuidedBodyAreNamedByEnergyNotByUnits) {
+TEST(Modes, AreNamedByEnergyForAGuidedBody) {
   const auto project = test::project(R"(
 trivet = 1
 [bodies.b]
@@ -85,14 +85,14 @@ rotation = [0, 5, 0]
   EXPECT_THAT(modal::modes(project.base().system).list[0].name, HasSubstr("translation along x"));
 }
 
-TEST(FreeMotions, OfABodyOnOneBushingWithoutRotationAreFound) {
+TEST(FreeMotions, AreRotationsOnABushingWithoutRotationalStiffness) {
   const auto words =
       free_words(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [10, 20, 30]\n"));
   EXPECT_EQ(words.size(), 3u);
   EXPECT_THAT(words[0], HasSubstr("free to turn"));
 }
 
-TEST(Roots, OfOneMassFollowTheTextbook) {
+TEST(Roots, FollowTheTextbookForOneMass) {
   const auto roots_of = [](double dashpot) {
     return modal::roots(test::project(test::chain({2}, {1800}, {dashpot})).base().system);
   };
@@ -110,14 +110,14 @@ TEST(Roots, OfOneMassFollowTheTextbook) {
   EXPECT_EQ(*none.list[0].damping_ratio, 0);
 }
 
-TEST(Roots, OfALossFactorAreThoseOfThePositiveHalfPlane) {
+TEST(Roots, LieInThePositiveHalfPlaneForALossFactor) {
   const modal::Roots roots = modal::roots(test::project(test::chain({2}, {1800}, {}, {0.3})).base().system);
   ASSERT_EQ(roots.list.size(), 1u);
   const std::complex<double> expected = std::sqrt(std::complex<double>(-900, -270));
   EXPECT_LE(std::abs(roots.list[0].eigenvalue - (expected.imag() > 0 ? expected : -expected)), root_round_off * 30);
 }
 
-TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
+TEST(Roots, BelongToTheModeOfTheirShapeNotOfTheirSize) {
   // 10 rad/s along x with the loss factor 0.8 gives |λ| = 10 (1 + 0.8²)^¼ = 11.3 rad/s, above the 11 rad/s along z.
   const std::string text =
       "trivet = 1\n[bodies.b]\nmass = 1\nfree = [\"x\", \"z\"]\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n"
@@ -131,7 +131,7 @@ TEST(Roots, BelongToTheModeOfTheirShapeNotToThatOfTheirSize) {
   EXPECT_EQ(roots.list[1].nearest_mode, 1);
 }
 
-TEST(Roots, OfAnUndampedMachineOnADeckBelongToTheModesInTheirOrder) {
+TEST(Roots, BelongToTheModesInOrderForAnUndampedMachineOnADeck) {
   const modal::Roots roots =
       modal::roots(test::project(test::machine_on_deck(
                                      "[foundations.deck]\ntype = \"modal\"\nmodes = [{frequency = 40, modal_mass = "
@@ -163,7 +163,7 @@ TEST(Roots, ADashpotToTheWallLeavesOneDriftAndOneDecay) {
             1);
 }
 
-TEST(ModalDamping, GivesTheRatiosThatWereAskedFor) {
+TEST(ModalDamping, GivesTheRequestedRatios) {
   constexpr double through_two_eigensolvers = 1e-10;  // modes give the damping matrix, its roots the ratios
   const std::string text = test::chain({1, 2, 3}, {100, 200, 300, 400}, {});
   const modal::Roots roots = modal::roots(test::project(text + "[damping]\nmodal = [0.01, 0.05, 0.2]\n").base().system);
@@ -182,7 +182,7 @@ TEST(RayleighDamping, IsAlphaAPlusBetaK) {
   EXPECT_LE((m.B - 0.3 * m.A - 0.002 * m.K).norm(), few_roundings);
 }
 
-TEST(Modes, OfAFoundationThatMovesNoMountHaveNoSharesOfStrain) {
+TEST(Modes, HaveNoStrainSharesIfAFoundationMovesNoMount) {
   const auto project =
       test::project(cube("[elements.k]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [60, 60, "
                          "60]\nrotation = [40, 40, 90]\nfoundation = \"deck\"\n"

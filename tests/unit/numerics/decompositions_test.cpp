@@ -102,7 +102,7 @@ void expect_modes_of_two(int n) {
   EXPECT_LE(rest(found.vectors.transpose() * P * found.vectors - Matrix::Identity(n, n)), round_off);
 }
 
-TEST(SymmetricEigen, OfTwoMatricesSatisfiesTheirEquation) {
+TEST(SymmetricEigen, SatisfiesTheEquationOfTwoMatrices) {
   expect_modes_of_two<Eigen::Matrix2d>(2);
   expect_modes_of_two<Eigen::MatrixXd>(7);
 }
@@ -123,7 +123,7 @@ TEST(GeneralEigen, SatisfiesItsEquationWithVectorsOfUnitLength) {
   expect_general_eigen<Eigen::MatrixXcd>();
 }
 
-TEST(GeneralEigen, SaysSoWhereThereIsNoAnswer) {
+TEST(GeneralEigen, ReportsFailureForNumbersThatAreNotFinite) {
   EXPECT_FALSE(numerics::general_eigen(
                    Eigen::MatrixXd(Eigen::MatrixXd::Constant(3, 3, std::numeric_limits<double>::quiet_NaN())))
                    .converged);
@@ -185,7 +185,7 @@ TEST(Inverse, TimesTheMatrixIsOne) {
   expect_inverse<Eigen::MatrixXcd>(7);
 }
 
-TEST(CompletePivoting, SolvesAndSeesASingularMatrix) {
+TEST(CompletePivoting, SolvesAndDetectsASingularMatrix) {
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
   const Matrix6 A = sample<Matrix6>(6, 6);
   const Eigen::Matrix<double, 6, 1> b = A.col(1) + 2 * A.col(4);
@@ -231,7 +231,7 @@ TEST(Cholesky, HasAsManyNegativePivotsAsNegativeEigenvalues) {
   }
 }
 
-TEST(SmallestSolution, SolvesWithinTheRowSpaceWhateverTheRank) {
+TEST(SmallestSolution, SolvesWithinTheRowSpaceForAnyRank) {
   const Eigen::MatrixXd left = sample<Eigen::MatrixXd>(8, 3), right = sample<Eigen::MatrixXd>(3, 5), A = left * right;
   const Eigen::MatrixXd B = sample<Eigen::MatrixXd>(8, 2), X = numerics::smallest_solution(A, B);
   EXPECT_LE(rest(A.transpose() * (A * X - B)), 100 * round_off) << "what is left has no part in the columns";

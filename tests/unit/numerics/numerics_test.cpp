@@ -40,7 +40,7 @@ TEST(SignChanges, FindAllSimpleRootsAndTheirDirection) {
   for (std::size_t i = 1; i < 5; ++i) EXPECT_NE(found[i].falling, found[i - 1].falling);
 }
 
-TEST(SignChanges, ATouchingRootIsNone) { EXPECT_TRUE(sign_changes(polynomial({0.3, 0.3}), -1, 1).empty()); }
+TEST(SignChanges, ATouchingRootIsNotCounted) { EXPECT_TRUE(sign_changes(polynomial({0.3, 0.3}), -1, 1).empty()); }
 
 TEST(SignChanges, ATripleRootIsOneWithItsUncertainty) {
   const auto found = sign_changes(polynomial({0.3, 0.3, 0.3}), -1, 1);
@@ -87,7 +87,7 @@ TEST(Sweep, IsTheSameForAnyNumberOfFrequencies) {
         << "a lane must not depend on its neighbours";
 }
 
-TEST(Sweep, ASingularMatrixIsSaidToBeOne) {
+TEST(Sweep, ASingularMatrixIsReported) {
   DynamicMatrices m{
       Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::Vector2d(4, 9).asDiagonal(), {}, true};
   const SweepResult found = sweep(m, Eigen::VectorXcd::Ones(2), {1.0, 2.0, 2.5});
@@ -156,7 +156,7 @@ TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
   EXPECT_THAT(roots.lambda(nearest).real(), test::RelativelyNear(-1e-7, last_digit));
 }
 
-TEST(GeneralizedModes, ASoftModeBesideStiffOnesKeepsItsDigits) {
+TEST(GeneralizedModes, ASoftModeAmongStiffOnesKeepsItsDigits) {
   const Eigen::Matrix3d K = Eigen::Vector3d(1e-6, 1e6, 1e8).asDiagonal();
   const auto modes = generalized_modes(K, Eigen::Matrix3d::Identity(), true);
   constexpr double few_roundings = 1e-14;

@@ -19,7 +19,7 @@ TEST(PeakCount, RisesOverTheHigherOfBothMinima) {
   EXPECT_EQ(prominent_peaks(heights, 1.5).peaks, 1);
 }
 
-TEST(PeakCount, TellsHowNearlyItWasDecided) {
+TEST(PeakCount, ReportsHowCloseTheDecisionWas) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};  // prominences 4 and 1
   EXPECT_DOUBLE_EQ(prominent_peaks(heights, 0.8).closest, 0.25);
   EXPECT_DOUBLE_EQ(prominent_peaks(heights, 1.25).closest, 0.2);
@@ -33,7 +33,7 @@ TEST(PeakCount, AnInfiniteHeightAlwaysCounts) {
 }
 
 /// Peaks of 5 over 1 and of 3 over 2, whose rises are 4 and 0.5.
-TEST(RiseIsKnown, WhereThePeakAndItsBaseAre) {
+TEST(RiseIsKnown, IfThePeakAndItsBaseAreKnown) {
   const std::vector<double> heights = {1, 5, 2, 3, 0};
   const auto known = [&](const std::vector<double>& doubts) { return rise_is_known(heights, doubts, 0.5, 4, 1e-6); };
   EXPECT_TRUE(known({0, 1e-9, 0, 0, 0}));
@@ -43,7 +43,7 @@ TEST(RiseIsKnown, WhereThePeakAndItsBaseAre) {
   EXPECT_FALSE(known({0, 0, 1, 1, 0}));     // a peak that may not
 }
 
-TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {
+TEST(RiseIsKnown, OverABaseOfExactlyZeroOnly) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_TRUE(rise_is_known(std::vector<double>{0, 5, 0}, std::vector<double>{0, 0, 0}, 0.5, infinity, 1e-6));
   EXPECT_FALSE(
@@ -52,7 +52,7 @@ TEST(RiseIsKnown, OverABaseThatIsZeroToTheLastDigitOnly) {
                              1e-6));  // between it and a true zero
 }
 
-TEST(RiseIsKnown, OverTheHigherOfTwoMinimaThatMayExchange) {
+TEST(RiseIsKnown, OverTheHigherOfTwoUncertainMinima) {
   const std::vector<double> heights = {7, 1, 5, 0.9, 6};
   EXPECT_TRUE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.01, 0}, 0.5, 4, 1e-6));
   EXPECT_FALSE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.1, 0}, 0.5, 4, 1e-6));

@@ -68,7 +68,7 @@ TEST(RationalFit, FindsThePolesNearTheAxis) {
   }
 }
 
-TEST(RationalFit, OfConstantsNeedsOneNodeAndOfTwoSamplesIsALine) {
+TEST(RationalFit, IsExactForConstants) {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0, 4);
   const Eigen::MatrixXcd constant = Eigen::MatrixXcd::Constant(1, 5, Complex(2, -1));
   const numerics::RationalFit found = numerics::rational_fit(x, constant, constant.cwiseAbs(), fit_error);
@@ -76,7 +76,7 @@ TEST(RationalFit, OfConstantsNeedsOneNodeAndOfTwoSamplesIsALine) {
   EXPECT_EQ(found.at(Eigen::VectorXd::Constant(1, 2.2))(0), Complex(2, -1));
 }
 
-TEST(RationalFit, RefusesWhatDoesNotGoTogether) {
+TEST(RationalFit, RejectsInconsistentSizes) {
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0, 4);
   const Eigen::MatrixXcd y = Eigen::MatrixXcd::Ones(1, 5);
   EXPECT_THROW(static_cast<void>(numerics::rational_fit(x, y, Eigen::MatrixXd::Zero(1, 5), fit_error)),

@@ -14,19 +14,19 @@ namespace {
 using namespace trivet;
 using foundation::NotComputable;
 
-TEST(SearchBounds, CoefficientsThatAreNotFiniteAreRefused) {
+TEST(SearchBounds, CoefficientsThatAreNotFiniteAreRejected) {
   for (const double wrong : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
     EXPECT_THROW(static_cast<void>(numerics::sign_changes(std::vector<double>{1, wrong, 1}, -1, 1)), NotComputable);
 }
 
 /// Bounds by Taylor's formula overflow, so no interval can be decided.
-TEST(SearchBounds, CoefficientsWhoseBoundsOverflowEndInARefusal) {
+TEST(SearchBounds, CoefficientsWhoseBoundsOverflowAreRejected) {
   std::vector<double> c(40, 1e305);
   for (std::size_t k = 0; k < c.size(); k += 2) c[k] = -1e305;
   EXPECT_THROW(static_cast<void>(numerics::sign_changes(c, -1, 1)), NotComputable);
 }
 
-TEST(SearchBounds, PolesThatLeaveNoPanelAreRefused) {
+TEST(SearchBounds, PolesThatLeaveNoPanelAreRejected) {
   Eigen::VectorXcd poles(2);
   poles << 0, std::numeric_limits<double>::denorm_min();
   EXPECT_THROW(static_cast<void>(numerics::cover_axis(poles)), NotComputable);
