@@ -21,7 +21,9 @@ namespace {
 using namespace trivet;
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
-constexpr double round_off = 1e-9;
+constexpr double round_off = 1e-9;              // sums over poles, whose terms cancel in part
+constexpr double matrix_round_off = 1e-12;      // a few hundred operations on numbers near 1
+constexpr double covariance_round_off = 1e-13;  // a few dozen operations on numbers up to 3
 
 model::Body mass(const std::string& name, double kilograms) {
   model::Body body;
@@ -83,10 +85,11 @@ TEST(RandomHardCases, AnyDampingOfOneMassMeetsItsClosedForm) {
   for (const double ratio : {1e-8, 1e-5, 1e-3, 0.1, 0.7, 0.999999, 1.000001, 1.5, 300.0}) {
     const Case c = one_mass(100, dashpot(2 * ratio * 10));
     const response::RandomAnswer answer = c.random(white(c, 0, 1e9)).answers[0];
-    const double tolerance =
-        std::abs(ratio - 1) < 1e-3 ? 2e-8 : round_off;  // by quadrature if two poles nearly coincide
+    constexpr double quadrature_error = 2e-8;  // it integrates if two poles nearly coincide
+    const double tolerance = std::abs(ratio - 1) < 1e-3 ? quadrature_error : round_off;
+    const double beyond_band = 2 * ratio * 10 / 1e9;  // c/m over the end of the band
     EXPECT_NEAR(*answer.rms * std::sqrt(2 * 100 * 2 * ratio * 10 / pi), 1, tolerance) << ratio;
-    EXPECT_NEAR(*answer.zero_crossings * 2 * pi / 10, 1, tolerance + 2 * ratio * 10 / 1e9) << ratio;  // the band ends
+    EXPECT_NEAR(*answer.zero_crossings * 2 * pi / 10, 1, tolerance + beyond_band) << ratio;
   }
 }
 
@@ -127,7 +130,8 @@ TEST(RandomHardCases, ABodyOnADashpotAloneHasAFiniteVelocityOnly) {
   const response::RandomAnswer answer = c.random(white(c, 0, 1e8)).answers[0];
   EXPECT_FALSE(answer.rms);
   ASSERT_TRUE(answer.rms_of_derivative) << answer.reason;
-  EXPECT_NEAR(*answer.rms_of_derivative, std::sqrt(pi / (2 * 3)), 1e-7);
+  constexpr double beyond_band = 1e-7;  // c/m over the end of the band is 3e-8
+  EXPECT_NEAR(*answer.rms_of_derivative, std::sqrt(pi / (2 * 3)), beyond_band);
   const response::RandomAnswer band = c.random(white(c, 1, 10)).answers[0];  // ∫ dω/(ω²(ω² + 9))
   EXPECT_NEAR(*band.rms, std::sqrt(((1 - 0.1) - (std::atan(10.0 / 3) - std::atan(1.0 / 3)) / 3) / 9), round_off);
 }
@@ -184,7 +188,8 @@ TEST(RandomHardCases, AVeryLongDelayIsTakenInPortions) {
   const double in_phase = *c.random({{{"g", ground(0), spectrum}}, {}}).answers[0].rms;
   // With a long delay the two are as if uncorrelated, except for the ends of the band, which fall like 1/delay.
   const double apart = *c.random({{{"g", ground(1e5), spectrum}}, {}}).answers[0].rms;
-  EXPECT_NEAR(apart / in_phase, std::sqrt(0.5), 1e-5);
+  constexpr double of_the_ends = 1e-5;  // 1/delay, over 1 rad/s
+  EXPECT_NEAR(apart / in_phase, std::sqrt(0.5), of_the_ends);
 }
 
 TEST(RandomRefusals, SayWhatIsWrong) {
@@ -249,7 +254,7 @@ TEST(PoleResidueForm, IsTheInverseOfTheDynamicStiffnessAlsoWithCoordinatesHeldBy
     Eigen::MatrixXcd sum = form.static_part;
     for (Eigen::Index k = 0; k < form.poles.size(); ++k)
       sum += form.shapes.col(k) * form.participation.row(k) / (Complex(0, omega) - form.poles(k));
-    EXPECT_LE((sum - m.at(omega).inverse()).cwiseAbs().maxCoeff(), 1e-12) << omega;
+    EXPECT_LE((sum - m.at(omega).inverse()).cwiseAbs().maxCoeff(), matrix_round_off) << omega;
   }
 }
 
@@ -257,30 +262,32 @@ TEST(LyapunovCovariance, OfOneMassIsItsEquipartitionAndGrowthIsRefused) {
   Eigen::Matrix2d state, intensity = Eigen::Vector2d(0, 3).asDiagonal();
   state << 0, 1, -16, -0.5;
   const Eigen::MatrixXd covariance = test::lyapunov_covariance(state, intensity);
-  EXPECT_NEAR(covariance(1, 1), 3 / (2 * 0.5), 1e-13);
-  EXPECT_NEAR(covariance(0, 0), covariance(1, 1) / 16, 1e-13);
-  EXPECT_NEAR(covariance(0, 1), 0, 1e-13);
+  EXPECT_NEAR(covariance(1, 1), 3 / (2 * 0.5), covariance_round_off);
+  EXPECT_NEAR(covariance(0, 0), covariance(1, 1) / 16, covariance_round_off);
+  EXPECT_NEAR(covariance(0, 1), 0, covariance_round_off);
   EXPECT_THROW((void)test::lyapunov_covariance(-state, intensity), foundation::NotComputable);
   EXPECT_THROW((void)test::lyapunov_covariance(state, Eigen::MatrixXd::Zero(3, 3)), foundation::InvalidInput);
 }
 
 TEST(IntegrationPanels, IntegrateANarrowResonanceAndAWaveToRoundOff) {
+  constexpr double node_round_off = 2e-12;  // a node is uncertain by ε 7 in 1e-4
+  constexpr double few_roundings = 1e-15;   // sums of 15 products below 1
   const Complex pole(-1e-4, 7);
   const response::IntegrationNodes nodes =
       response::gauss_nodes(response::graded_panels(Eigen::VectorXcd::Constant(1, pole), 0, 20, 3));
   const Eigen::VectorXd lorentz = ((nodes.omega.array() - 7).square() + 1e-8).inverse();
-  EXPECT_NEAR(nodes.weight.dot(lorentz) / ((std::atan(13 / 1e-4) + std::atan(7 / 1e-4)) / 1e-4), 1,
-              2e-12);  // a node is uncertain by ε 7 in 1e-4
-  EXPECT_NEAR(nodes.weight.dot((3 * nodes.omega).array().cos().matrix()), std::sin(60.0) / 3, 1e-12);
+  EXPECT_NEAR(nodes.weight.dot(lorentz) / ((std::atan(13 / 1e-4) + std::atan(7 / 1e-4)) / 1e-4), 1, node_round_off);
+  EXPECT_NEAR(nodes.weight.dot((3 * nodes.omega).array().cos().matrix()), std::sin(60.0) / 3, matrix_round_off);
   const response::KronrodRule rule = response::kronrod_rule();
-  EXPECT_NEAR((rule.kronrod * rule.node.pow(22)).sum(), 2.0 / 23, 1e-15);
-  EXPECT_NEAR((rule.gauss * rule.node.pow(12)).sum(), 2.0 / 13, 1e-15);
+  EXPECT_NEAR((rule.kronrod * rule.node.pow(22)).sum(), 2.0 / 23, few_roundings);
+  EXPECT_NEAR((rule.gauss * rule.node.pow(12)).sum(), 2.0 / 13, few_roundings);
 }
 
 TEST(PolynomialRoots, AreFoundInAnyUnit) {
   const std::vector<Complex> roots = numerics::polynomial_roots({6e12, -5e6, 1});
-  EXPECT_NEAR(std::abs(roots[0] + roots[1]), 5e6, 1e-6);
-  EXPECT_NEAR(std::abs(roots[0] * roots[1]), 6e12, 1);
+  constexpr double sum_round_off = 1e-6, product_round_off = 1;  // 2e-13 of 5e6 and of 6e12
+  EXPECT_NEAR(std::abs(roots[0] + roots[1]), 5e6, sum_round_off);
+  EXPECT_NEAR(std::abs(roots[0] * roots[1]), 6e12, product_round_off);
 }
 
 }  // namespace

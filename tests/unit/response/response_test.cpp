@@ -14,6 +14,7 @@ namespace {
 
 using namespace trivet;
 constexpr double pi = std::numbers::pi;
+constexpr double round_off = 1e-12;  // up to 80 operations on numbers up to 20
 
 TEST(Phase, OfNegativeRealValuesIsPlus180Degrees) {
   EXPECT_EQ(response::phase({-1, 0.0}), pi);
@@ -25,7 +26,7 @@ TEST(Phase, OfNegativeRealValuesIsPlus180Degrees) {
 TEST(Phase, ContinuousFollowsWholeTurns) {
   Eigen::VectorXcd values(80);
   for (int i = 0; i < 80; ++i) values(i) = std::polar(1.0, -0.2 * i);
-  EXPECT_NEAR(response::continuous_phase(values)(79), -0.2 * 79, 1e-12);
+  EXPECT_NEAR(response::continuous_phase(values)(79), -0.2 * 79, round_off);
 }
 
 std::string driven_chain(const std::string& analyses) {
@@ -38,11 +39,14 @@ TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
   const auto project =
       test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));
   const auto answers = study::answers(project.base(), project.base().analyses);
-  EXPECT_NEAR(answers.response->phase[0](0), 0, 0.01);
-  EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, 0.2);
+  constexpr double lag_below = 0.01, lead_above = 0.2;  // [rad] by the damping, far from the resonances
+  EXPECT_NEAR(answers.response->phase[0](0), 0, lag_below);
+  EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, lead_above);
 }
 
 TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
+  constexpr double peak_position = 1e-6;  // a maximum is flat: its place is known to the root of the round-off, 1e-8
+  constexpr double chord_error = 0.004;   // the grid allows 7e-4 at three places of an interval
   const auto project = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30]}\npeaks = {}\n"));
   const auto answers = study::answers(project.base(), project.base().analyses);
   const auto& omega = answers.response->curves.angular_frequency;
@@ -51,7 +55,7 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
     const auto nearest = *std::min_element(omega.begin(), omega.end(), [&](double a, double b) {
       return std::abs(a - peak.angular_frequency) < std::abs(b - peak.angular_frequency);
     });
-    EXPECT_NEAR(nearest, peak.angular_frequency, 1e-6 * peak.angular_frequency) << "no peak is cut";
+    EXPECT_NEAR(nearest, peak.angular_frequency, peak_position * peak.angular_frequency) << "no peak is cut";
   }
   const auto dense =
       test::project(driven_chain("[analyses]\nresponse = {band = [0, 30], spacing = \"linear\", points = 20001}\n"));
@@ -65,7 +69,7 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
       const double share = (w - omega[k]) / (omega[k + 1] - omega[k]);
       const auto at = [&](std::size_t j) { return std::abs(answers.response->curves.curves[c].value(to_index(j))); };
       EXPECT_NEAR((1 - share) * at(k) + share * at(k + 1),
-                  std::abs(truth.response->curves.curves[c].value(to_index(i))), 0.004 * top);
+                  std::abs(truth.response->curves.curves[c].value(to_index(i))), chord_error * top);
     }
   }
 }
@@ -73,11 +77,13 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
 TEST(Grids, EndWhereTheyShould) {
   EXPECT_EQ(response::linear_grid({1, 2}, 3), (std::vector<double>{1, 1.5, 2}));
   const auto log = response::logarithmic_grid({1, 100}, 3);
-  EXPECT_NEAR(log[1], 10, 1e-12);
+  EXPECT_NEAR(log[1], 10, round_off);
   EXPECT_EQ(log.back(), 100);
 }
 
 TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
+  constexpr double joint_round_off = 1e-9;                         // of sums over all panels
+  constexpr double ratio = numerics::panel_ratio, rounded = 1e-4;  // radius over distance of the centre
   Eigen::VectorXcd poles(4);
   poles << std::complex<double>(-1e-6, 3), std::complex<double>(-1e-6, -3), std::complex<double>(-2, 40),
       std::complex<double>(-2, -40);
@@ -85,12 +91,13 @@ TEST(AxisPanels, CoverTheAxisAndStayClearOfPoles) {
   double end = 0;
   for (const auto& panel : cover.panels) {
     if (panel.at_infinity) {
-      EXPECT_NEAR(1 / panel.radius, end, 1e-9 * end);
+      EXPECT_NEAR(1 / panel.radius, end, joint_round_off * end);
       continue;
     }
-    EXPECT_NEAR(panel.centre - panel.radius, end, 1e-9 * panel.centre);
+    EXPECT_NEAR(panel.centre - panel.radius, end, joint_round_off * panel.centre);
     end = panel.centre + panel.radius;
-    EXPECT_LE(panel.radius, 0.4001 * (poles.array() - std::complex<double>(0, panel.centre)).abs().minCoeff());
+    EXPECT_LE(panel.radius,
+              (ratio + rounded) * (poles.array() - std::complex<double>(0, panel.centre)).abs().minCoeff());
   }
   EXPECT_TRUE(cover.panels.back().at_infinity);
   EXPECT_TRUE(cover.poles_on_axis.empty());

@@ -25,7 +25,7 @@ using test::RelativelyNear;
 using testing::HasSubstr;
 
 constexpr double pi = std::numbers::pi;
-constexpr double round_off = 1e-12;
+constexpr double round_off = 1e-12;  // some hundred operations on numbers near 1
 
 struct Machine {
   project::Project project;
@@ -105,8 +105,8 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   Eigen::VectorXd inputs(response::input_derivatives);
   stepper.inputs(state, inputs);
   const Eigen::VectorXd both = space.displacements().on_state * state.x + space.displacements().on_input * inputs;
-  EXPECT_THAT(both(0), RelativelyNear(q, 1e-12));
-  EXPECT_THAT(both(1), RelativelyNear((1 + k1 * q) / (k1 + k2), 1e-12));
+  EXPECT_THAT(both(0), RelativelyNear(q, round_off));
+  EXPECT_THAT(both(1), RelativelyNear((1 + k1 * q) / (k1 + k2), round_off));
 }
 
 TEST(StateSpace, RefusesACoordinateThatNothingHolds) {
@@ -118,12 +118,13 @@ TEST(StateSpace, RefusesACoordinateThatNothingHolds) {
 }
 
 TEST(Transient, OffersAZenerLawOfTheSameLossAndStiffness) {
+  constexpr double printed_digits = 1e-3;  // three or four digits of a law
   // The numbers of the message for η = 0.1 at 20 rad/s.
   const std::complex<double> modulus = 0.9095 * elements::relative_modulus(elements::Zener{0.221, 0.04525}, 20.0);
-  EXPECT_NEAR(modulus.real(), 1, 1e-3);
-  EXPECT_NEAR(modulus.imag() / modulus.real(), 0.1, 1e-3);
+  EXPECT_NEAR(modulus.real(), 1, printed_digits);
+  EXPECT_NEAR(modulus.imag() / modulus.real(), 0.1, printed_digits);
   // … and of B = ηK/ω: 0.005 s.
-  EXPECT_NEAR(20 * 0.005, 0.1, 1e-12);
+  EXPECT_NEAR(20 * 0.005, 0.1, round_off);
 }
 
 TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSystemIsAsked) {
@@ -143,9 +144,10 @@ TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSyste
   options.nearest_linear_system = true;
   const auto r = test::transient(m.system, m.assembled, {"b.x", "s"}, {base}, options);
   EXPECT_THAT(warnings(r), HasSubstr("nearest linear system"));
+  constexpr double motion_left = 1e-6, force_left = 1e-3;  // [m], [N] of the slow relaxations after 60 s; 800 N/m
   const Eigen::Index last = r.time.size() - 1;
-  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, 1e-6);     // it comes to rest on the displaced ground …
-  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, 1e-3);  // … and the element has no force
+  EXPECT_NEAR(test::curve(r, "b.x").values(last), 0.01, motion_left);    // it comes to rest on the displaced ground …
+  EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, force_left);  // … and the element has no force
 }
 
 TEST(Transient, RefusesPhasesAndForeignLoads) {
@@ -181,9 +183,10 @@ TEST(Transient, ChoosesItsOwnTimes) {
   const Machine m = one_mass();
   const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {m.push(excitation::step(1, 0.5))}, {});
   const double period = 2 * pi / 20;
-  EXPECT_NEAR(r.time(r.time.size() - 1), 0.5 + 10 * period, 1e-9);
-  EXPECT_LE(r.time(1), period / 20);
-  EXPECT_GT(r.time(1), period / 22);
+  constexpr double time_round_off = 1e-9;  // [s] of a sum of steps
+  EXPECT_NEAR(r.time(r.time.size() - 1), 0.5 + 10 * period, time_round_off);
+  EXPECT_LE(r.time(1), period / 20);  // at least 20 points in a period
+  EXPECT_GT(r.time(1), period / 22);  // and not many more
   EXPECT_TRUE(r.warnings.list().empty()) << warnings(r);
 }
 
@@ -221,7 +224,8 @@ TEST(Transient, ComputesAnUnstableSystemAndWarnsUntilNumbersEnd) {
   options.initial =
       response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 1e-3), Eigen::VectorXd::Constant(1, 0));
   const auto r = test::transient(m.system, m.assembled, {"m1.x"}, {}, options);
-  EXPECT_THAT(r.curves[0].values(300), RelativelyNear(1e-3 * std::cosh(30), 1e-11));
+  constexpr double growing_round_off = 1e-11;  // 300 steps, each with the rounding of the exponential
+  EXPECT_THAT(r.curves[0].values(300), RelativelyNear(1e-3 * std::cosh(30), growing_round_off));
   EXPECT_THAT(warnings(r), HasSubstr("doubles every 0.06931 s"));
   options.to = 100;
   EXPECT_THROW(static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"}, {}, options)),
@@ -247,8 +251,9 @@ TEST(Transient, RmsOfAWholeNumberOfPeriodsIsThatOfASine) {
   response::TransientOptions options = until(2 * pi, 2 * pi / 4000);
   options.initial =
       response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.004), Eigen::VectorXd::Constant(1, 0));
+  constexpr double round_off_of_steps = 1e-9;  // 4000 steps; the sum over whole periods is exact
   EXPECT_THAT(test::transient(m.system, m.assembled, {"m1.x"}, {}, options).curves[0].rms,
-              RelativelyNear(0.004 / std::sqrt(2.0), 1e-9));
+              RelativelyNear(0.004 / std::sqrt(2.0), round_off_of_steps));
 }
 
 TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
@@ -258,14 +263,15 @@ TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
   response::TransientOptions options = until(3, 0.01);
   options.from = 2;
   options.initial = response::initial_state(m.assembled, Eigen::VectorXd::Constant(1, 0.01), Eigen::VectorXd::Zero(1));
+  constexpr double at_rest = 1e-14;  // [m] round-off of 100 steps at 0.01 m
   const auto base = test::base_motion(m.assembled, excitation::step(0.01, 0.5), along(0));
   EXPECT_LE((test::transient(m.system, m.assembled, {"m1.x"}, {base}, options).curves[0].values.array() - 0.01)
                 .abs()
                 .maxCoeff(),
-            1e-14);
+            at_rest);
   const auto pushed = test::transient(m.system, m.assembled, {"m1.x"}, {base, m.push(excitation::step(8, 2))}, options,
                                       assembly::MotionQuantity::acceleration);
-  EXPECT_THAT(pushed.curves[0].values(0), RelativelyNear(4.0, 1e-12));
+  EXPECT_THAT(pushed.curves[0].values(0), RelativelyNear(4.0, round_off));
 }
 
 }  // namespace
