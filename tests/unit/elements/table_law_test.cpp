@@ -80,8 +80,8 @@ TEST(StiffnessTable, TheMonotoneCubicConvergesFasterThanTheChord) {
       worst = std::max(worst, std::abs(dynamic_stiffness(table, w, 0).real() - std::log(w) - 1));
     return worst;
   };
-  EXPECT_LT(error(40, Interpolation::monotone_cubic), error(40, Interpolation::linear) / 5);
-  EXPECT_LT(error(80, Interpolation::linear), error(40, Interpolation::linear) / 3.5);  // second order
+  EXPECT_LT(error(40, Interpolation::monotone_cubic), error(40, Interpolation::linear) / 5);  // of higher order
+  EXPECT_LT(error(80, Interpolation::linear), error(40, Interpolation::linear) / 3.5);        // second order
 }
 
 TEST(StiffnessTable, InterpolatesOverAmplitudeAndNeedsNoFrequencies) {

@@ -9,8 +9,8 @@ using namespace trivet::foundation;
 
 TEST(Problem, MessageNamesPlaceThingValueRuleAndRemedy) {
   Problem problem{Severity::error, {"a.toml", 7, 3},     "bodies.frame.mass",
-                  "mass = -3 kg",  "a mass must be > 0", "mend it"};
-  EXPECT_EQ(message(problem), "a.toml:7: error: bodies.frame.mass: mass = -3 kg; a mass must be > 0; mend it");
+                  "mass = -3 kg",  "a mass must be > 0", "correct it"};
+  EXPECT_EQ(message(problem), "a.toml:7: error: bodies.frame.mass: mass = -3 kg; a mass must be > 0; correct it");
 }
 
 TEST(Problems, AreOrderedByLineAndRepeatsDropped) {

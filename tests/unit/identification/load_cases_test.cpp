@@ -156,7 +156,7 @@ TEST(IdentifiedStiffness, ANearlyNullStiffnessIsMadePassiveOnRequestOnly) {
     one.wrench.tail<6>() = k * one.displacement.tail<6>();
     for (int c = 6; c < 12; ++c) one.wrench(c) += (c < 9 ? 6 : 0.3) * normal(random);
   }
-  constexpr double far_above_round_off = 1e-4;
+  constexpr double far_above_round_off = 1e-4;  // the noise makes an eigenvalue near zero negative
   StiffnessFitOptions options;
   const auto plain = identified_stiffness(cases, arm, options).value();
   options.nearest_semidefinite = true;

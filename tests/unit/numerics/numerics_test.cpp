@@ -159,7 +159,7 @@ TEST(QuadraticRoots, RefinementRecoversALightDampingRatio) {
 TEST(GeneralizedModes, ASoftModeAmongStiffOnesKeepsItsDigits) {
   const Eigen::Matrix3d K = Eigen::Vector3d(1e-6, 1e6, 1e8).asDiagonal();
   const auto modes = generalized_modes(K, Eigen::Matrix3d::Identity(), true);
-  constexpr double few_roundings = 1e-14;
+  constexpr double few_roundings = 1e-14;  // a diagonal matrix needs scaling only
   EXPECT_THAT(modes.lambda(0), test::RelativelyNear(1e-6, few_roundings));
 }
 

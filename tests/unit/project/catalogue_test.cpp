@@ -28,10 +28,11 @@ TEST(Catalogue, IsReadWithUnits) {
   ASSERT_TRUE(read) << complaint(read);
   const project::Mount* mount = read->find("M 20");
   ASSERT_NE(mount, nullptr);
-  EXPECT_THAT(mount->translation, NearVector(Eigen::Vector3d(60e3, 60e3, 350e3), 4 * epsilon));
-  EXPECT_THAT(mount->rotation, NearVector(Eigen::Vector3d(10, 10, 8), 4 * epsilon));
+  constexpr double few_roundings = 4 * epsilon;  // the factor of a unit
+  EXPECT_THAT(mount->translation, NearVector(Eigen::Vector3d(60e3, 60e3, 350e3), few_roundings));
+  EXPECT_THAT(mount->rotation, NearVector(Eigen::Vector3d(10, 10, 8), few_roundings));
   EXPECT_DOUBLE_EQ(*mount->loss_factor, 0.08);
-  EXPECT_THAT(*mount->static_load, NearVector(Eigen::Vector2d(0, 800), 4 * epsilon));
+  EXPECT_THAT(*mount->static_load, NearVector(Eigen::Vector2d(0, 800), few_roundings));
   EXPECT_DOUBLE_EQ(*mount->static_deflection_limit, 0.0025);
   EXPECT_DOUBLE_EQ(*mount->mass, 0.12);
   EXPECT_EQ(mount->price, "12.50 EUR");

@@ -19,6 +19,8 @@ using namespace trivet;
 using testing::HasSubstr;
 using testing::Not;
 
+constexpr double round_off = 1e-12;  // a few operations on places up to 100
+
 const study::Answers& everything() {
   static const study::Answers answers = test::answers_of_everything();
   return answers;
@@ -147,10 +149,10 @@ TEST(VisiblePieces, AreCutExactlyAtTheEdgesOfThePanel) {
   const report::PlotPanel panel{{0, 0}, 100, 100, {0, 10, false, ""}, {0, 1, false, ""}};
   const auto pieces = report::visible_pieces(panel, {0, 4, 8, 10}, {0, 2, 0, 0.5});
   ASSERT_EQ(pieces.size(), 2u);  // above the upper edge from 2 to 6
-  EXPECT_NEAR(pieces[0].back().x, 20, 1e-12);
-  EXPECT_NEAR(pieces[0].back().y, 0, 1e-12);
-  EXPECT_NEAR(pieces[1].front().x, 60, 1e-12);
-  EXPECT_NEAR(pieces[1].back().y, 50, 1e-12);
+  EXPECT_NEAR(pieces[0].back().x, 20, round_off);
+  EXPECT_NEAR(pieces[0].back().y, 0, round_off);
+  EXPECT_NEAR(pieces[1].front().x, 60, round_off);
+  EXPECT_NEAR(pieces[1].back().y, 50, round_off);
 }
 
 TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
@@ -165,7 +167,7 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
   EXPECT_LT(pieces[0].size(), 10u);
   EXPECT_NEAR(
       std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y,
-      10, 1e-12);
+      10, round_off);
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ TEST(Ticks, AreRoundAndInside) {
   EXPECT_TRUE(report::linear_ticks(1, 1, 5).empty());
   EXPECT_EQ(report::angle_ticks(-180, 180).front().label, "-180");
   EXPECT_EQ(report::unit_prefix(0.0123, "m").unit, "mm");
-  EXPECT_NEAR(report::unit_prefix(0.0123, "m").factor * 0.0123, 12.3, 1e-12);
+  constexpr double round_off = 1e-12;  // a product near 12
+  EXPECT_NEAR(report::unit_prefix(0.0123, "m").factor * 0.0123, 12.3, round_off);
   EXPECT_EQ(report::unit_prefix(0, "N").unit, "N");
 }
 

@@ -16,7 +16,7 @@ study::DesignMap map_of(const std::string& rules, const std::vector<std::string>
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
-study::DesignMap nearly_all_kept(std::size_t steep) {
+study::DesignMap nearly_all_feasible(std::size_t steep) {
   study::DesignMap map;
   map.outcomes = {{2, 0}, {2, 0}, {2, 0}, {0.99F, 0}};
   map.feasible_designs = 3;
@@ -26,14 +26,14 @@ study::DesignMap nearly_all_kept(std::size_t steep) {
 }
 
 TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
-  study::DesignMap map = nearly_all_kept(0);
+  study::DesignMap map = nearly_all_feasible(0);
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
   map.feasible_designs = 4;
   EXPECT_EQ(results::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
 }
 
 TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
-  study::DesignMap map = nearly_all_kept(0);
+  study::DesignMap map = nearly_all_feasible(0);
   map.feasible_designs = 4;
   map.band_crossings.pairs = 1;
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 4 of 4 designs");
@@ -41,10 +41,10 @@ TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
 
 TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
   EXPECT_THAT(
-      results::feasible_words(nearly_all_kept(1)),
+      results::feasible_words(nearly_all_feasible(1)),
       testing::HasSubstr(
           "; between one pair of neighbours governed by amplitude limits the margin changes more than tenfold: "));
-  EXPECT_THAT(results::feasible_words(nearly_all_kept(7)), testing::HasSubstr("between 7 pairs of neighbours"));
+  EXPECT_THAT(results::feasible_words(nearly_all_feasible(7)), testing::HasSubstr("between 7 pairs of neighbours"));
 }
 
 TEST(AskedWords, TellBandAndWhatCountsAsAPeak) {

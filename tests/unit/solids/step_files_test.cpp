@@ -92,7 +92,8 @@ TEST_F(StepFile, GivesItsSolidsByNumber) {
   test::write_step(file, "Box(1) = {0, 0, 0, 10, 20, 30};\nBox(2) = {100, 0, 0, 1, 1, 1};");
   const auto second = rigid_solid({{"small", StepSolid{file, {2}}, 1e6}});
   ASSERT_TRUE(second);
-  EXPECT_NEAR(second->properties.mass, 1e-3, 1e-15);
+  constexpr double round_off = 1e-15;  // [kg] 1e-12 of a box of 1 mm
+  EXPECT_NEAR(second->properties.mass, 1e-3, round_off);
   const auto third = rigid_solid({{"none", StepSolid{file, {3}}, 1e6}});
   ASSERT_FALSE(third);
   EXPECT_THAT(message(third.error().list().front()),
