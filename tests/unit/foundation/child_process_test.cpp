@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 Command shell(const std::string& script) { return {.program = "/bin/sh", .arguments = {"-c", script}}; }
 
-TEST(ChildProcess, GivesOutputOfBothStreamsAndTheExitCode) {
+TEST(ChildProcess, ReturnsTheOutputOfBothStreamsAndTheExitCode) {
   const CommandOutcome outcome = run(shell("echo said; echo complained >&2; exit 7"));
   EXPECT_EQ(outcome.end, CommandOutcome::End::exited);
   EXPECT_EQ(outcome.code, 7);
@@ -23,7 +23,7 @@ TEST(ChildProcess, GivesOutputOfBothStreamsAndTheExitCode) {
   EXPECT_EQ(outcome.output, "said\ncomplained\n");
 }
 
-TEST(ChildProcess, ArgumentsReachTheProgramAsTheyStand) {
+TEST(ChildProcess, ArgumentsReachTheProgramUnchanged) {
   const Command command{.program = "/bin/echo", .arguments = {"$(id) ; rm -rf 'x y' \"*\"", "ü"}};
   EXPECT_EQ(run(command).output, "$(id) ; rm -rf 'x y' \"*\" ü\n");
 }
@@ -51,7 +51,7 @@ TEST(ChildProcess, ASignalIsNotAnExitCode) {
   EXPECT_EQ(outcome.code, 11);
 }
 
-TEST(ChildProcess, EndsAProgramThatClosedItsOutputAndGoesOn) {
+TEST(ChildProcess, WaitsForAProgramThatClosedItsOutput) {
   EXPECT_EQ(run(shell("exec >/dev/null 2>&1; sleep 0.2; exit 3")).code, 3);
 }
 
@@ -63,7 +63,7 @@ TEST(ChildProcess, IsEndedAtItsTimeLimit) {
   EXPECT_THROW((void)run(command), InvalidInput);
 }
 
-TEST(ChildProcess, ThatPrintsForEverIsEnded) {
+TEST(ChildProcess, IsEndedIfItPrintsForEver) {
   const Command command{.program = "/bin/sh", .arguments = {"-c", "yes"}};
   const CommandOutcome outcome = run(command);
   EXPECT_EQ(outcome.end, CommandOutcome::End::endless_output);
@@ -83,13 +83,13 @@ TEST(ChildProcess, AnInterruptionEndsTheProgramAndWhatItStarted) {
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "survived"));
 }
 
-TEST(ChildProcess, AMissingProgramIsSaid) {
+TEST(ChildProcess, AMissingProgramIsReported) {
   EXPECT_FALSE(program_on_path("no-such-program-of-trivet"));
   EXPECT_TRUE(program_on_path("sh"));
   EXPECT_THROW((void)run({.program = "/no/such/program"}), std::system_error);
 }
 
-TEST(TemporaryFolder, IsGoneWithItsContentsAfterAnException) {
+TEST(TemporaryFolder, IsRemovedWithItsContentsAfterAnException) {
   std::filesystem::path kept;
   try {
     const TemporaryFolder folder;

@@ -40,7 +40,7 @@ TEST(PlainText, NamesWhatCannotBePrinted) {
   EXPECT_EQ(unprintable("M\xFCller"), "the byte FC, which is not UTF-8");
 }
 
-TEST(MessageList, HoldsAHundredMessagesErrorsFirstAndTheNumberOfTheOthers) {
+TEST(MessageList, HasAHundredMessagesErrorsFirstAndTheNumberOfTheRest) {
   Problems problems;
   for (int i = 0; i < 70; ++i) problems.warning("w" + std::to_string(i), "", "", "");
   for (int i = 0; i < 80; ++i) problems.error("e" + std::to_string(i), "", "", "");
@@ -53,7 +53,7 @@ TEST(MessageList, HoldsAHundredMessagesErrorsFirstAndTheNumberOfTheOthers) {
               testing::EndsWith("… and 50 more (0 errors, 50 warnings); correct what is listed and check again\n"));
 }
 
-TEST(MessageList, OfAHundredHasNoRest) {
+TEST(MessageList, HasNoRestForAHundredMessages) {
   Problems problems;
   for (int i = 0; i < 100; ++i) problems.error("e", "", "", "");
   EXPECT_EQ(rest_of_list(problems), "");

@@ -29,7 +29,7 @@ void leave_one_behind(const fs::path& parent) {
   waitpid(child, nullptr, 0);
 }
 
-TEST(TemporaryFolders, OfKilledProcessesGoWithTheNext) {
+TEST(TemporaryFolders, OfKilledProcessesAreRemovedByTheNextOne) {
   const TemporaryFolder parent;
   leave_one_behind(parent.path());
   const auto count = [&] { return std::distance(fs::directory_iterator(parent.path()), fs::directory_iterator()); };
@@ -41,7 +41,7 @@ TEST(TemporaryFolders, OfKilledProcessesGoWithTheNext) {
   EXPECT_TRUE(fs::exists(living.path())) << "its owner lives";
 }
 
-TEST(TemporaryFolders, OnlyWithTheMarkAreOurs) {
+TEST(TemporaryFolders, AreRemovedOnlyIfTheyHaveTheMark) {
   const TemporaryFolder parent;
   const fs::path lookalike = parent.path() / ".trivet-aaaaaaaaaaaaaaaaaaaa",
                  linked = parent.path() / ".trivet-bbbbbbbbbbbbbbbbbbbb", elsewhere = parent.path() / "elsewhere";
@@ -55,7 +55,7 @@ TEST(TemporaryFolders, OnlyWithTheMarkAreOurs) {
   EXPECT_TRUE(fs::exists(elsewhere / owner_mark));
 }
 
-TEST(TemporaryFolders, DoNotFollowLinksWhenTheyGo) {
+TEST(TemporaryFolders, AreRemovedWithoutFollowingLinks) {
   const TemporaryFolder outside;
   std::ofstream(outside.path() / "file") << "text";
   {
@@ -65,14 +65,14 @@ TEST(TemporaryFolders, DoNotFollowLinksWhenTheyGo) {
   EXPECT_TRUE(fs::exists(outside.path() / "file"));
 }
 
-TEST(TemporaryFolders, AreForTheirOwnerAlone) {
+TEST(TemporaryFolders, AreAccessibleToTheirOwnerOnly) {
   const TemporaryFolder folder;
   EXPECT_EQ(fs::status(folder.path()).permissions(), fs::perms::owner_all);
 }
 
 TEST(TemporaryFolders, NeedAPlace) { EXPECT_THROW(TemporaryFolder(fs::path("/no/such/folder")), std::system_error); }
 
-TEST(ChildProcessOfAKilledOwner, EndsWithAllThatItStarted) {
+TEST(ChildProcessOfAKilledOwner, EndsWithAllProcessesThatItStarted) {
   const TemporaryFolder folder;
   const pid_t owner = fork();
   if (owner == 0) {

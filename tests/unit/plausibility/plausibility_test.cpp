@@ -53,7 +53,7 @@ plausibility::BodyPicture picture(const project::Project& project) {
   return plausibility::pictures(project.base().system, {false}, {false}).front();
 }
 
-TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
+TEST(Plausibility, FeaturesOfACubeAgreeWithClosedForms) {
   const project::Project project = test::project(Cube{}.text());
   const plausibility::Features found = plausibility::features(picture(project), {});
   const double omega = std::sqrt(4 * 2e6 / 7850);
@@ -66,7 +66,7 @@ TEST(Plausibility, FeaturesOfACubeAreThoseOfItsClosedForms) {
   EXPECT_FALSE(found.damping_ratio.has_value());
 }
 
-TEST(Plausibility, ASlipThatIsUndoneGivesTheFeaturesOfTheMachineThatWasMeant) {
+TEST(Plausibility, ACorrectedSlipGivesTheFeaturesOfTheIntendedMachine) {
   const project::Project meant = test::project(Cube{}.text());
   const plausibility::Features sound = plausibility::features(picture(meant), {});
   constexpr double correction_round_off = 1e-9;  // of factors and of sums over mounts; a slip is a factor of 10 or more
@@ -101,7 +101,7 @@ TEST(Plausibility, NamesOneKindForOneSlip) {
   EXPECT_THAT(kinds(Cube{.centre = 500}.text()), ElementsAre("center of mass"));
 }
 
-TEST(Plausibility, KnowsGravityInOtherUnitsAndUpwards) {
+TEST(Plausibility, DetectsGravityInOtherUnitsAndUpwards) {
   for (const char* gravity :
        {"[0, 0, -1]", "[0, 0, -9806.65]", "[0, 0, -980.665]", "[0, 0, -32.174]", "[0, 0, 9.80665]", "[0, 0, -1e4]"})
     EXPECT_THAT(kinds(Cube{.gravity = std::string("gravity = ") + gravity}.text()), ElementsAre("gravity")) << gravity;
@@ -111,7 +111,7 @@ TEST(Plausibility, KnowsGravityInOtherUnitsAndUpwards) {
   EXPECT_THAT(kinds(Cube{.centre = -0.5, .gravity = "gravity = [0, 0, 9.80665]"}.text()), IsEmpty());
 }
 
-TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
+TEST(Plausibility, DetectsDampingInPercentAndExchanged) {
   EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.59}"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.damping = "damping = {loss_factor = 0.6}"}.text()), ElementsAre("loss factor"));
   EXPECT_THAT(kinds(Cube{.damping = "damping = {proportional = 1.2}"}.text()), ElementsAre("proportional damping"));
@@ -124,7 +124,7 @@ TEST(Plausibility, KnowsDampingInPercentAndExchanged) {
               ElementsAre("rayleigh"));
 }
 
-TEST(Plausibility, KnowsAMountThatIsNotLikeTheOthers) {
+TEST(Plausibility, DetectsAMountThatIsNotLikeTheOthers) {
   const std::string fifth = "[elements.fifth]\ntype = \"bushing\"\non = \"cube\"\ndamping = {loss_factor = 0.1}\n";
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.more = fifth + "at = [0, 0, 0]\ntranslation = [2e3, 2e3, 2e3]\n"}.text()),
@@ -141,7 +141,7 @@ TEST(Plausibility, KnowsAMountThatIsNotLikeTheOthers) {
               ElementsAre("stiffness per degree"));
 }
 
-TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
+TEST(Plausibility, DetectsALoadThatTipsOrLifts) {
   const auto moved = [](double x) {
     return fmt::format(
         "position = [0, 0, 0]\npoints.p = [0, 0, 1]\n[bodies.block]\nmass = 20000\nposition = [{}, 0, 1]\ninertia = "
@@ -162,7 +162,7 @@ TEST(Plausibility, KnowsALoadThatTipsOrLifts) {
   EXPECT_THAT(kinds(Cube{.more = fmt::format(fmt::runtime(moment), 5e4)}.text()), ElementsAre("lift-off"));
 }
 
-TEST(Plausibility, KnowsProportionalDampingThatOverdamps) {
+TEST(Plausibility, DetectsProportionalDampingThatOverdamps) {
   const double frequency = std::sqrt(4 * 2e6 / 7850) / (2 * pi);  // π f δ = 2
   const auto damped = [&](double ratio) {
     return Cube{.damping = fmt::format("damping = {{proportional = {}}}", ratio / (pi * frequency))}.text();
@@ -171,12 +171,12 @@ TEST(Plausibility, KnowsProportionalDampingThatOverdamps) {
   EXPECT_THAT(kinds(damped(2.01)), ElementsAre("proportional damping"));
 }
 
-TEST(Plausibility, KnowsScalesInPercent) {
+TEST(Plausibility, DetectsScalesInPercent) {
   EXPECT_THAT(kinds(Cube{.stiffness = 2e6 / 29, .of_mount = "scale = 29"}.text()), IsEmpty());
   EXPECT_THAT(kinds(Cube{.stiffness = 2e6 / 30, .of_mount = "scale = 30"}.text()), ElementsAre("scale"));
 }
 
-TEST(Plausibility, KnowsLimitsLargerThanTheBody) {
+TEST(Plausibility, DetectsLimitsLargerThanTheBody) {
   const double size = 2 * std::sqrt(3 * (7850.0 / 6) / (2 * 7850));  // twice the root mean square distance of the mass
   const auto limited = [](double amplitude) {
     return Cube{.more = fmt::format("[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = "
@@ -188,7 +188,7 @@ TEST(Plausibility, KnowsLimitsLargerThanTheBody) {
   EXPECT_THAT(kinds(limited(1.01 * size)), ElementsAre("limit"));
 }
 
-TEST(Plausibility, KnowsOneDamperOfThree) {
+TEST(Plausibility, DetectsOneDamperOfThree) {
   const auto dampers = [](double last) {
     std::string text;
     for (int i = 0; i < 3; ++i)
@@ -201,12 +201,12 @@ TEST(Plausibility, KnowsOneDamperOfThree) {
   EXPECT_THAT(kinds(dampers(1e4 / 51)), ElementsAre("viscous damping"));
 }
 
-TEST(Plausibility, UndoesStiffnessTogetherWithTheDampingOfItsLaw) {
+TEST(Plausibility, CorrectsStiffnessTogetherWithTheDampingOfItsLaw) {
   EXPECT_THAT(kinds(Cube{.stiffness = 2e3, .damping = "damping = {kelvin_voigt = {time = \"0.6 ms\"}}"}.text()),
               ElementsAre("stiffness"));
 }
 
-TEST(Plausibility, KnowsRimsThatBurst) {
+TEST(Plausibility, DetectsRimsThatBurst) {
   // A steel cylinder twice as long as thick, r³ = m / 4πρ: 100 kg have 0.1004 m, 600 m/s are 5975 rad/s.
   const double radius = std::cbrt(100 / (4 * pi * 7850));
   const auto rotor = [&](double rim) {
@@ -219,7 +219,7 @@ TEST(Plausibility, KnowsRimsThatBurst) {
   EXPECT_THAT(kinds(Cube{.more = rotor(601)}.text()), ElementsAre("speed"));
 }
 
-TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
+TEST(Plausibility, DetectsEndsTypedInTheFrameOfTheBody) {
   const auto end = [](double z) { return fmt::format("from_at = [0.5, 0.5, {}]", z); };
   // `from_at` in the frame of the body instead of the ground is only possible for a body with a position.
   const std::string position = "position = [0, 0, 1.2]";
@@ -232,7 +232,7 @@ TEST(Plausibility, KnowsEndsTypedInTheFrameOfTheBody) {
   EXPECT_THAT(kinds(text + end(1.15)), testing::Not(testing::Contains("places")));
 }
 
-TEST(Plausibility, TellsAMachineThatFallsOver) {
+TEST(Plausibility, DetectsAMachineThatFallsOver) {
   // Four springs of 20 N/mm at ±0.2 m: k = 4 · 20e3 · 0.2² = 3200 N m/rad against m g h.
   const auto rack = [](double h) {
     std::string text = fmt::format(
@@ -256,7 +256,7 @@ TEST(Plausibility, TellsAMachineThatFallsOver) {
   EXPECT_THAT(rack(-1), IsEmpty());
 }
 
-TEST(Plausibility, CountsTheHeightOverTheMountsThatBear) {
+TEST(Plausibility, MeasuresTheHeightAboveTheMountsThatCarryWeight) {
   // 300 kg on four feet of 25.6 kN/m at ±0.2 m (k = 4096 N m/rad) and a lateral guide at another height, which carries
   // no weight: only the feet count.
   const auto guided = [](double feet, double guide) {
@@ -299,7 +299,7 @@ TEST(Plausibility, FindsTheWorstAxisOfTilting) {
   }
 }
 
-TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
+TEST(Plausibility, DetectsQuestionsThatMissTheMachine) {
   const std::string push =
       "[excitations.push]\ntype = \"harmonic\"\non = \"cube\"\nat = [0, 0, 0.5]\nforce = [0, 0, 1]\n[analyses]\n";
   EXPECT_THAT(kinds(Cube{.more = push + "response = {band = [\"1 Hz\", \"20 Hz\"]}\n"}.text()), IsEmpty());
@@ -321,7 +321,7 @@ TEST(Plausibility, KnowsQuestionsThatMissTheMachine) {
       IsEmpty());
 }
 
-TEST(Plausibility, KnowsProductsOfInertiaAboutThePoleWithTheOtherSign) {
+TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   // m = 100 kg at (0.2, 0.2, 0), a cube of 0.6 m: Jxy about the pole is m x y = 4 kg m²
   const auto body = [](double xy) {
     return fmt::format(

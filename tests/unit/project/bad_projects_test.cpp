@@ -16,7 +16,7 @@ using namespace trivet;
 
 class BadProject : public testing::TestWithParam<fs::path> {};
 
-TEST_P(BadProject, IsRefusedWithTheExpectedMessages) {
+TEST_P(BadProject, IsRejectedWithTheExpectedMessages) {
   setenv("TRIVET_CACHE", "", 1);  // no results of earlier runs
   const auto refused = project::read_project(GetParam());
   ASSERT_FALSE(refused.has_value()) << "it was accepted";

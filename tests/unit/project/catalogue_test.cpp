@@ -41,13 +41,13 @@ TEST(Catalogue, IsReadWithUnits) {
   EXPECT_TRUE(read->warnings.list().empty());
 }
 
-TEST(Catalogue, TakesAMountWithThreeStiffnessesOnly) {
+TEST(Catalogue, AcceptsAMountWithOnlyThreeStiffnesses) {
   const auto read = catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   EXPECT_FALSE(read->mounts[0].loss_factor || read->mounts[0].static_load || read->mounts[0].mass);
 }
 
-TEST(Catalogue, SaysWhatIsWrongAndWhere) {
+TEST(Catalogue, ReportsWhatIsWrongAndWhere) {
   const auto said = [](const std::string& text) { return complaint(catalogue_from_text(text, "c.toml")); };
   const std::string good = "translation = [1, 1, 2]\n";
   EXPECT_THAT(said("mounts = [\n"), HasSubstr("c.toml:"));
@@ -73,7 +73,7 @@ TEST(Catalogue, SaysWhatIsWrongAndWhere) {
               HasSubstr("o such file or directory; the catalogue must be a readable text file"));
 }
 
-TEST(Catalogue, WarnsOfWhatDoesNotFitTogether) {
+TEST(Catalogue, WarnsAboutInconsistentValues) {
   const auto read = catalogue_from_text(
       head +
           "translation = [1, 1, 1000]\nloss_factor = 8\nstatic_load = [0, 100]\nstatic_deflection_limit = \"2 mm\"\n",
@@ -94,7 +94,7 @@ TEST(Catalogue, ProposesTheNearestName) {
   EXPECT_THAT(complaint(project::mount_named("air spring", catalogues)), HasSubstr("see the names in the catalogue"));
 }
 
-TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
+TEST(GenericCatalogue, AgreesWithItsFormulas) {
   const project::Catalogue& catalogue = project::generic_catalogue();
   EXPECT_EQ(catalogue.mounts.size(), 21u);
   EXPECT_TRUE(catalogue.warnings.list().empty());
@@ -113,7 +113,7 @@ TEST(GenericCatalogue, HoldsWhatItsFormulasSay) {
   }
 }
 
-TEST(GenericCatalogue, LiesAsNearToFiniteElementsAsItSays) {
+TEST(GenericCatalogue, IsWithinItsStatedErrorOfFiniteElements) {
   // The measured formulas of a disc are within 0.8 % of finite elements; docs/elements/catalogue.md states 5 % and 12
   // %.
   constexpr double stated = 0.05, stated_tilt = 0.12;

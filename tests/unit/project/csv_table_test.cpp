@@ -34,7 +34,7 @@ TEST(CsvTable, ReadsNumbersUnderTheirNames) {
   EXPECT_TRUE(std::isnan(table.values(1, 1)));
 }
 
-TEST(CsvTable, TakesTheSeparatorFromTheHeader) {
+TEST(CsvTable, DetectsTheSeparatorInTheHeader) {
   for (const std::string separator : {",", ";", "\t"}) {
     const auto table = csv_table("x" + separator + "y\n1" + separator + "2\n3" + separator + "\n", "rig.csv");
     ASSERT_TRUE(table.has_value());
@@ -43,7 +43,7 @@ TEST(CsvTable, TakesTheSeparatorFromTheHeader) {
   }
 }
 
-TEST(CsvTable, AMissingColumnIsNamedWithTheOnesThereAre) {
+TEST(CsvTable, AMissingColumnIsReportedWithTheExistingOnes) {
   const auto table = csv_table("time,displacment,force\n0,0,0\n", "rig.csv").value();
   const auto found = columns(table, {"force", "displacement", "phase"});
   ASSERT_FALSE(found.has_value());
@@ -78,13 +78,13 @@ TEST(CsvTable, NeedsAHeaderAndARow) {
   EXPECT_THAT(first_message("\"x,y\n3,4\n"), HasSubstr("a quote is not closed"));
 }
 
-TEST(CsvTable, AFileOfTheWrongKindDoesNotFillTheScreen) {
+TEST(CsvTable, AFileOfTheWrongKindGivesAtMostFortyMessages) {
   std::string text = "x,y\n";
   for (int i = 0; i < 1000; ++i) text += "a,b\nc\n";
   EXPECT_THAT(csv_table(text, "rig.csv").error().list(), SizeIs(40));
 }
 
-TEST(CsvTable, RefusesWhatIsNoTextFile) {
+TEST(CsvTable, RejectsFilesThatAreNotText) {
   const std::string path = testing::TempDir() + "csv_table_test.csv";
   std::ofstream(path, std::ios::binary) << std::string("x,y\n1,\0\n", 8);
   EXPECT_THAT(foundation::message(project::read_csv_table(path).error().list().front()), HasSubstr("NUL bytes"));
@@ -96,7 +96,7 @@ TEST(CsvTable, RefusesWhatIsNoTextFile) {
               HasSubstr("not a file"));
 }
 
-TEST(CsvTable, OfTwoColumnsCalledNameIsRefused) {
+TEST(CsvTable, RejectsTwoColumnsCalledName) {
   EXPECT_FALSE(project::csv_table("name,name\na,b\n", "t.csv").has_value());
 }
 
@@ -122,7 +122,7 @@ TEST(CsvTable, HasNamesThatCanBePrinted) {
   EXPECT_FALSE(project::csv_table("a\x1b\n1\n", "t.csv").has_value());
 }
 
-TEST(CsvTable, HoldsNoNumbersThatVanishInProducts) {
+TEST(CsvTable, RejectsNumbersThatVanishInProducts) {
   EXPECT_FALSE(project::csv_table("a\n5e-324\n", "t.csv").has_value());
   EXPECT_FALSE(project::csv_table("a\n1e300\n", "t.csv").has_value());
   EXPECT_TRUE(project::csv_table("a\n1e-30\n", "t.csv").has_value());

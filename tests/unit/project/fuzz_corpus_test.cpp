@@ -13,7 +13,7 @@
 
 namespace {
 
-TEST(FuzzCorpus, EveryInputIsReadOrRefusedAndAnsweredOrNot) {
+TEST(FuzzCorpus, NoInputThrows) {
   int files = 0;
   std::set<std::string> roles;
   for (const auto& entry : std::filesystem::directory_iterator(std::string(TRIVET_SOURCE_DIR) + "/tests/fuzz/corpus")) {

@@ -10,7 +10,7 @@ using namespace trivet;
 using test::mapped_machine;
 using test::two_axes;
 
-TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
+TEST(MapReader, UsesTheLimitsAndTheQuantityOfTheFileByDefault) {
   const project::Project project =
       test::project(mapped_machine("response = {quantity = \"velocity\", band = [0, 30]}\nmap = {" + two_axes + "}\n",
                                    "[limits]\n\"machine.z\" = \"20 mm/s\"\n"));
@@ -22,7 +22,7 @@ TEST(MapReader, TakesTheLimitsAndTheQuantityOfTheFileWhereTheMapIsSilent) {
   EXPECT_DOUBLE_EQ(map.band->to, 30);
 }
 
-TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
+TEST(MapReader, DistinguishesDisplacementVelocityAndAccelerationByTheUnit) {
   const project::Project project = test::project(
       mapped_machine("map = {" + two_axes +
                      ", limits = {\"machine.z\" = [\"3 mm\", \"0.2 m/s2\"], \"machine.seat.z\" = \"1 cm/s\"}}\n"));
@@ -33,14 +33,14 @@ TEST(MapReader, TellsDisplacementVelocityAndAccelerationByTheUnit) {
   EXPECT_EQ(limits[2].quantity, assembly::MotionQuantity::velocity);
 }
 
-TEST(MapReader, LetsAPeakRiseToMoreThanTwiceItsMinimum) {
+TEST(MapReader, AcceptsAPeakToleranceAboveOne) {
   const project::Project project = test::project(mapped_machine(
       "peaks = {peak_tolerance = 1}\nmap = {" + two_axes + ", no_peak = \"coordinates\", peak_tolerance = 1.5}\n"));
   EXPECT_EQ(project.base().analyses.peaks->peak_tolerance, 1);
   EXPECT_EQ(project.base().analyses.map->peak_tolerance, 1.5);
 }
 
-TEST(MapAxis, MeetsItsEndsExactlyOnBothSpacings) {
+TEST(MapAxis, ReachesItsEndsExactlyWithBothSpacings) {
   for (const bool logarithmic : {false, true}) {
     const project::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
     EXPECT_EQ(axis.at(0), 0.3);

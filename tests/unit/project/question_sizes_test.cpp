@@ -25,7 +25,7 @@ std::string messages(const foundation::Problems& problems) {
   return text;
 }
 
-TEST(QuestionSizes, AHundredFreeBodiesAreAdmittedAndNoMore) {
+TEST(QuestionSizes, AtMostAHundredFreeBodiesAreAccepted) {
   project::Analyses modes;
   modes.modes = true;
   EXPECT_FALSE(project::too_large(tower(100), modes).has_errors());
@@ -49,7 +49,7 @@ TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
   EXPECT_EQ(project::coordinates(machine), 6u + 600u);
 }
 
-TEST(QuestionSizes, TwentyBodiesWithAllPeaksAreSearchedAndAHundredAreNot) {
+TEST(QuestionSizes, AllPeaksAreAcceptedForTwentyBodiesButNotForAHundred) {
   project::Analyses peaks;
   peaks.peaks.emplace();
   EXPECT_FALSE(project::too_large(tower(20), peaks).has_errors());
@@ -75,7 +75,7 @@ TEST(QuestionSizes, TheSecondSolverChecksFewerFrequenciesOfLargeSystems) {
   EXPECT_EQ(project::deep_check_frequencies(600), 4);
 }
 
-TEST(QuestionSizes, OfAFileAreToldWhereTheyAreAsked) {
+TEST(QuestionSizes, AreReportedWithTheLineOfTheQuestion) {
   const std::string text =
       "trivet = 1\n[bodies.b]\nmass = 1\ninertia = {about = \"pole\", xx = 1, yy = 1, zz = 1}\n[elements.m]\ntype = "
       "\"bushing\"\non = \"b\"\nat = [0, 0, 0]\n"

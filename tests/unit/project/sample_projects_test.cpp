@@ -37,7 +37,7 @@ std::vector<fs::path> files() {
   return all;
 }
 
-TEST(SampleProjects, HoldEveryElementLaw) {
+TEST(SampleProjects, ContainEveryElementLaw) {
   std::string all;
   for (const fs::path& file : files()) {
     std::ifstream text(file);

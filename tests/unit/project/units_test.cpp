@@ -55,7 +55,7 @@ TEST(Units, ConvertWhatEngineersWrite) {
   }
 }
 
-TEST(Units, RefuseWhatDoesNotMeasureTheQuantity) {
+TEST(Units, RejectUnitsOfAnotherQuantity) {
   for (const auto& [text, quantity] : {std::pair{"3 m", Quantity::mass},
                                        {"5 J", Quantity::moment},
                                        {"5 kJ", Quantity::moment},

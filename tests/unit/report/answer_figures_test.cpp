@@ -67,7 +67,7 @@ const report::Figure& figure(const std::vector<report::Figure>& figures, const s
   return *found;
 }
 
-TEST(AnswerFigures, AreWellFormedWithoutBadNumbersUnderNamesOfTheirOwn) {
+TEST(AnswerFigures, AreWellFormedWithFiniteNumbersAndDifferentNames) {
   std::vector<std::string> names;
   for (const report::Figure& f : report::answer_figures(everything())) {
     EXPECT_EQ(xml_fault(f.svg), "") << f.file_name;
@@ -111,12 +111,12 @@ TEST(AnswerFigures, DrawOneLinePerCurve) {
   EXPECT_EQ(count(figure(all, "limit").svg, "<polyline"), 2);
 }
 
-TEST(AnswerFigures, WithoutAnswersThereAreNone) {
+TEST(AnswerFigures, AreMissingWithoutAnswers) {
   EXPECT_TRUE(report::answer_figures({}).empty());
   EXPECT_EQ(report::answer_sections({}), "");
 }
 
-TEST(AnswerFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
+TEST(AnswerFigures, RigidGroundAbsorbsNoPowerAndHasNoFigure) {
   study::Answers answers;
   response::PowerFlow power = *everything().find<response::PowerFlow>("power");
   power.into_ground.setZero();
@@ -125,7 +125,7 @@ TEST(AnswerFigures, RigidGroundTakesNoPowerAndGivesNoPicture) {
   EXPECT_TRUE(report::power_figures(answers).empty());
 }
 
-TEST(AnswerFigures, GapsOfUndefinedValuesPartTheCurve) {
+TEST(AnswerFigures, UndefinedValuesInterruptTheCurve) {
   study::Answers answers;
   study::RandomResult random = *everything().find<study::RandomResult>("random");
   auto& density = random.curves.density.front();
@@ -134,7 +134,7 @@ TEST(AnswerFigures, GapsOfUndefinedValuesPartTheCurve) {
   EXPECT_EQ(count(report::random_figures(answers).front().svg, "<polyline"), 7);
 }
 
-TEST(AnswerSections, HoldTheFiguresAndTheKeyNumbers) {
+TEST(AnswerSections, ContainTheFiguresAndTheKeyNumbers) {
   const std::string html = report::answer_sections(everything());
   EXPECT_EQ(xml_fault(html), "");
   EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::answer_figures(everything()).size()));

@@ -35,7 +35,7 @@ bool holds(const std::vector<design::MapLine>& rings, const design::MapPlace& p)
   return std::any_of(rings.begin(), rings.end(), [&](const design::MapLine& ring) { return holds(ring, p); });
 }
 
-TEST(MapRegions, NoBrokenPlaceIsShownAsLimitedByNothing) {
+TEST(MapRegions, NoInfeasiblePlaceIsShownAsUnlimited) {
   const study::DesignMap map = coarse_map("9");
   ASSERT_GT(map.without_bound, 10u);
   for (const report::MapRegion& region : report::map_regions(map))
@@ -58,7 +58,7 @@ TEST(MapRegions, CoverBothSidesOfTheBoundary) {
   }
 }
 
-TEST(MapFigure, ShowsWhatNoRuleLimitsLighterInItsKeyToo) {
+TEST(MapFigure, ShowsUnlimitedDesignsLighterInItsKeyToo) {
   const std::string svg = report::map_figure(coarse_map("9"), "").svg;
   const std::size_t words = svg.find("no rule limits it: no peak");
   ASSERT_NE(words, std::string::npos);

@@ -13,7 +13,7 @@ namespace {
 
 using namespace trivet;
 
-TEST(Ticks, OfALogarithmicAxisAreThreeAtLeastHoweverShortItIs) {
+TEST(Ticks, AreAtLeastThreeOnALogarithmicAxis) {
   const auto labels = [](double from, double to) {
     std::string text;
     for (const report::Tick& tick : report::decade_ticks(from, to)) text += tick.label + " ";
@@ -43,7 +43,7 @@ TEST(Ticks, AreRoundAndInside) {
   EXPECT_EQ(report::unit_prefix(0, "N").unit, "N");
 }
 
-TEST(Report, HoldsItsDataAndNothingFromOutside) {
+TEST(Report, ContainsItsDataAndNoExternalLinks) {
   const auto project = test::project(project::starter_text);
   std::vector<study::Answers> all;
   for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
@@ -113,13 +113,13 @@ std::string overview_with(const std::string& the_case) {
   return report::overview("Block", answers).svg;
 }
 
-TEST(Overview, SaysWhichCaseStandsForTheBaseModel) {
+TEST(Overview, NamesTheCaseThatEqualsTheBaseModel) {
   const std::string svg = overview_with("[cases.same]\nelements.spring.scale = 1\n");
   EXPECT_THAT(svg, testing::HasSubstr(">same = base model: block<"));
   EXPECT_THAT(svg, testing::Not(testing::HasSubstr(">Base model")));
 }
 
-TEST(Overview, ShowsTheBaseModelBesideACaseThatDiffersInALaterCurve) {
+TEST(Overview, ShowsTheBaseModelNextToACaseThatDiffersInALaterCurve) {
   const std::string svg = overview_with("[cases.stiffer]\nelements.spring.translation = [900, 1100, 2600]\n");
   EXPECT_THAT(svg, testing::HasSubstr(">Base model: block<"));
   EXPECT_THAT(svg, testing::HasSubstr(">stiffer: block<"));

@@ -38,14 +38,14 @@ damping = {proportional = 1e-11}
 }
 
 /// An undamped resonance of some coordinates; others do not take part in it.
-TEST(DeepCheck, KnowsThatASingularBlockHasNoFiniteCondition) {
+TEST(DeepCheck, GivesASingularBlockAnInfiniteCondition) {
   numerics::ExtendedMatrix z = numerics::ExtendedMatrix::Identity(5, 5);
   z.bottomRightCorner(2, 2) << 1, 2, 2, 4;
   EXPECT_TRUE(std::isinf(numerics::RefinedSolver(z).condition()));
 }
 
 /// An unbalance there would be 1e-304 of its size elsewhere.
-TEST(DeepCheck, AsksAtNoFrequencyThatIsRoundOffOfARootThatCreeps) {
+TEST(DeepCheck, SkipsAFrequencyThatIsRoundOffOfADecayingRoot) {
   Eigen::VectorXcd poles(2);
   poles << std::complex<double>(-16, 7e-153), std::complex<double>(-2, 21);
   const std::vector<double> omega = response::check_frequencies(poles, 0, 100, 64);
@@ -53,7 +53,7 @@ TEST(DeepCheck, AsksAtNoFrequencyThatIsRoundOffOfARootThatCreeps) {
   EXPECT_THAT(omega, testing::Contains(21.0));
 }
 
-TEST(DeepCheck, DoesNotAllowMuchWhereNothingCancels) {
+TEST(DeepCheck, AllowsLittleIfNothingCancels) {
   const project::Project project = test::project(test::chain({1}, {1000, 0}, {0, 0}));
   const response::DeepCheck check = study::deep_check(project.base());
   EXPECT_TRUE(check.passed);

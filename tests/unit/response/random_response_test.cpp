@@ -80,7 +80,7 @@ response::RandomLoading white(const Case& c, double from = 0, double to = 1e7) {
   return {{{"force", c.force(), excitation::flat_spectrum(1, from, to)}}, {}};
 }
 
-TEST(RandomHardCases, AnyDampingOfOneMassMeetsItsClosedForm) {
+TEST(RandomHardCases, AnyDampingOfOneMassAgreesWithItsClosedForm) {
   // ∫₀^∞ S dω/|Z|² = π S/(2 k c), in velocity π S/(2 m c).
   for (const double ratio : {1e-8, 1e-5, 1e-3, 0.1, 0.7, 0.999999, 1.000001, 1.5, 300.0}) {
     const Case c = one_mass(100, dashpot(2 * ratio * 10));
@@ -93,7 +93,7 @@ TEST(RandomHardCases, AnyDampingOfOneMassMeetsItsClosedForm) {
   }
 }
 
-TEST(RandomHardCases, EqualMachinesSideBySideAreEachWhatOneIs) {
+TEST(RandomHardCases, EqualMachinesSideBySideRespondLikeOne) {
   model::Description d;
   for (std::size_t i = 0; i < 4; ++i) {
     d.bodies.push_back(mass("m" + std::to_string(i), 1));
@@ -167,7 +167,7 @@ TEST(RandomHardCases, AGrowingMotionHasNoStationaryVibration) {
   EXPECT_THAT(answer.reason, testing::HasSubstr("grows"));
 }
 
-TEST(RandomHardCases, AVeryLongDelayIsTakenInPortions) {
+TEST(RandomHardCases, AVeryLongDelayIsIntegratedInPortions) {
   model::Description d;
   d.bodies = {mass("a", 1)};
   d.elements = {strut("one", std::nullopt, 0, 50, dashpot(1)), strut("two", std::nullopt, 0, 50, dashpot(1))};
@@ -192,7 +192,7 @@ TEST(RandomHardCases, AVeryLongDelayIsTakenInPortions) {
   EXPECT_NEAR(apart / in_phase, std::sqrt(0.5), of_the_ends);
 }
 
-TEST(RandomRefusals, SayWhatIsWrong) {
+TEST(RandomResponse, RejectsInvalidInput) {
   const Case c = one_mass(100, dashpot(1));
   const excitation::Spectrum flat = excitation::flat_spectrum(1, 1, 10);
   EXPECT_THROW((void)c.random({}), foundation::InvalidInput);
@@ -212,7 +212,7 @@ TEST(RandomRefusals, SayWhatIsWrong) {
   EXPECT_EQ(response::check({}, "random").errors(), 1U);
 }
 
-TEST(RandomProgress, StopsWhereItIsTold) {
+TEST(RandomResponse, StopsOnAnInterruption) {
   const Case c = one_mass(100, dashpot(1));
   const auto channels =
       assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::displacement);
@@ -221,7 +221,7 @@ TEST(RandomProgress, StopsWhereItIsTold) {
                foundation::Interrupted);
 }
 
-TEST(RandomLoading, TakesTheRandomExcitationsAndTheirPartnersOnce) {
+TEST(RandomLoading, ContainsEachRandomExcitationAndEachPairOnce) {
   model::Description d;
   d.bodies = {mass("m", 1)};
   d.elements = {strut("spring", std::nullopt, 0, 100, dashpot(1))};
@@ -258,7 +258,7 @@ TEST(PoleResidueForm, IsTheInverseOfTheDynamicStiffnessAlsoWithCoordinatesHeldBy
   }
 }
 
-TEST(LyapunovCovariance, OfOneMassIsItsEquipartitionAndGrowthIsRefused) {
+TEST(LyapunovCovariance, IsEquipartitionForOneMassAndRejectsGrowth) {
   Eigen::Matrix2d state, intensity = Eigen::Vector2d(0, 3).asDiagonal();
   state << 0, 1, -16, -0.5;
   const Eigen::MatrixXd covariance = test::lyapunov_covariance(state, intensity);

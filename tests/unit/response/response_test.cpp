@@ -16,7 +16,7 @@ using namespace trivet;
 constexpr double pi = std::numbers::pi;
 constexpr double round_off = 1e-12;  // up to 80 operations on numbers up to 20
 
-TEST(Phase, OfNegativeRealValuesIsPlus180Degrees) {
+TEST(Phase, IsPlus180DegreesForNegativeRealValues) {
   EXPECT_EQ(response::phase({-1, 0.0}), pi);
   EXPECT_EQ(response::phase({-1, -0.0}), pi);
   EXPECT_EQ(response::phase({2, -0.0}), 0);
@@ -44,7 +44,7 @@ TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
   EXPECT_NEAR(answers.response->phase[0](1), -3 * pi, lead_above);
 }
 
-TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
+TEST(AutomaticGrid, ContainsEveryPeakAndResolvesTheCurve) {
   constexpr double peak_position = 1e-6;  // a maximum is flat: its place is known to the root of the round-off, 1e-8
   constexpr double chord_error = 0.004;   // the grid allows 7e-4 at three places of an interval
   const auto project = test::project(driven_chain("[analyses]\nresponse = {band = [0, 30]}\npeaks = {}\n"));
@@ -74,7 +74,7 @@ TEST(AutomaticGrid, HoldsEveryPeakAndDrawsTheCurveBetweenItsPoints) {
   }
 }
 
-TEST(Grids, EndWhereTheyShould) {
+TEST(Grids, EndExactlyAtTheBand) {
   EXPECT_EQ(response::linear_grid({1, 2}, 3), (std::vector<double>{1, 1.5, 2}));
   const auto log = response::logarithmic_grid({1, 100}, 3);
   EXPECT_NEAR(log[1], 10, round_off);
@@ -110,14 +110,14 @@ TEST(AxisPanels, CoverTheAxisOfALoadThatIsUnboundedAtRestWithoutPoles) {
   EXPECT_TRUE(cover.panels.back().at_infinity);
 }
 
-TEST(AxisPanels, CoverTheAxisOfNothingButFreeMotion) {
+TEST(AxisPanels, CoverTheAxisOfRigidBodyModesOnly) {
   const auto cover = numerics::cover_axis(Eigen::VectorXcd::Zero(12));
   EXPECT_GT(cover.lowest, 0);
   EXPECT_FALSE(cover.panels.front().at_infinity);
   EXPECT_TRUE(cover.panels.back().at_infinity);
 }
 
-TEST(Peaks, OfABodyThatNothingHoldsAreNoneThoughItMoves) {
+TEST(Peaks, AFreeBodyMovesAndHasNone) {
   const auto project = test::project(
       "trivet = 1\n[bodies.b]\nmass = 10\nfree = [\"x\", \"y\"]\n[excitations.f]\ntype = \"harmonic\"\non = \"b\"\nat "
       "= [0, 0, 0]\nforce = [1, 0, 0]\n"
@@ -129,7 +129,7 @@ TEST(Peaks, OfABodyThatNothingHoldsAreNoneThoughItMoves) {
   EXPECT_TRUE(answers.peaks->peaks.curves[1].vanishes);
 }
 
-TEST(Static, OfAFreeSystemIsRefusedInWords) {
+TEST(Static, RejectsAFreeSystemWithAReason) {
   const auto project = test::project(
       "trivet = 1\ngravity = [0, 0, -9.81]\n[bodies.b]\nmass = 1\nfree = [\"z\"]\n[analyses]\nstatic = {}\n");
   const study::Answers answers = study::answers(project.base(), project.base().analyses);
@@ -148,7 +148,7 @@ TEST(Limits, AnUndampedResonanceAtTheEndOfTheBandExceedsThem) {
   }
 }
 
-TEST(Limits, AreKeptByWhatStandsOnThem) {
+TEST(Limits, AreMetByAnAmplitudeEqualToThem) {
   const auto project = test::project(
       driven_chain("[limits]\n\"m1.x\" = \"1 m\"\n[analyses]\nresponse = {band = [0, 1], of = [\"m1\"]}\n"));
   project::Analyses asked = project.base().analyses;

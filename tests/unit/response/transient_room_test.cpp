@@ -10,7 +10,7 @@ namespace {
 
 using namespace trivet;
 
-TEST(Transient, RefusesMorePointsTimesAnswersThanMemoryShouldHold) {
+TEST(Transient, RejectsMorePointsTimesAnswersThanMemoryAllows) {
   const auto project = test::project(
       test::chain(std::vector<double>(30, 2.0), std::vector<double>(31, 800.0), std::vector<double>(31, 1.0)));
   const model::System& system = project.base().system;

@@ -109,7 +109,7 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   EXPECT_THAT(both(1), RelativelyNear((1 + k1 * q) / (k1 + k2), round_off));
 }
 
-TEST(StateSpace, RefusesACoordinateThatNothingHolds) {
+TEST(StateSpace, RejectsAnUnconstrainedCoordinate) {
   numerics::DynamicMatrices m;
   m.A = Eigen::Vector2d(2, 0).asDiagonal();
   m.B = Eigen::Matrix2d::Zero();
@@ -127,7 +127,7 @@ TEST(Transient, OffersAZenerLawOfTheSameLossAndStiffness) {
   EXPECT_NEAR(20 * 0.005, 0.1, round_off);
 }
 
-TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSystemIsAsked) {
+TEST(Transient, RejectsAFractionalLawUnlessTheNearestSystemIsRequested) {
   const Machine m{test::project(
       "trivet = 1\n[bodies.b]\nmass = 2\nfree = [\"x\"]\n[elements.s]\ntype = \"three_springs\"\non = \"b\"\nat = [0, "
       "0, 0]\n"
@@ -150,7 +150,7 @@ TEST(Transient, RefusesElementsOfTheirOwnFrequencyDependenceUntilTheNearestSyste
   EXPECT_NEAR(test::curve(r, "s.force.x").values(last), 0, force_left);  // … and the element has no force
 }
 
-TEST(Transient, RefusesPhasesAndForeignLoads) {
+TEST(Transient, RejectsPhasesAndForeignLoads) {
   const Machine m = one_mass(), other{test::project(test::chain({1, 1}, {1, 1, 0}, {}))};
   response::TimeInput input = m.push(excitation::step(1));
   input.loading = assembly::Loading(Eigen::VectorXcd::Constant(1, {0, 1}).eval());
@@ -161,7 +161,7 @@ TEST(Transient, RefusesPhasesAndForeignLoads) {
                foundation::InvalidInput);
 }
 
-TEST(Transient, RefusesTimesOutOfRangeAndNothingToDo) {
+TEST(Transient, RejectsTimesOutOfRangeAndMissingInputs) {
   const Machine m = one_mass();
   const std::vector inputs = {m.push(excitation::step(1))};
   const auto run = [&](const response::TransientOptions& options) {
@@ -190,7 +190,7 @@ TEST(Transient, ChoosesItsOwnTimes) {
   EXPECT_TRUE(r.warnings.list().empty()) << warnings(r);
 }
 
-TEST(Transient, WarnsOfAStepTooCoarseToShowTheMotion) {
+TEST(Transient, WarnsAboutAStepTooCoarseToShowTheMotion) {
   const Machine m = one_mass();
   const std::vector inputs = {m.push(excitation::step(1))};
   EXPECT_THAT(warnings(test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(2, 0.05))),
@@ -202,7 +202,7 @@ TEST(Transient, WarnsOfAStepTooCoarseToShowTheMotion) {
   EXPECT_THAT(warnings(test::transient(m.system, m.assembled, {"m1.x"}, inputs, few)), HasSubstr("allow more points"));
 }
 
-TEST(Transient, WarnsOfSamplesTooFarApartForTheFastestMode) {
+TEST(Transient, WarnsAboutSamplesTooFarApartForTheFastestMode) {
   const Machine m = one_mass();
   const auto sampled = [&](double step) {
     excitation::Samples samples;
@@ -232,7 +232,7 @@ TEST(Transient, ComputesAnUnstableSystemAndWarnsUntilNumbersEnd) {
                foundation::NotComputable);
 }
 
-TEST(Transient, ReportsProgressAndStopsWhenAsked) {
+TEST(Transient, ReportsProgressAndStopsOnAnInterruption) {
   const Machine m = one_mass();
   int calls = 0;
   const auto progress = [&](std::string_view, double fraction) {
@@ -256,7 +256,7 @@ TEST(Transient, RmsOfAWholeNumberOfPeriodsIsThatOfASine) {
               RelativelyNear(0.004 / std::sqrt(2.0), round_off_of_steps));
 }
 
-TEST(Transient, CountsAnInitialStateFromJustBeforeItsStart) {
+TEST(Transient, AppliesJumpsAtItsStartAfterTheInitialState) {
   // The base, and the body with it, have been at 0.01 m for a long time: nothing moves. A force that jumps at the start
   // acts.
   const Machine m = one_mass({30});

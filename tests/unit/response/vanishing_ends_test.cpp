@@ -41,33 +41,33 @@ const std::string unbalance =
     "type = \"unbalance\"\non = \"block\"\nat = [0, 0, 0]\naxis = \"x\"\nmass_eccentricity = \"10 g mm\"\n";
 const std::string ground = "type = \"base\"\ntranslation = [0, 0, 0.001]\n";
 
-TEST(CurveEnds, OfAForceAtThePoleTheTiltVanishesAtBothAndThePushDoesNot) {
+TEST(CurveEnds, TheTiltUnderAForceAtThePoleVanishesAtBoth) {
   EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::displacement),
               testing::ElementsAre(false, true, false));
 }
 
-TEST(CurveEnds, OfAForceVelocitiesVanishAtBothAndDirectAccelerationsDoNot) {
+TEST(CurveEnds, VelocitiesUnderAForceVanishAtBothAndAccelerationsDoNot) {
   EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::velocity),
               testing::ElementsAre(true, true, false));
   EXPECT_THAT(ends(block(force), {"block.x", "block.ry", "block.z"}, MotionQuantity::acceleration),
               testing::ElementsAre(false, false, false));
 }
 
-TEST(CurveEnds, OfAnUnbalanceAVelocityGrowsAndADisplacementStays) {
+TEST(CurveEnds, TheMotionUnderAnUnbalanceDoesNotVanishAtBoth) {
   for (const MotionQuantity quantity :
        {MotionQuantity::displacement, MotionQuantity::velocity, MotionQuantity::acceleration})
     EXPECT_THAT(ends(block(unbalance), {"block.z"}, quantity), testing::ElementsAre(false))
         << static_cast<int>(quantity);
 }
 
-TEST(CurveEnds, OfAGroundUnderADamperAVelocityStays) {
+TEST(CurveEnds, TheVelocityOverADamperOnMovingGroundDoesNotVanishAtBoth) {
   EXPECT_THAT(ends(block(ground), {"block.z"}, MotionQuantity::velocity), testing::ElementsAre(false));
   std::string without = block(ground);
   without.erase(without.find("damping"), without.find("[excitations") - without.find("damping"));
   EXPECT_THAT(ends(without, {"block.z"}, MotionQuantity::velocity), testing::ElementsAre(true));
 }
 
-TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
+TEST(CurveEnds, TheDriftOfAFreeBodyDoesNotVanishAtRest) {
   const std::string free =
       "trivet = 1\n[bodies.block]\nmass = 10\ninertia = {about = \"center_of_mass\", xx = 0.35, yy = 0.42, zz = "
       "0.3}\ncenter_of_mass = [0, 0, 0]\n[excitations.course]\n" +
@@ -77,7 +77,7 @@ TEST(CurveEnds, OfAFreeBodyItsDriftDoesNotVanishAtRest) {
 }
 
 /// Towards rest the motion along a free direction with a force becomes larger than every other.
-TEST(CurveEnds, BesideAFreeDirectionThatIsPushedTheOthersStay) {
+TEST(CurveEnds, OtherDirectionsThanAPushedFreeOneDoNotVanishAtBoth) {
   const std::string sled = R"(trivet = 1
 [bodies.block]
 mass = 6
@@ -99,7 +99,7 @@ force = [1, 1, 1]
               testing::ElementsAre(false, false, false));
 }
 
-TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
+TEST(CurveEnds, APointWithoutMotionDoesNotVanishAtBoth) {
   std::string undamped = block(force);
   undamped.replace(undamped.find("force = [10, 0, 0]"), 18, "force = [0, 0, 10]");
   undamped.erase(undamped.find("damping"), undamped.find("[excitations") - undamped.find("damping"));
@@ -111,7 +111,7 @@ TEST(CurveEnds, OfWhatDoesNotMoveAreNone) {
               testing::ElementsAre(true, false));
 }
 
-TEST(CurveEnds, OfAnElementWithALawOfItsOwnTheCurveHasNoEndAtInfinity) {
+TEST(CurveEnds, AFractionalLawHasNoEndAtInfinity) {
   std::string fractional = block(force);
   const std::size_t at = fractional.find("damping");
   fractional.replace(at, fractional.find("[excitations") - at,

@@ -7,14 +7,14 @@ namespace {
 
 using namespace trivet;
 
-TEST(AxisUnit, IsTheWrittenOneOrThatOfABareNumberWhereItIsKnown) {
+TEST(AxisUnit, IsTheGivenOneOrThatOfABareNumber) {
   EXPECT_EQ(results::axis_unit({"elements.d.coefficient", "", 1, 2, "kN s/m", false, 11}), "kN s/m");
   EXPECT_EQ(results::axis_unit({"elements.d.coefficient", "", 1, 2, "", false, 11}), "N s/m");
   EXPECT_EQ(results::axis_unit({"elements.s.damping.proportional", "", 1, 2, "", false, 11}), "s");
   EXPECT_EQ(results::axis_unit({"elements.s.scale", "", 1, 2, "", false, 11}), "");
 }
 
-TEST(AxisValue, HasTheDigitsThatTellDesignsApart) {
+TEST(AxisValue, HasEnoughDigitsToDistinguishDesigns) {
   EXPECT_EQ(results::axis_value(1.3, {"elements.s.scale", "", 1, 2, "", false, 11}), "1.3");
   EXPECT_EQ(results::axis_value(1.00000000005, {"elements.s.scale", "", 1, 1.0000000001, "", false, 9}),
             "1.00000000005");

@@ -25,21 +25,21 @@ study::DesignMap nearly_all_feasible(std::size_t steep) {
   return map;
 }
 
-TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesign) {
+TEST(FeasibleWords, DoNotRoundUpAMapWithAnInfeasibleDesign) {
   study::DesignMap map = nearly_all_feasible(0);
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 3 of 4 designs");
   map.feasible_designs = 4;
   EXPECT_EQ(results::feasible_words(map), "Feasible: 100.00 % of the map, 4 of 4 designs");
 }
 
-TEST(FeasibleWords, DoNotRoundAMapUpThatHasABrokenDesignBetweenKeptOnes) {
+TEST(FeasibleWords, DoNotRoundUpAMapWithAnInfeasibleDesignBetweenFeasibleOnes) {
   study::DesignMap map = nearly_all_feasible(0);
   map.feasible_designs = 4;
   map.band_crossings.pairs = 1;
   EXPECT_EQ(results::feasible_words(map), "Feasible: less than 100 % of the map, 4 of 4 designs");
 }
 
-TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
+TEST(FeasibleWords, StateHowManySteepNeighboursThereAre) {
   EXPECT_THAT(
       results::feasible_words(nearly_all_feasible(1)),
       testing::HasSubstr(
@@ -47,7 +47,7 @@ TEST(FeasibleWords, TellOfSteepNeighboursAndWhichAreCounted) {
   EXPECT_THAT(results::feasible_words(nearly_all_feasible(7)), testing::HasSubstr("between 7 pairs of neighbours"));
 }
 
-TEST(AskedWords, TellBandAndWhatCountsAsAPeak) {
+TEST(AskedWords, StateTheBandAndWhatCountsAsAPeak) {
   EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
             "amplitudes over 0 … 40 rad/s");
   EXPECT_EQ(results::asked_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
@@ -56,7 +56,7 @@ TEST(AskedWords, TellBandAndWhatCountsAsAPeak) {
 }
 
 /// With amplitude limits alone stiffer is always better, and so is more damping as long as there is a peak.
-TEST(BestWords, TellThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
+TEST(BestWords, SayThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
   const study::DesignMap map = map_of("limits = {\"machine.z\" = \"1 mm\"}", {"analyses.map.y.to=0.05"});
   EXPECT_EQ(results::best_ends(map),
             (std::vector<std::string>{"the upper end of stiffness scale of spring",
@@ -67,7 +67,7 @@ TEST(BestWords, TellThatABetterDesignMayLieBeyondTheEndOfAnAxis) {
 }
 
 /// Far above resonance a soft spring without damping transmits the least force.
-TEST(BestWords, SayNothingOfTheEndAtZeroOrWhereNothingIsLimited) {
+TEST(BestWords, DoNotMentionAnEndAtZeroOrWithoutLimits) {
   const study::DesignMap map =
       map_of("limits = {\"spring.force.z\" = \"1 N\"}, band = [200, 300]", {"analyses.map.y.from=0"});
   ASSERT_EQ(map.point(*map.best).y, 0);
@@ -76,7 +76,7 @@ TEST(BestWords, SayNothingOfTheEndAtZeroOrWhereNothingIsLimited) {
       results::best_ends(map_of("no_peak = \"machine\"", {"analyses.map.y.from=1", "analyses.map.y.to=2"})).empty());
 }
 
-TEST(BestWords, CallNoDesignNearestWhereEveryMarginIsZero) {
+TEST(BestWords, CallNoDesignNearestIfEveryMarginIsZero) {
   const study::DesignMap map =
       map_of("limits = {\"machine.z\" = \"1 mm\"}, band = [0, 40]",
              {"elements.spring.damping.proportional=0", "analyses.map.y.parameter=\"bodies.machine.mass\"",
@@ -87,7 +87,7 @@ TEST(BestWords, CallNoDesignNearestWhereEveryMarginIsZero) {
                         "scale of spring = 1.25, "));
 }
 
-TEST(UnlimitedWords, NameAPeakOnlyWhereARuleForbidsIt) {
+TEST(UnlimitedWords, NameAPeakOnlyIfARuleForbidsIt) {
   EXPECT_EQ(
       results::unlimited_words(map_of("limits = {\"machine.z\" = \"1 mm\"}", {"excitations.force.force=[0, 0, 0]"})),
       "no motion");

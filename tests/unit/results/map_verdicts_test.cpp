@@ -13,7 +13,7 @@ using test::two_axes;
 
 /// ζ = 0.25 at 10 rad/s: the peak is at 10 √(1 − 2ζ²), the static deflection is 10 mm, and the acceleration tends to
 /// F/m = 1 m/s².
-TEST(MapVerdicts, TellsWhereACaseGoesBeyondItsLimits) {
+TEST(MapVerdicts, StateWhereACaseExceedsItsLimits) {
   const auto words = [&](const std::vector<std::string>& settings) {
     const project::Project changed =
         test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"15 mm\"}}\n"), settings);

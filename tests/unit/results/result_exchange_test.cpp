@@ -74,7 +74,7 @@ class ResultExchangeTest : public ::testing::Test {
   std::vector<std::string> notes_;
 };
 
-TEST_F(ResultExchangeTest, InOneStepTakesTheUsersFilesAlong) {
+TEST_F(ResultExchangeTest, InOneStepKeepsTheUsersFiles) {
   const FolderHandle place(root_), current(root_ / "current"), next(root_ / "next");
   ASSERT_TRUE(exchange_folders({current, ours_, next, next_ours_}, place, "next", place, "current", notes_))
       << "the file system of the test has no exchange of folders";
@@ -84,14 +84,14 @@ TEST_F(ResultExchangeTest, InOneStepTakesTheUsersFilesAlong) {
                           "02-new was not written by trivet, and its name was needed; it is kept as 02-new.kept-1"));
 }
 
-TEST_F(ResultExchangeTest, OneByOneGivesTheSame) {
+TEST_F(ResultExchangeTest, FileByFileGivesTheSame) {
   const FolderHandle current(root_ / "current"), next(root_ / "next");
   replace_one_by_one({current, ours_, next, next_ours_}, notes_);
   expect_the_next_result_with_the_users_files();
   EXPECT_EQ(notes_.size(), 2u);
 }
 
-TEST_F(ResultExchangeTest, WhatCameMeanwhileIsMovedOver) {
+TEST_F(ResultExchangeTest, FilesAddedMeanwhileAreMoved) {
   const FolderHandle current(root_ / "current"), next(root_ / "next");
   UsersFiles users(current, ours_);
   ASSERT_TRUE(users.link_into(next));

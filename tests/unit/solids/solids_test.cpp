@@ -74,7 +74,7 @@ TEST(RigidSolid, ATurnedPartTurnsItsInertia) {
 
 // ---- bad parts
 
-TEST(RigidSolid, TellsEveryProblemOfEveryPartAtOnce) {
+TEST(RigidSolid, ReportsEveryProblemOfEveryPartAtOnce) {
   const auto solid = rigid_solid(
       {{"plate", Box{0.3, 0.2, -0.01}, -7850}, {"pipe", Tube{0.05, 0.06, 1}, 7850}, {"ball", Sphere{}, 1000}});
   ASSERT_FALSE(solid);
@@ -84,7 +84,7 @@ TEST(RigidSolid, TellsEveryProblemOfEveryPartAtOnce) {
                     HasSubstr("ball.diameter: not given")));
 }
 
-TEST(RigidSolid, RefusesWhatHasNoVolume) {
+TEST(RigidSolid, RejectsPartsWithoutVolume) {
   EXPECT_THAT(messages(rigid_solid({{"cone", Cone{0, 0, 0.1}, 1000}})), HasSubstr("both diameters are 0 m"));
   EXPECT_THAT(messages(rigid_solid({{"tube", Tube{0.1, 0.1, 0.1}, 1000}})), HasSubstr("wall 0 m"));
   EXPECT_THAT(messages(rigid_solid({{"grain", Sphere{1e-120}, 1000}})), HasSubstr("between 1 nm and 10 km"));
@@ -92,7 +92,7 @@ TEST(RigidSolid, RefusesWhatHasNoVolume) {
   EXPECT_THAT(messages(rigid_solid({})), HasSubstr("at least one part"));
 }
 
-TEST(RigidSolid, RefusesAPoseThatIsNone) {
+TEST(RigidSolid, RejectsAnInvalidPose) {
   Part part{"box", Box{1, 1, 1}, 1000};
   part.pose.rotation(0, 0) = -1;
   EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("box.orientation: is not a rotation"));
@@ -100,7 +100,7 @@ TEST(RigidSolid, RefusesAPoseThatIsNone) {
   EXPECT_THAT(messages(rigid_solid({part})), HasSubstr("position"));
 }
 
-TEST(Primitives, AreRefusedWhenACallerSkipsTheirCheck) {
+TEST(Primitives, AreRejectedIfACallerSkipsTheirCheck) {
   EXPECT_THROW((void)integrals(Cylinder{0.1, -1}), foundation::InvalidInput);
 }
 
@@ -121,7 +121,7 @@ TEST(ClosedSurface, TextAndBinaryFilesOfABoxAreExact) {
   }
 }
 
-TEST(ClosedSurface, AHoleIsToldWithItsPlaceAndItsOpenEdges) {
+TEST(ClosedSurface, AHoleIsReportedWithItsPlaceAndItsOpenEdges) {
   test::Triangles box = test::box_triangles({0, 0, 0}, {10, 20, 30});
   box.erase(box.begin() + 2, box.begin() + 4);  // the lid at z = 30
   EXPECT_THAT(messages(stl_solid(box)),
@@ -147,7 +147,7 @@ TEST(ClosedSurface, ATurnedTriangleIsNotAHole) {
       AllOf(HasSubstr("3 edges between triangles that face opposite sides"), ::testing::Not(HasSubstr("hole"))));
 }
 
-TEST(ClosedSurface, ASurfaceInsideOutIsRefused) {
+TEST(ClosedSurface, AnInvertedSurfaceIsRejected) {
   EXPECT_THAT(messages(stl_solid(test::turned(test::box_triangles({0, 0, 0}, {1, 1, 1})))),
               HasSubstr("faces inwards: volume -1"));
   const auto beside = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}),
@@ -155,7 +155,7 @@ TEST(ClosedSurface, ASurfaceInsideOutIsRefused) {
   EXPECT_THAT(messages(stl_solid(beside)), HasSubstr("from (9, 0, 0) to (10, 1, 1) in the file's units faces inwards"));
 }
 
-TEST(ClosedSurface, ACavityTakesItsVolumeAway) {
+TEST(ClosedSurface, ACavityReducesTheVolume) {
   const auto hollow = test::together(test::box_triangles({0, 0, 0}, {4, 4, 4}),
                                      test::turned(test::box_triangles({1, 1, 1}, {2, 2, 2})));
   const auto solid = stl_solid(hollow);
@@ -170,7 +170,7 @@ TEST(ClosedSurface, AFlatSurfaceHasNoVolume) {
               AllOf(HasSubstr("part.file"), HasSubstr("volume")));
 }
 
-TEST(ClosedSurface, DegenerateTrianglesAreRemarkedAndHarmless) {
+TEST(ClosedSurface, DegenerateTrianglesGiveARemarkOnly) {
   test::Triangles box = test::box_triangles({0, 0, 0}, {1, 1, 1});
   box.push_back({Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0)});
   const auto solid = stl_solid(box);
@@ -180,7 +180,7 @@ TEST(ClosedSurface, DegenerateTrianglesAreRemarkedAndHarmless) {
   EXPECT_THAT(message(solid->remarks.list()[0]), HasSubstr("1 degenerate triangles"));
 }
 
-TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
+TEST(ClosedSurface, BoxesThatTouchInAnEdgeGiveARemarkAndAddUp) {
   const auto solid =
       stl_solid(test::together(test::box_triangles({0, 0, 0}, {1, 1, 1}), test::box_triangles({1, 1, 0}, {2, 2, 1})));
   ASSERT_TRUE(solid) << messages(solid);
@@ -190,7 +190,7 @@ TEST(ClosedSurface, BoxesThatTouchInAnEdgeAreRemarkedAndAddUp) {
 
 // ---- invalid files
 
-TEST(StlFile, SaysWhatIsWrongWithIt) {
+TEST(StlFile, ReportsWhatIsWrong) {
   const foundation::TemporaryFolder folder;
   const auto messages_for = [&](const std::string& bytes) {
     test::write_file(folder.path() / "part.stl", bytes);

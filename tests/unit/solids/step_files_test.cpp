@@ -37,7 +37,7 @@ class StepFile : public ::testing::Test {
   }();
 };
 
-TEST_F(StepFile, ThatIsNoneIsRefusedWithoutTraces) {
+TEST_F(StepFile, RejectsOtherFilesWithoutTraces) {
   test::write_file(folder_.path() / "text.step", "hello, this is not a part\n");
   EXPECT_THAT(message_of(folder_.path() / "text.step"),
               AllOf(HasSubstr("text.step: is not a STEP file"), HasSubstr("ISO-10303-21")));
@@ -49,7 +49,7 @@ TEST_F(StepFile, ThatIsNoneIsRefusedWithoutTraces) {
   EXPECT_THAT(message_of(folder_.path() / "pipe.step"), HasSubstr("cannot be read"));
 }
 
-TEST_F(StepFile, ThatWasCutOffIsRefusedInGmshsWords) {
+TEST_F(StepFile, RejectsATruncatedFileInTheWordsOfGmsh) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Cylinder(1) = {0, 0, 0, 0, 0, 25, 25};");
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
@@ -57,13 +57,13 @@ TEST_F(StepFile, ThatWasCutOffIsRefusedInGmshsWords) {
               AllOf(HasSubstr("part.step: gmsh failed (exit code 1)"), HasSubstr("Could not read file")));
 }
 
-TEST_F(StepFile, WithSurfacesOnlyHoldsNoSolid) {
+TEST_F(StepFile, WithSurfacesOnlyHasNoSolid) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Rectangle(1) = {0, 0, 0, 10, 20};");
   EXPECT_THAT(message_of(file), HasSubstr("contains no solid"));
 }
 
-TEST_F(StepFile, NeedsGmshAndSaysSo) {
+TEST_F(StepFile, ReportsThatGmshIsMissing) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_file(file, "ISO-10303-21;\n");
   const std::string path = std::getenv("PATH");
@@ -73,7 +73,7 @@ TEST_F(StepFile, NeedsGmshAndSaysSo) {
   EXPECT_THAT(message, AllOf(HasSubstr("gmsh is not installed"), HasSubstr("Debian package gmsh")));
 }
 
-TEST_F(StepFile, WithAWildNameIsReadAsItStands) {
+TEST_F(StepFile, WithShellCharactersInItsNameIsRead) {
   const std::filesystem::path file = folder_.path() / "a part\"; Exit; \" $(id) ü.STP";
   test::write_step(file, "Box(1) = {0, 0, 0, 10, 20, 30};");
   EXPECT_EQ(message_of(file), "");

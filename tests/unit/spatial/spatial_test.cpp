@@ -53,7 +53,7 @@ TEST(RotationAbout, IsRightHanded) {
       round_off);
 }
 
-TEST(MassProperties, GoToThePoleAndBack) {
+TEST(MassProperties, AreUnchangedByAShiftToThePoleAndBack) {
   const MassProperties body = test::RandomSystem(3).body("b").mass;
   const MassProperties back = from_inertia_about_pole(body.mass, body.centre, inertia_about_pole(body));
   EXPECT_LE((back.inertia_about_centre - body.inertia_about_centre).norm(),
@@ -77,13 +77,13 @@ TEST(MassMatrix, GivesTheKineticEnergyOfThePoints) {
   EXPECT_NEAR(q.dot(a * q), m1 * velocity(p1).squaredNorm() + m2 * velocity(p2).squaredNorm(), energy_round_off);
 }
 
-TEST(BrokenBounds, AcceptARealBodyAndALamina) {
+TEST(ViolatedBounds, AreEmptyForARealBodyAndALamina) {
   EXPECT_TRUE(violated_bounds(test::RandomSystem(4).body("b").mass).empty());
   MassProperties lamina{2, {0.1, 0, 0}, Eigen::Vector3d(1, 2, 3).asDiagonal()};  // flat: J3 = J1 + J2 exactly
   EXPECT_TRUE(violated_bounds(lamina).empty());
 }
 
-TEST(BrokenBounds, NameEachBound) {
+TEST(ViolatedBounds, NameEachBound) {
   MassProperties body{-2, {0, 0, 0}, Eigen::Vector3d(1, 1, 3).asDiagonal()};
   EXPECT_EQ(violated_bounds(body).size(), 2u);  // mass, triangle
   body.mass = 2;
@@ -93,7 +93,7 @@ TEST(BrokenBounds, NameEachBound) {
       << "a rod without thickness cannot turn about itself";
 }
 
-TEST(Screw, OfARotationAboutADistantAxis) {
+TEST(Screw, HasTheAxisAndPitchOfARotation) {
   const Eigen::Vector3d axis_point(1, 2, 0), direction(0, 0, 1);
   const Eigen::Vector3d theta = 0.2 * direction, u = -theta.cross(axis_point) + 0.05 * direction;  // pitch 0.25
   const Screw s = screw({u, theta}, 1, {0, 0, 3});
@@ -103,7 +103,7 @@ TEST(Screw, OfARotationAboutADistantAxis) {
   EXPECT_LE((s.direction - direction).norm(), round_off);
 }
 
-TEST(Screw, OfATranslation) {
+TEST(Screw, HasTheDirectionOfATranslation) {
   const Screw s = screw({{0, 3, 4}, {1e-14, 0, 0}}, 1, {0, 0, 0});
   EXPECT_TRUE(s.pure_translation);
   EXPECT_NEAR(s.direction.y(), 0.6, round_off);

@@ -19,7 +19,7 @@ study::AxisEffects effects(const project::Project& project) {
 const char* const scale = "{parameter = \"elements.spring.scale\", from = 0.5, to = 2}";
 const char* const phase = "{parameter = \"excitations.force.phase\", from = 0, to = 3}";
 
-TEST(AxisEffects, NamesTheAnswersThatDoNotMoveOnce) {
+TEST(AxisEffects, NamesEachAnswerWithoutMotionOnce) {
   EXPECT_THAT(
       effects(test::project(test::mapped_block(scale, "{parameter = \"bodies.block.mass\", from = 5, to = 20}")))
           .zero_answers,
@@ -35,7 +35,7 @@ TEST(AxisEffects, NamesTheAxisThatChangesNothing) {
   EXPECT_TRUE(of_x.by_y);
 }
 
-TEST(AxisEffects, SaysNothingWhereADesignHasNoModel) {
+TEST(AxisEffects, IsEmptyIfADesignHasNoModel) {
   const study::AxisEffects none =
       effects(test::project(test::mapped_block("{parameter = \"bodies.block.mass\", from = -5, to = 20}", phase)));
   EXPECT_TRUE(none.zero_answers.empty() && none.by_x && none.by_y);

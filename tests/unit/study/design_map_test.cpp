@@ -25,7 +25,7 @@ TEST(DesignMap, GivesEveryDesignItsGoverningRuleAndMargin) {
   for (const design::DesignOutcome& outcome : map.outcomes) EXPECT_LE(outcome.margin, map.outcomes[*map.best].margin);
 }
 
-TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
+TEST(DesignMap, AcceptsParametersOfTwoElements) {
   const std::string second =
       "[elements.pad]\ntype = \"bushing\"\non = \"machine\"\nat = [0, 0, 0]\ntranslation = [500, 500, 500]\n";
   const project::Project project =
@@ -38,7 +38,7 @@ TEST(DesignMap, TakesOneNumberEachOfTwoElements) {
   EXPECT_EQ(map.outcomes.size(), 9u);
 }
 
-TEST(DesignMap, RefusesAParameterThatMakesEveryDesignImpossible) {
+TEST(DesignMap, RejectsAParameterThatMakesEveryDesignImpossible) {
   const project::Project project =
       test::project(mapped_machine("map = {x = {parameter = \"bodies.machine.mass\", from = -5, to = -1, points = 3}, "
                                    "y = {parameter = \"elements.spring.scale\", from = 1, to = 2, "
@@ -47,7 +47,7 @@ TEST(DesignMap, RefusesAParameterThatMakesEveryDesignImpossible) {
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("none of the 6 designs")));
 }
 
-TEST(DesignMap, OfACaseIsItsOwnWhereTheCaseChangesTheQuestion) {
+TEST(DesignMap, IsSeparateForACaseThatChangesTheQuestion) {
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n", R"(
 [cases.point]

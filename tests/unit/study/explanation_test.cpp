@@ -29,7 +29,7 @@ const response::Sensitivity& sensitivity(const study::Explanation& explanation, 
   throw std::out_of_range(parameter);
 }
 
-TEST(Explanation, OfOneMassHasTheKnownSlopes) {
+TEST(Explanation, HasTheKnownSlopesForOneMass) {
   const study::Explanation explanation = one_mass(0.1);
   ASSERT_EQ(explanation.peaks.size(), 1u);
   struct Known {
@@ -44,7 +44,7 @@ TEST(Explanation, OfOneMassHasTheKnownSlopes) {
   }
 }
 
-TEST(Explanation, SolvesTenPercentMoreAgain) {
+TEST(Explanation, RecomputesThePeakWithTenPercentMore) {
   const study::ExplainedPeak peak = one_mass(0.1).peaks.at(0);
   ASSERT_TRUE(peak.trial.has_value());
   EXPECT_EQ(peak.trial->parameter, "elements.k1.stiffness_factor.x");
@@ -54,7 +54,7 @@ TEST(Explanation, SolvesTenPercentMoreAgain) {
   EXPECT_THAT(*peak.trial->predicted_amplitude, RelativelyNear(5 / 180.0 * 0.9, digits));
 }
 
-TEST(Explanation, SaysItInWords) {
+TEST(Explanation, StatesItInWords) {
   EXPECT_EQ(
       one_mass(0.1).peaks.at(0).sentence,
       "m1.x: 27.78 mm at 30 rad/s (4.775 Hz). Mode 1, translation along x, contributes 100 % of it. 100 % of the "
@@ -63,7 +63,7 @@ TEST(Explanation, SaysItInWords) {
       "order 31.5 rad/s and 25 mm). Its height is most sensitive to elements.k1.scale: +1 % gives -1 %.");
 }
 
-TEST(Explanation, OfAnUnboundedPeakKeepsToItsFrequency) {
+TEST(Explanation, HasNoHeightForAnUnboundedPeak) {
   const study::Explanation explanation = one_mass(0);
   ASSERT_EQ(explanation.peaks.size(), 1u);
   EXPECT_FALSE(sensitivity(explanation, "elements.k1.scale").height.has_value());
@@ -82,7 +82,7 @@ TEST(Explanation, ChoosesTheTallestPeaks) {
   for (const study::ExplainedPeak& peak : all.peaks) EXPECT_LE(peak.peak.amplitude, one.peaks[0].peak.amplitude);
 }
 
-TEST(ValueWords, TakeThePrefixThatAnEngineerWould) {
+TEST(ValueWords, HaveTheUsualPrefix) {
   EXPECT_EQ(study::value_words(0.0084, "m"), "8.4 mm");
   EXPECT_EQ(study::value_words(3.5e-5, "rad"), "35 µrad");
   EXPECT_EQ(study::value_words(1250, "N"), "1.25 kN");

@@ -37,7 +37,7 @@ TEST(MapMarks, MarksCasesThatAreDesignsOfTheMap) {
   EXPECT_FALSE(map.marks[2].of_this_model);  // it has another damping
 }
 
-TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) {
+TEST(MapMarks, JudgesAndPlacesCasesWithATableThatBeginsAboveOneRadianPerSecond) {
   const foundation::TemporaryFolder folder;
   const project::Project project = test::project(
       mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}, band = [\"6 Hz\", \"50 Hz\"]}\n",
@@ -53,7 +53,7 @@ TEST(MapMarks, JudgesAndPlacesCasesWithATableThatStartsAboveOneRadianPerSecond) 
 }
 
 /// Natural frequencies of 10⁷ and 10⁻⁶ rad/s.
-TEST(MapMarks, TellsModelsApartWhereTheirOwnMassAndStiffnessMatter) {
+TEST(MapMarks, DistinguishesModelsAtExtremeFrequencies) {
   for (const double stiffness : {1e15, 1e-11}) {
     std::string text = mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\"}\n",
                                       fmt::format(R"(
@@ -76,7 +76,7 @@ elements.spring.translation = [{0}, {0}, {1}]
   }
 }
 
-TEST(MapMarks, PlacesCasesWhoseTableStartsAboveAllNaturalFrequencies) {
+TEST(MapMarks, PlacesCasesWhoseTableBeginsAboveAllNaturalFrequencies) {
   const foundation::TemporaryFolder folder;
   const project::Project project =
       test::project(mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"1 mm\"}}\n",

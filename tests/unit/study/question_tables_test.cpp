@@ -10,7 +10,7 @@ namespace {
 
 using namespace trivet;
 
-TEST(QuestionTables, WriteEveryAnswerThatCanBeAskedFor) {
+TEST(QuestionTables, WriteTheAnswerToEveryQuestion) {
   std::vector<std::string> written;
   for (const results::AnswerWriter& writer : results::answer_writers()) {
     written.emplace_back(writer.name);
@@ -34,7 +34,7 @@ std::vector<std::string> names(const Rows& rows) {
   return result;
 }
 
-TEST(QuestionTables, ReadAnswerAndWriteEachQuestionUnderItsNameInTheTable) {
+TEST(QuestionTables, ReadAnswerAndWriteEachQuestionUnderItsName) {
   EXPECT_EQ(names(project::question_readers()), table);
   EXPECT_EQ(names(study::question_answers()), table);
   for (std::size_t i = 0; i < table.size(); ++i) {

@@ -22,7 +22,7 @@ void expect_refusal(const std::string& text, const std::string& words) {
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr(words)));
 }
 
-TEST(UnboundedPeaks, OfATiltThatTheForceMovesNeitherAtRestNorAboveAreRefused) {
+TEST(UnboundedPeaks, ATiltThatVanishesAtRestAndAtInfinityIsRejected) {
   std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
                                         "{parameter = \"bodies.block.mass\", from = 5, to = 20, points = 3}");
   EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // the force has a lever about the spring
@@ -31,7 +31,7 @@ TEST(UnboundedPeaks, OfATiltThatTheForceMovesNeitherAtRestNorAboveAreRefused) {
   expect_refusal(text, "no_peak of block.ry: a curve that vanishes");
 }
 
-TEST(UnboundedPeaks, OfVelocitiesUnderAForceAreRefusedAndUnderAnUnbalanceJudged) {
+TEST(UnboundedPeaks, VelocitiesAreRejectedUnderAForceAndJudgedUnderAnUnbalance) {
   std::string text = mapped_machine("map = {" + two_axes + ", no_peak = \"coordinates\", quantity = \"velocity\"}\n");
   expect_refusal(text, "velocity of machine.z");
   text.replace(text.find("type = \"harmonic\""), 17,
@@ -40,7 +40,7 @@ TEST(UnboundedPeaks, OfVelocitiesUnderAForceAreRefusedAndUnderAnUnbalanceJudged)
   EXPECT_GT(mapped(text).feasible_designs, 0u);
 }
 
-TEST(UnboundedPeaks, OfABaseModelAloneAreNoReason) {
+TEST(UnboundedPeaks, OfTheBaseModelOnlyAreAccepted) {
   std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
                                         "{parameter = \"excitations.second.phase\", from = 1, to = 2, points = 3}");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
