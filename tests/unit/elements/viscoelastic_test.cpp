@@ -69,7 +69,7 @@ TEST(RationalForm, IsTheLawItselfIfTheLawIsRational) {
   }
 }
 
-TEST(RationalForm, FitsAFractionalLawPassivelyToTheAccuracyAsked) {
+TEST(RationalForm, FitsAFractionalLawPassivelyWithTheRequestedAccuracy) {
   constexpr double between_samples = 1.1;  // the error of the fit is that at 50 points per decade
   for (const double order : {0.05, 0.2, 0.4, 0.6, 0.9, 0.99})
     for (const double time : {1e-7, 2e-3, 10.0})

@@ -136,7 +136,7 @@ elements::MatrixVerdict verdict(const exchange::Matrix12& matrix) {
   return elements::examine(matrix, elements::rigid_motions({0, 0, 60}, Eigen::Matrix3d::Identity()));
 }
 
-TEST(MatrixStorage, CondensedOntoItsPlatesResistsNoRigidMotion) {
+TEST(MatrixStorage, ResistsNoRigidMotionAfterCondensationOntoItsPlates) {
   const auto matrix = exchange::read_matrix_file(folder + "block_storage.sti");
   ASSERT_TRUE(matrix) << complaint(matrix);
   EXPECT_EQ(matrix->labels.size(), 96u);  // 20 nodes, and nine inner modes of each of four elements
@@ -150,7 +150,7 @@ TEST(MatrixStorage, CondensedOntoItsPlatesResistsNoRigidMotion) {
   EXPECT_LT(ends->values(8, 8), clamped_ends * bar);
 }
 
-TEST(Substructure, WithRigidBodiesFailsTheCheckOfRigidMotionOnly) {
+TEST(Substructure, FailsOnlyTheCheckOfRigidMotionWithRigidBodies) {
   const auto matrix = exchange::read_matrix_file(folder + "block_rigid_body.mtx");
   ASSERT_TRUE(matrix) << complaint(matrix);
   const auto ends = exchange::reduce_to_ends(*matrix, NodeEnd{101, 103}, NodeEnd{102, 104});
@@ -162,7 +162,7 @@ TEST(Substructure, WithRigidBodiesFailsTheCheckOfRigidMotionOnly) {
   EXPECT_TRUE(ends->values.topRightCorner(6, 6).isZero(printed));  // the ends are not coupled
 }
 
-TEST(Substructure, WithPlatesFailsTheCheckOfRigidMotion) {
+TEST(Substructure, FailsTheCheckOfRigidMotionWithPlates) {
   const auto matrix = exchange::read_matrix_file(folder + "block_plates.mtx");
   const auto ends = exchange::reduce_to_ends(*matrix, bottom, top);
   ASSERT_TRUE(ends) << complaint(ends);

@@ -112,7 +112,7 @@ TEST(Spectrum, FromZeroHertzItCanOnlyBeDifferentiated) {
   EXPECT_THROW((void)of_scaled_signal(s, 0), foundation::InvalidInput);
 }
 
-TEST(Spectrum, BeginsWhereItsDensityDoes) {
+TEST(Spectrum, BeginsAtItsFirstDensityAboveZero) {
   const Spectrum s = from_table({{0, 1, 2}, {0, 0, 3}, SpectrumTable::Interpolation::linear});
   EXPECT_EQ(s.from(), two_pi);
   EXPECT_GT(rms(differentiated(s, -2)), 0);

@@ -29,7 +29,7 @@ void leave_one_behind(const fs::path& parent) {
   waitpid(child, nullptr, 0);
 }
 
-TEST(TemporaryFolders, OfKilledProcessesAreRemovedByTheNextOne) {
+TEST(TemporaryFolders, AreRemovedAfterTheirProcessWasKilled) {
   const TemporaryFolder parent;
   leave_one_behind(parent.path());
   const auto count = [&] { return std::distance(fs::directory_iterator(parent.path()), fs::directory_iterator()); };

@@ -23,7 +23,7 @@ TEST(Phase, IsPlus180DegreesForNegativeRealValues) {
   EXPECT_LT(response::phase({1, -1}), 0) << "a lag is negative";
 }
 
-TEST(Phase, ContinuousFollowsWholeTurns) {
+TEST(Phase, IsContinuousOverWholeTurns) {
   Eigen::VectorXcd values(80);
   for (int i = 0; i < 80; ++i) values(i) = std::polar(1.0, -0.2 * i);
   EXPECT_NEAR(response::continuous_phase(values)(79), -0.2 * 79, round_off);
@@ -34,7 +34,7 @@ std::string driven_chain(const std::string& analyses) {
       "[excitations.f]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [1, 0, 0]\n" + analyses;
 }
 
-TEST(Phase, ContinuousFromRestAtAFewAskedFrequencies) {
+TEST(Phase, IsContinuousFromRestAtAFewFrequencies) {
   // A transfer function of a chain of three: each resonance passed without a zero turns the phase of m3 by −π.
   const auto project =
       test::project(driven_chain("[analyses]\nresponse = {at = [0.1, 30], of = [\"m3\"], phase = \"continuous\"}\n"));

@@ -117,7 +117,7 @@ TEST(StateSpace, RejectsAnUnconstrainedCoordinate) {
   EXPECT_THROW(response::StateSpace(m, {}), foundation::NotComputable);
 }
 
-TEST(Transient, OffersAZenerLawOfTheSameLossAndStiffness) {
+TEST(Transient, ProposesAZenerLawWithTheSameLossAndStiffness) {
   constexpr double printed_digits = 1e-3;  // three or four digits of a law
   // The numbers of the message for η = 0.1 at 20 rad/s.
   const std::complex<double> modulus = 0.9095 * elements::relative_modulus(elements::Zener{0.221, 0.04525}, 20.0);

@@ -57,7 +57,7 @@ TEST_F(StepFile, RejectsATruncatedFileInTheWordsOfGmsh) {
               AllOf(HasSubstr("part.step: gmsh failed (exit code 1)"), HasSubstr("Could not read file")));
 }
 
-TEST_F(StepFile, WithSurfacesOnlyHasNoSolid) {
+TEST_F(StepFile, HasNoSolidIfItHasOnlySurfaces) {
   const std::filesystem::path file = folder_.path() / "part.step";
   test::write_step(file, "Rectangle(1) = {0, 0, 0, 10, 20};");
   EXPECT_THAT(message_of(file), HasSubstr("contains no solid"));
@@ -73,7 +73,7 @@ TEST_F(StepFile, ReportsThatGmshIsMissing) {
   EXPECT_THAT(message, AllOf(HasSubstr("gmsh is not installed"), HasSubstr("Debian package gmsh")));
 }
 
-TEST_F(StepFile, WithShellCharactersInItsNameIsRead) {
+TEST_F(StepFile, IsReadWithShellCharactersInItsName) {
   const std::filesystem::path file = folder_.path() / "a part\"; Exit; \" $(id) ü.STP";
   test::write_step(file, "Box(1) = {0, 0, 0, 10, 20, 30};");
   EXPECT_EQ(message_of(file), "");

@@ -40,7 +40,7 @@ TEST(UnboundedPeaks, VelocitiesAreRejectedUnderAForceAndJudgedUnderAnUnbalance) 
   EXPECT_GT(mapped(text).feasible_designs, 0u);
 }
 
-TEST(UnboundedPeaks, OfTheBaseModelOnlyAreAccepted) {
+TEST(UnboundedPeaks, AreAcceptedIfOnlyTheBaseModelHasThem) {
   std::string text = test::mapped_block("{parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}",
                                         "{parameter = \"excitations.second.phase\", from = 1, to = 2, points = 3}");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
