@@ -75,8 +75,9 @@ TEST(HardCases, PeaksAreLocalMaximaInExtendedPrecision) {
       const double step = std::max(64 * peak.frequency_uncertainty, 1e-6 * peak.angular_frequency);
       for (const double side : {-step, step}) {
         const numerics::Load driving(load()), nothing(Eigen::Index{0});
-        const numerics::RefinedPeak beside = numerics::refine_peak(
-            {hard.m, driving, nothing}, channels[peak.curve].curve(), peak.angular_frequency + side, 0);
+        const numerics::RefinedPeak beside =
+            numerics::PeakRefinement({hard.m, driving, nothing})
+                .refined(channels[peak.curve].curve(), peak.angular_frequency + side, 0);
         EXPECT_LE(beside.amplitude, peak.amplitude * (1 + 1e-12) + peak.amplitude_uncertainty)
             << hard.name << " near " << peak.angular_frequency;
       }

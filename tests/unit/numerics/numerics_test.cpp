@@ -116,8 +116,8 @@ TEST(ResponseSeries, SumsToTheResponseAndAtInfinityToo) {
   const DynamicMatrices m = random_matrices(5);
   const Eigen::VectorXcd h = Eigen::VectorXcd::Constant(m.size(), Complex(1, 2));
   const double centre = 5000, radius = 40;
-  const Eigen::MatrixXcd c = response_series(m, h, centre, radius, 30);
-  const Eigen::MatrixXcd far = response_series_at_infinity(m, h, 1 / 8000.0, 36).coefficients;
+  const Eigen::MatrixXcd c = ResponseSeries(m, h).about(centre, radius, 30);
+  const Eigen::MatrixXcd far = ResponseSeries(m, h).at_infinity(1 / 8000.0, 36).coefficients;
   Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(m.size()), far_sum = sum;
   for (Eigen::Index j = 0; j <= 30; ++j) sum += c.col(j) * std::pow(0.7, static_cast<double>(j));
   for (Eigen::Index j = 0; j <= 36; ++j) far_sum += far.col(j) * std::pow(0.5, static_cast<double>(j));

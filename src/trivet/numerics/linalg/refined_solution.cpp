@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/refined_solution.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace trivet::numerics {
 
-RefinedSolver::RefinedSolver(ExtendedMatrix Z) : z_(std::move(Z)), factors_(z_.cast<std::complex<double>>()) {}
+namespace {
+
+/// Z itself as a system without mass and damping.
+DynamicMatrices stiffness_alone(const ExtendedMatrix& z) {
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(z.rows(), z.cols());
+  return {none, none, z.real().cast<double>(), z.imag().cast<double>(), false};
+}
+
+}  // namespace
+
+RefinedSolver::RefinedSolver(ExtendedMatrix Z)
+    : z_(std::move(Z)), system_(stiffness_alone(z_)), factors_(system_.factors(0)) {}
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
   constexpr int most_steps = 12;
@@ -28,10 +40,23 @@ ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
 }
 
 double RefinedSolver::condition() const {
-  // With a pivot of exactly 0 the estimate would describe only the other coordinates.
-  if (!(factors_.smallest_pivot() > 0)) return std::numeric_limits<double>::infinity();
-  const double reciprocal = factors_.reciprocal_condition();
-  return reciprocal > 0 ? 1 / reciprocal : std::numeric_limits<double>::infinity();
+  constexpr int most_steps = 5;
+  const SystemFactors transposed = system_.factors(0, true);
+  const Eigen::Index n = z_.rows();
+  Eigen::VectorXcd x = Eigen::VectorXcd::Constant(n, 1.0 / static_cast<double>(n));
+  double largest = 0;
+  for (int step = 0; step < most_steps; ++step) {
+    const Eigen::VectorXcd y = factors_.solve(x);
+    if (!y.allFinite()) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, y.lpNorm<1>());
+    const Eigen::VectorXcd sign =
+        y.unaryExpr([](const Complex& v) { return std::abs(v) > 0 ? v / std::abs(v) : Complex(1); });
+    const Eigen::VectorXcd rise = transposed.solve(Eigen::VectorXcd(sign.conjugate())).conjugate();
+    Eigen::Index steepest = 0;
+    if (!(rise.cwiseAbs().maxCoeff(&steepest) > std::real(rise.dot(x)))) break;
+    x = Eigen::VectorXcd::Unit(n, steepest);
+  }
+  return largest * static_cast<double>(z_.cwiseAbs().colwise().sum().maxCoeff());
 }
 
 }  // namespace trivet::numerics

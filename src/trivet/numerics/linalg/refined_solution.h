@@ -5,24 +5,26 @@
 #include <complex>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/sparse_system.h"
 
 namespace trivet::numerics {
 
-/// Solves Z x = b to nearly extended precision: pivoted LU in double with residuals in long double, refined until
-/// converged; if it does not converge, LU in long double. Accurate even at a resonance with damping ratio 1e-6, where
-/// plain double keeps ten digits.
+/// Solves Z x = b to nearly extended precision: pivoted LU in double (sparse if Z is) with residuals in long double,
+/// refined until converged; if it does not converge, LU in long double. Accurate even at a resonance with damping ratio
+/// 1e-6, where plain double keeps ten digits.
 class RefinedSolver {
  public:
   /// Z in extended precision, scaled so that its rows and columns are comparable in size.
   explicit RefinedSolver(ExtendedMatrix Z);
 
   [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
-  /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors.
+  /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors by a few solutions. [Hager1984]
   [[nodiscard]] double condition() const;
 
  private:
   ExtendedMatrix z_;
-  PivotedLu<std::complex<double>> factors_;
+  SparseSystem system_;
+  SystemFactors factors_;
 };
 
 }  // namespace trivet::numerics

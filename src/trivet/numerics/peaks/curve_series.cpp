@@ -84,13 +84,12 @@ std::vector<double> slope(const CurveSeries& series) {
 
 }  // namespace
 
-CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given,
-                                   const Panel& panel) {
+CoordinateSeries coordinate_series(const ResponseSeries& response, const Load& given, const Panel& panel) {
   const bool rests = given.vanishes();
   if (panel.at_infinity)
-    return {response_series_at_infinity(matrices, load, panel.radius, series_order),
+    return {response.at_infinity(panel.radius, series_order),
             rests ? SeriesAtInfinity{} : load_series_at_infinity(given, panel.radius, series_order)};
-  return {{response_series(matrices, load, panel.centre, panel.radius, series_order), 0},
+  return {{response.about(panel.centre, panel.radius, series_order), 0},
           {rests ? Eigen::MatrixXcd() : load_series(given, panel.centre, panel.radius, series_order), 0}};
 }
 

@@ -24,8 +24,7 @@ struct CoordinateSeries {
   SeriesAtInfinity given;  ///< prescribed motion; no rows if there is none
 };
 
-[[nodiscard]] CoordinateSeries coordinate_series(const DynamicMatrices& matrices, const Load& load, const Load& given,
-                                                 const Panel& panel);
+[[nodiscard]] CoordinateSeries coordinate_series(const ResponseSeries& response, const Load& given, const Panel& panel);
 
 [[nodiscard]] CurveSeries curve_series(const ObservedCurve& curve, const Panel& panel,
                                        const CoordinateSeries& coordinates);

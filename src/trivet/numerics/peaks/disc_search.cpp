@@ -115,6 +115,7 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
     curve.at_start = std::numeric_limits<double>::quiet_NaN();
     curve.complete = result.from < result.to;  // else the whole band is below the start of the cover
   }
+  const ResponseSeries response(system.matrices, system.load);
   double done = 0;
   const double all =
       static_cast<double>(cover.panels.size()) * static_cast<double>(std::max<std::size_t>(curves.size(), 1));
@@ -124,7 +125,7 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
     if (panel.at_infinity ? band.to < 1 / panel.radius
                           : panel.centre + panel.radius < band.from || panel.centre - panel.radius > band.to)
       continue;
-    const CoordinateSeries q = coordinate_series(system.matrices, system.load, system.given, panel);
+    const CoordinateSeries q = coordinate_series(response, system.given, panel);
     const auto note_gap = [&](SearchedCurve& curve) {
       curve.complete = false;
       if (!stands_on_a_pole(panel, cover.poles_on_axis))

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/numerics/linalg/refined_solution.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/sparse_system.h"
 #include "trivet/numerics/peaks/jet.h"
 
 namespace trivet::numerics {
@@ -20,25 +21,46 @@ struct Sensitivity {
   Extended value = 0;  ///< of the complex y, including its phase
 };
 
-/// A curve in coordinates scaled to a unit mass diagonal.
+}  // namespace
+
+/// The system in coordinates scaled to a unit mass diagonal.
+struct PeakRefinement::Scaled {
+  explicit Scaled(const DrivenSystem& system)
+      : d(unit_scale(system.matrices)),
+        system_in_units(scaled(system.matrices, d)),
+        load(system.load.scaled(d)),
+        given(system.given) {}
+
+  Eigen::VectorXd d;
+  SparseSystem system_in_units;
+  Load load, given;
+};
+
+namespace {
+
+/// A curve with its derivatives with respect to ω.
 class Curve {
  public:
-  Curve(const DrivenSystem& system, const ObservedCurve& curve)
-      : d_(unit_scale(system.matrices)),
-        m_(scaled(system.matrices, d_)),
-        load_(system.load.scaled(d_)),
-        given_(system.given),
-        terms_{d_.asDiagonal() * curve.of_response.on_displacement, d_.asDiagonal() * curve.of_response.on_velocity,
-               d_.asDiagonal() * curve.of_response.on_acceleration},
+  Curve(const Eigen::VectorXd& d, const SparseSystem& system, const Load& load, const Load& given,
+        const ObservedCurve& curve)
+      : system_(system),
+        load_(load),
+        given_(given),
+        terms_{d.asDiagonal() * curve.of_response.on_displacement, d.asDiagonal() * curve.of_response.on_velocity,
+               d.asDiagonal() * curve.of_response.on_acceleration},
         of_given_(curve.of_given),
         derivative_(curve.derivative) {}
 
   Jet<ExtendedComplex> at(Extended w) const {
-    const Jet<ExtendedMatrix> z = stiffness_jet(m_, w);
-    const RefinedSolver solver(z[0]);
-    const Jet<ExtendedVector> q =
-        solution_jet<Extended>([&](const ExtendedVector& b) { return solver.solve(b); }, z, load_jet(load_, w));
-    Jet<ExtendedComplex> y = dot<Extended>(terms_jet(terms_, m_.size(), w), q);
+    const SystemFactors factors = system_.factors(static_cast<double>(w));
+    const auto solve = [&](const ExtendedVector& b) { return system_.solution(factors, w, b); };
+    const auto slope = [&](const ExtendedVector& x) { return system_.product<Extended>(1, w, x); };
+    const Jet<ExtendedVector> b = load_jet(load_, w);
+    Jet<ExtendedVector> q;
+    q[0] = solve(b[0]);
+    q[1] = solve(b[1] - slope(q[0]));
+    q[2] = solve(b[2] - Extended(2) * slope(q[1]) - system_.product<Extended>(2, w, q[0]));
+    Jet<ExtendedComplex> y = dot<Extended>(terms_jet(terms_, system_.size(), w), q);
     const Jet<ExtendedComplex> direct = of_given(w);
     for (std::size_t k = 0; k < 3; ++k) y[k] += direct[k];
     for (int k = 0; k < derivative_; ++k) y = time_derivative(y, w);
@@ -48,22 +70,22 @@ class Curve {
   /// δy = −pᵀ δZ q with pᵀ = cᵀZ⁻¹; each entry of K and ω²A changes by a real amount, each of ωB by an imaginary one,
   /// of one unit of round-off. Only the part in phase with y changes the amplitude.
   Sensitivity sensitivity(Extended w) const {
-    const ExtendedMatrix z = stiffness_jet(m_, w)[0], K = m_.complex_stiffness().cast<ExtendedComplex>();
-    const ExtendedVector c = terms_jet(terms_, m_.size(), w)[0];
-    const ExtendedVector q = RefinedSolver(z).solve(load_jet(load_, w)[0]);
-    const ExtendedVector p = RefinedSolver(ExtendedMatrix(z.transpose())).solve(c);
+    const ExtendedVector c = terms_jet(terms_, system_.size(), w)[0];
+    const SystemFactors factors = system_.factors(static_cast<double>(w));
+    const ExtendedVector q = system_.solution(factors, w, load_jet(load_, w)[0]);
+    const ExtendedVector p = system_.symmetric()
+        ? system_.solution(factors, w, c)
+        : system_.solution(system_.factors(static_cast<double>(w), true), w, c, true);
     const ExtendedComplex y = ExtendedComplex(c.transpose() * q) + of_given(w)[0];
     const ExtendedComplex along = std::abs(y) > 0 ? std::conj(y) / std::abs(y) : ExtendedComplex(1);
     const Extended rate = std::pow(w, Extended(derivative_));
     Sensitivity sum;
-    for (Eigen::Index row = 0; row < q.size(); ++row)
-      for (Eigen::Index column = 0; column < q.size(); ++column) {
-        const ExtendedComplex effect = along * p(row) * q(column);
-        const Extended real = std::abs(K(row, column)) + w * w * std::abs(Extended(m_.A(row, column))),
-                       imaginary = w * std::abs(Extended(m_.B(row, column)));
-        sum.amplitude += rate * unit_round_off * (real * std::abs(effect.real()) + imaginary * std::abs(effect.imag()));
-        sum.value += rate * unit_round_off * (real + imaginary) * std::abs(effect);
-      }
+    for (const SparseSystem::Entry& e : system_.entries()) {
+      const ExtendedComplex effect = along * p(e.row) * q(e.column);
+      const Extended real = std::abs(e.k) + w * w * std::abs(Extended(e.a)), imaginary = w * std::abs(Extended(e.b));
+      sum.amplitude += rate * unit_round_off * (real * std::abs(effect.real()) + imaginary * std::abs(effect.imag()));
+      sum.value += rate * unit_round_off * (real + imaginary) * std::abs(effect);
+    }
     return sum;
   }
 
@@ -73,18 +95,19 @@ class Curve {
     return dot<Extended>(terms_jet(of_given_, given_.size(), w), load_jet(given_, w));
   }
 
-  Eigen::VectorXd d_;
-  DynamicMatrices m_;
-  Load load_, given_;
+  const SparseSystem& system_;
+  const Load &load_, &given_;
   CurveTerms terms_, of_given_;
   int derivative_;
 };
 
 }  // namespace
 
-RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& of, double omega, double reach) {
+PeakRefinement::PeakRefinement(const DrivenSystem& system) : scaled_(std::make_shared<Scaled>(system)) {}
+
+RefinedPeak PeakRefinement::refined(const ObservedCurve& of, double omega, double reach) const {
   constexpr int most_steps = 8;
-  const Curve curve(system, of);
+  const Curve curve(scaled_->d, scaled_->system_in_units, scaled_->load, scaled_->given, of);
   Extended w = omega;
   Jet<ExtendedComplex> y = curve.at(w);
   const Sensitivity sensitivity = curve.sensitivity(w);

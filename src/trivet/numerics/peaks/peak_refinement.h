@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
+
 #include "trivet/numerics/peaks/disc_search.h"
 
 namespace trivet::numerics {
@@ -14,9 +16,18 @@ struct RefinedPeak {
   bool converged = false;
 };
 
-/// Refined maximum near `omega`. Stops with converged = false and the values of the last step if a step leaves [omega −
-/// reach, omega + reach].
-[[nodiscard]] RefinedPeak refine_peak(const DrivenSystem& system, const ObservedCurve& curve, double omega,
-                                      double reach);
+/// Refines the peaks of one system.
+class PeakRefinement {
+ public:
+  explicit PeakRefinement(const DrivenSystem& system);
+
+  /// Refined maximum near `omega`. Stops with converged = false and the values of the last step if a step leaves
+  /// [omega − reach, omega + reach].
+  [[nodiscard]] RefinedPeak refined(const ObservedCurve& curve, double omega, double reach) const;
+
+ private:
+  struct Scaled;
+  std::shared_ptr<const Scaled> scaled_;
+};
 
 }  // namespace trivet::numerics

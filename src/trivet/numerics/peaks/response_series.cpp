@@ -9,9 +9,12 @@
 namespace trivet::numerics {
 namespace {
 
-/// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ.
-Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2,
-                        const Eigen::MatrixXcd& h) {
+/// Up to this size, −Z0⁻¹ [Z2 Z1] is formed once: a product with it costs less than a solution with the factors.
+constexpr Eigen::Index most_formed = 18;
+
+/// Coefficients of (Z0 + Z1 τ + Z2 τ²)⁻¹ Σ h_j τʲ for small matrices.
+Eigen::MatrixXcd small_series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2,
+                              const Eigen::MatrixXcd& h) {
   const Eigen::Index n = h.rows();
   const PivotedLu<Complex> lu(Z0);
   Eigen::MatrixXcd step(n, 2 * n);  // −Z0⁻¹ [Z2 Z1], applied to the last two coefficients stacked
@@ -26,6 +29,32 @@ Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, 
     if (!h.col(j).isZero(0)) q.col(j + 1) += lu.solve(Eigen::VectorXcd(h.col(j)));
   }
   return q.rightCols(h.cols());
+}
+
+/// The same for matrices of any size: `solve` applies Z0⁻¹, the others Z0, Z1 and Z2.
+template <typename Solve, typename Zeroth, typename First, typename Second>
+Eigen::MatrixXcd large_series(const Solve& solve, const Zeroth& zeroth, const First& first, const Second& second,
+                              const Eigen::MatrixXcd& h) {
+  Eigen::MatrixXcd q(h.rows(), h.cols());
+  q.col(0) = solve(h.col(0));
+  q.col(0) += solve(h.col(0) - zeroth(q.col(0)));
+  for (Eigen::Index j = 1; j < h.cols(); ++j) {
+    Eigen::VectorXcd right = h.col(j) - first(q.col(j - 1));
+    if (j > 1) right -= second(q.col(j - 2));
+    q.col(j) = solve(right);
+  }
+  return q;
+}
+
+/// The same for dense matrices.
+Eigen::MatrixXcd series(const Eigen::MatrixXcd& Z0, const Eigen::MatrixXcd& Z1, const Eigen::MatrixXcd& Z2,
+                        const Eigen::MatrixXcd& h) {
+  if (h.rows() <= most_formed) return small_series(Z0, Z1, Z2, h);
+  const PivotedLu<Complex> lu(Z0);
+  const auto times = [](const Eigen::MatrixXcd& z) {
+    return [&z](const Eigen::VectorXcd& x) -> Eigen::VectorXcd { return z * x; };
+  };
+  return large_series([&](const Eigen::VectorXcd& b) { return lu.solve(b); }, times(Z0), times(Z1), times(Z2), h);
 }
 
 /// iᵏ.
@@ -71,14 +100,29 @@ Eigen::MatrixXcd load_series(const Load& load, double centre, double radius, int
   return h;
 }
 
-Eigen::MatrixXcd response_series(const DynamicMatrices& given, const Load& load, double centre, double radius,
-                                 int order) {
-  const Eigen::VectorXd d = unit_scale(given);
-  const DynamicMatrices m = scaled(given, d);
-  const Eigen::MatrixXcd A = m.A.cast<Complex>(), B = m.B.cast<Complex>();
-  const Eigen::MatrixXcd slope = radius * (Complex(0, 1) * B - 2 * centre * A);
-  const Eigen::MatrixXcd curvature = -radius * radius * A;
-  return d.asDiagonal() * series(m.at(centre), slope, curvature, load_series(load.scaled(d), centre, radius, order));
+ResponseSeries::ResponseSeries(const DynamicMatrices& matrices, const Load& load)
+    : scale_(unit_scale(matrices)),
+      matrices_(scaled(matrices, scale_)),
+      load_(load.scaled(scale_)),
+      system_(matrices_) {}
+
+Eigen::MatrixXcd ResponseSeries::about(double centre, double radius, int order) const {
+  const Eigen::MatrixXcd h = load_series(load_, centre, radius, order);
+  if (matrices_.size() <= most_formed) {
+    const Eigen::MatrixXcd A = matrices_.A.cast<Complex>(), B = matrices_.B.cast<Complex>();
+    const Eigen::MatrixXcd slope = radius * (Complex(0, 1) * B - 2 * centre * A);
+    const Eigen::MatrixXcd curvature = -radius * radius * A;
+    return scale_.asDiagonal() * small_series(matrices_.at(centre), slope, curvature, h);
+  }
+  const SystemFactors factors = system_.factors(centre);
+  const auto derivative = [&](int k, double factor) {
+    return [this, k, factor, centre](const Eigen::VectorXcd& x) -> Eigen::VectorXcd {
+      return factor * system_.product(k, centre, x);
+    };
+  };
+  return scale_.asDiagonal() *
+      large_series([&](const Eigen::VectorXcd& b) { return factors.solve(b); }, derivative(0, 1), derivative(1, radius),
+                   derivative(2, radius * radius / 2), h);
 }
 
 SeriesAtInfinity load_series_at_infinity(const Load& load, double radius, int order) {
@@ -91,10 +135,9 @@ SeriesAtInfinity load_series_at_infinity(const Load& load, double radius, int or
   return result;
 }
 
-SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const Load& load, double radius, int order) {
-  const Eigen::VectorXd d = unit_scale(given);
-  const DynamicMatrices m = scaled(given, d);
-  SeriesAtInfinity h = load_series_at_infinity(load.scaled(d), radius, order + 2);
+SeriesAtInfinity ResponseSeries::at_infinity(double radius, int order) const {
+  const DynamicMatrices& m = matrices_;
+  SeriesAtInfinity h = load_series_at_infinity(load_, radius, order + 2);
   Eigen::MatrixXcd constant = -m.A.cast<Complex>();
   Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();
   Eigen::MatrixXcd curvature = radius * radius * m.complex_stiffness();
@@ -121,7 +164,7 @@ SeriesAtInfinity response_series_at_infinity(const DynamicMatrices& given, const
     const int by = lowered[to_size(i)] - shift;  // divided by s^lowered, multiplied by s^shift
     for (int j = std::max(0, -by); j <= order; ++j) right(i, j) = h.coefficients(i, j + by) * std::pow(radius, -by);
   }
-  return {d.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};
+  return {scale_.asDiagonal() * series(constant, slope, curvature, right), 2 + h.power - shift};
 }
 
 }  // namespace trivet::numerics

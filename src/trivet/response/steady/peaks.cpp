@@ -95,6 +95,7 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
       ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
       : numerics::search_by_discs(system, given.curves, roots.poles,
                                   {0, loading.longest_delay() > 0 ? end : infinity, first_half});
+  const numerics::PeakRefinement refinement(system);
   Peaks result;
   result.searched_from = found.from;
   result.searched_to = found.to;
@@ -134,7 +135,7 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
         const numerics::RefinedPeak refined = exact
             ? numerics::RefinedPeak{t.angular_frequency, t.amplitude, t.uncertainty,
                                     numerics::circle_accuracy * t.amplitude, true}
-            : options.refine ? numerics::refine_peak(system, given.curves[c], t.angular_frequency, t.reach)
+            : options.refine ? refinement.refined(given.curves[c], t.angular_frequency, t.reach)
                              : numerics::RefinedPeak{};
         if (refined.converged) {
           peak.prominence += refined.amplitude - peak.amplitude;

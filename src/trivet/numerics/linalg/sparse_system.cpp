@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/linalg/sparse_system.h"
+
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseLU>
+#include <limits>
+#include <optional>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::numerics {
+namespace {
+
+using Sparse = Eigen::SparseMatrix<Complex>;
+using SparseFactors = Eigen::SparseLU<Sparse, Eigen::NaturalOrdering<int>>;
+
+/// Measured on chains of bodies: below this size, or with more entries, dense factors are faster.
+constexpr Eigen::Index least_sparse = 30;
+constexpr double most_filled = 0.3;
+
+/// Place of each coordinate in an elimination order with little fill.
+std::vector<Eigen::Index> elimination_order(Eigen::Index n, const std::vector<SparseSystem::Entry>& entries) {
+  std::vector<Eigen::Triplet<double>> places;
+  for (const SparseSystem::Entry& e : entries) {
+    places.emplace_back(e.row, e.column, 1.0);
+    places.emplace_back(e.column, e.row, 1.0);
+  }
+  Eigen::SparseMatrix<double> pattern(n, n);
+  pattern.setFromTriplets(places.begin(), places.end());
+  Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+  Eigen::AMDOrdering<int>()(pattern, order);
+  // The ordering returns the coordinate at each place.
+  std::vector<Eigen::Index> place(to_size(n));
+  for (Eigen::Index at = 0; at < n; ++at) place[to_size(order.indices()(at))] = at;
+  return place;
+}
+
+template <typename Real>
+std::complex<Real> coefficient(const SparseSystem::Entry& e, int derivative, Real omega) {
+  using Scalar = std::complex<Real>;
+  if (derivative == 2) return -2 * Real(e.a);
+  if (derivative == 1) return Scalar(-2 * omega * Real(e.a), Real(e.b));
+  return Scalar(Real(e.k.real()) - omega * omega * Real(e.a), Real(e.k.imag()) + omega * Real(e.b));
+}
+
+}  // namespace
+
+struct SystemFactors::Data {
+  std::optional<PivotedLu<Complex>> dense;
+  std::optional<SparseFactors> sparse;
+  std::vector<Eigen::Index> place;  // of the coordinates in the sparse factors
+};
+
+Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
+  if (data_->dense) return data_->dense->solve(b);
+  Eigen::VectorXcd ordered(b.size()), x(b.size());
+  for (Eigen::Index i = 0; i < b.size(); ++i) ordered(data_->place[to_size(i)]) = b(i);
+  const Eigen::VectorXcd solved = data_->sparse->solve(ordered);
+  for (Eigen::Index i = 0; i < b.size(); ++i) x(i) = solved(data_->place[to_size(i)]);
+  return x;
+}
+
+SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetric_(m.symmetric) {
+  for (Eigen::Index j = 0; j < size_; ++j)
+    for (Eigen::Index i = 0; i < size_; ++i) {
+      const double loss = m.lossy() ? m.K_loss(i, j) : 0;
+      if (m.A(i, j) != 0 || m.B(i, j) != 0 || m.K(i, j) != 0 || loss != 0)
+        entries_.push_back({i, j, m.A(i, j), m.B(i, j), {m.K(i, j), loss}});
+    }
+  sparse_ = size_ > least_sparse &&
+      static_cast<double>(entries_.size()) < most_filled * static_cast<double>(size_) * static_cast<double>(size_);
+  if (sparse_) order_ = elimination_order(size_, entries_);
+}
+
+template <typename Real>
+SparseSystem::Vector<Real> SparseSystem::product(int derivative, Real omega, const Vector<Real>& x,
+                                                 bool transposed) const {
+  Vector<Real> y = Vector<Real>::Zero(size_);
+  for (const Entry& e : entries_) {
+    const std::complex<Real> c = coefficient(e, derivative, omega), &of = x(transposed ? e.row : e.column);
+    std::complex<Real>& sum = y(transposed ? e.column : e.row);
+    // Written out: the product of complex numbers in the standard library checks for NaN.
+    sum = {sum.real() + (c.real() * of.real() - c.imag() * of.imag()),
+           sum.imag() + (c.real() * of.imag() + c.imag() * of.real())};
+  }
+  return y;
+}
+
+template SparseSystem::Vector<double> SparseSystem::product(int, double, const Vector<double>&, bool) const;
+template SparseSystem::Vector<long double> SparseSystem::product(int, long double, const Vector<long double>&,
+                                                                 bool) const;
+
+Eigen::MatrixXcd SparseSystem::dense(double omega, bool transposed) const {
+  Eigen::MatrixXcd z = Eigen::MatrixXcd::Zero(size_, size_);
+  for (const Entry& e : entries_) (transposed ? z(e.column, e.row) : z(e.row, e.column)) = coefficient(e, 0, omega);
+  return z;
+}
+
+SystemFactors SparseSystem::factors(double omega, bool transposed) const {
+  auto data = std::make_shared<SystemFactors::Data>();
+  if (sparse_) {
+    std::vector<Eigen::Triplet<Complex>> values;
+    values.reserve(entries_.size());
+    for (const Entry& e : entries_) {
+      const Eigen::Index row = order_[to_size(e.row)], column = order_[to_size(e.column)];
+      values.emplace_back(transposed ? column : row, transposed ? row : column, coefficient(e, 0, omega));
+    }
+    Sparse z(size_, size_);
+    z.setFromTriplets(values.begin(), values.end());
+    data->sparse.emplace();
+    data->sparse->isSymmetric(true);
+    data->sparse->setPivotThreshold(0.1);  // prefers the diagonal, which keeps the order and its fill
+    data->sparse->compute(z);
+    data->place = order_;
+    if (data->sparse->info() != Eigen::Success) data->sparse.reset();  // singular: dense factors show how
+  }
+  if (!data->sparse) data->dense.emplace(dense(omega, transposed));
+  SystemFactors result;
+  result.data_ = std::move(data);
+  return result;
+}
+
+SparseSystem::Vector<long double> SparseSystem::solution(const SystemFactors& factors, long double omega,
+                                                         const Vector<long double>& b, bool transposed) const {
+  using Extended = long double;
+  constexpr int most_steps = 12;
+  constexpr Extended settled = 64 * std::numeric_limits<Extended>::epsilon();
+  const auto step = [&](const Vector<Extended>& r) -> Vector<Extended> {
+    return factors.solve(Eigen::VectorXcd(r.cast<Complex>())).cast<std::complex<Extended>>();
+  };
+  Vector<Extended> x = step(b);
+  Extended previous = std::numeric_limits<Extended>::infinity();
+  for (int i = 0; i < most_steps; ++i) {
+    const Vector<Extended> correction = step(b - product<Extended>(0, omega, x, transposed));
+    const Extended size = correction.norm();
+    if (size <= settled * x.norm()) return x + correction;
+    if (!(size < 0.5L * previous)) break;
+    x += correction;
+    previous = size;
+  }
+  // Too ill-conditioned for factors in double: solve in extended precision.
+  ExtendedMatrix z = ExtendedMatrix::Zero(size_, size_);
+  for (const Entry& e : entries_) (transposed ? z(e.column, e.row) : z(e.row, e.column)) = coefficient(e, 0, omega);
+  return lu_solution(z, b);
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <memory>
+#include <vector>
+
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+
+namespace trivet::numerics {
+
+/// LU factors of Z(ω) at one ω, in double.
+class SystemFactors {
+ public:
+  /// Not finite if Z is singular.
+  [[nodiscard]] Eigen::VectorXcd solve(const Eigen::VectorXcd& b) const;
+
+ private:
+  friend class SparseSystem;
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+/// Z(ω) = K + iK_loss + iωB − ω²A of one system by its nonzero entries: in a chain of bodies these are few. Safe for
+/// several threads at once.
+class SparseSystem {
+ public:
+  template <typename Real>
+  using Vector = Eigen::Matrix<std::complex<Real>, Eigen::Dynamic, 1>;
+  struct Entry {
+    Eigen::Index row, column;
+    double a, b;
+    Complex k;
+  };
+
+  explicit SparseSystem(const DynamicMatrices& matrices);
+
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+  [[nodiscard]] bool symmetric() const { return symmetric_; }
+  [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+
+  /// The k-th derivative of Z with respect to ω, times x. Real: double or long double.
+  template <typename Real>
+  [[nodiscard]] Vector<Real> product(int derivative, Real omega, const Vector<Real>& x, bool transposed = false) const;
+
+  /// Factors of Z or Zᵀ: sparse, in an order with little fill, if most entries are zero; else dense.
+  [[nodiscard]] SystemFactors factors(double omega, bool transposed = false) const;
+
+  /// Solution of Z x = b (or Zᵀ x = b) in nearly extended precision: residuals in long double, refined until converged,
+  /// with factors of a nearby ω; if that does not converge, LU in long double.
+  [[nodiscard]] Vector<long double> solution(const SystemFactors& factors, long double omega,
+                                             const Vector<long double>& b, bool transposed = false) const;
+
+ private:
+  [[nodiscard]] Eigen::MatrixXcd dense(double omega, bool transposed) const;
+
+  Eigen::Index size_;
+  bool symmetric_, sparse_;
+  std::vector<Entry> entries_;       ///< column by column
+  std::vector<Eigen::Index> order_;  ///< of the coordinates for sparse factors: place of each one
+};
+
+}  // namespace trivet::numerics
