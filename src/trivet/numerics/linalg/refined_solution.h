@@ -18,7 +18,7 @@ class RefinedSolver {
   explicit RefinedSolver(ExtendedMatrix Z);
 
   [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
-  /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors by a few solutions. [Hager1984]
+  /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors by a few solutions. (Hager 1984)
   [[nodiscard]] double condition() const;
 
  private:
