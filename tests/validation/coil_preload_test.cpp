@@ -14,6 +14,7 @@ using elements::CoilSpring;
 using test::literature_spring;
 using test::RelativelyNear;
 constexpr double pi = std::numbers::pi;
+constexpr double round_off = 1e-12;  // one formula, written in two ways
 
 /// A spring of this length with the wire and pitch of the literature spring.
 CoilSpring spring_of_length(double length) {
@@ -58,7 +59,7 @@ TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
 }
 
 TEST(CompressedCoil, BucklesWhereTheStandardSays) {
-  constexpr double smeared_coils = 0.011;
+  constexpr double smeared_coils = 0.011;  // the standard distributes the coils evenly
   for (const double length : {0.06, 0.08, 0.1, 0.12}) {
     const CoilSpring spring = spring_of_length(length);
     const auto held = buckling(spring, elements::SeatsHeld::both),
@@ -71,13 +72,14 @@ TEST(CompressedCoil, BucklesWhereTheStandardSays) {
 
 TEST(CompressedCoil, TheFormulaOfTheStandardIsGivenBesideAndIsEarlyForASmallIndex) {
   const CoilSpring slender = spring_of_length(0.08);
-  EXPECT_THAT(elements::standard_buckling(slender).value(), RelativelyNear(standard_buckling(slender, 0.5), 1e-12));
-  CoilSpring thick = literature_spring();  // index 5, 8 coils, L/D = 6: 4.3 % in docs/elements/coil_spring.md
+  EXPECT_THAT(elements::standard_buckling(slender).value(), RelativelyNear(standard_buckling(slender, 0.5), round_off));
+  CoilSpring thick = literature_spring();  // index 5, 8 coils, L/D = 6
   thick.mean_diameter = 5e-3;
   thick.active_coils = 8;
   thick.active_length = 30e-3;
   const double early =
       buckling(thick, elements::SeatsHeld::both)->compression / elements::standard_buckling(thick).value() - 1;
+  // 4.3 % in docs/elements/coil_spring.md, and about one per cent either way
   EXPECT_GT(early, 0.03);
   EXPECT_LT(early, 0.051);
   EXPECT_FALSE(elements::standard_buckling(literature_spring()));
@@ -90,26 +92,26 @@ TEST(CompressedCoil, AStubbySpringDoesNotBuckle) {
 TEST(CompressedCoil, ForceOfTheStandardsExample) {
   // EN 13906-1 worked example: 280 N at s1 = 17.3 mm, 620 N at s2 = 38.3 mm, L1 = 88.5 and L2 = 67.5 mm; the standard
   // neglects the held rotation of the seats, the widening of the coils and the shear of the wire.
-  constexpr double of_the_standard = 0.025;
+  constexpr double of_the_standard = 0.025, of_the_seats = 0.8e-3;  // m: 2 % of the compression
   const elements::CoilSpring spring = test::standards_spring();
   EXPECT_THAT(compressed_with(spring, 280).compression, RelativelyNear(17.3e-3, of_the_standard));
   EXPECT_THAT(compressed_with(spring, 620).compression, RelativelyNear(38.3e-3, of_the_standard));
-  EXPECT_NEAR(compressed_with(spring, 620).seat_distance, 67.5e-3, 0.8e-3);
+  EXPECT_NEAR(compressed_with(spring, 620).seat_distance, 67.5e-3, of_the_seats);
   // Stress: 8 F D/(π d³) = 437.0 MPa; Bergsträsser's factor at C = 6.92 is 1.2026, Wahl's 1.2156.
-  constexpr double digits = 1e-4;
-  EXPECT_THAT(nominal_shear_stress(spring, 620), RelativelyNear(437.0e6, digits));
-  EXPECT_THAT(elements::bergstraesser_factor(6.92), RelativelyNear(1.2026, digits));
-  EXPECT_THAT(wahl_shear_stress(spring, -620), RelativelyNear(437.0e6 * 1.2156, digits));
+  constexpr double printed_digits = 1e-4;
+  EXPECT_THAT(nominal_shear_stress(spring, 620), RelativelyNear(437.0e6, printed_digits));
+  EXPECT_THAT(elements::bergstraesser_factor(6.92), RelativelyNear(1.2026, printed_digits));
+  EXPECT_THAT(wahl_shear_stress(spring, -620), RelativelyNear(437.0e6 * 1.2156, printed_digits));
 }
 
 TEST(CoilStress, RectangularWireTwistsAsInTheTables) {
   // Timoshenko and Goodier: τ = T/(α b h²) with α = 0.208 and 0.246 for side ratios 1 and 2.
-  constexpr double printed = 3e-3;
+  constexpr double printed_digits = 3e-3;  // three
   CoilSpring spring = literature_spring();
   for (const auto& [ratio, factor] : {std::pair{1.0, 0.208}, {2.0, 0.246}}) {
     spring.wire = elements::RectangularWire{1e-3, ratio * 1e-3};
     spring.active_length = 0.05;
-    EXPECT_THAT(nominal_shear_stress(spring, 10), RelativelyNear(10 * 5e-3 / (factor * ratio * 1e-9), printed))
+    EXPECT_THAT(nominal_shear_stress(spring, 10), RelativelyNear(10 * 5e-3 / (factor * ratio * 1e-9), printed_digits))
         << ratio;
   }
 }

@@ -22,19 +22,19 @@ TEST(CoilSpring, FirstTenClampedFrequenciesOfThePublishedSpring) {
   constexpr std::array published = {393.5, 395.9, 462.8, 525.5, 863.9, 876.9};
   constexpr std::array exact = {393.400, 395.979, 462.718, 525.567, 863.567, 876.741, 913.473, 1037.243};
   constexpr std::array extrapolated = {1310.3584, 1364.2752};
-  constexpr double digits = 1.01e-6, printed = 6e-4, extrapolation = 5e-5;
+  constexpr double exponential = 1.01e-6, printed_digits = 6e-4, extrapolation = 5e-5;
   const std::vector<double> omega = elements::natural_frequencies(literature_spring(), elements::SeatsHeld::both, 10);
   for (std::size_t i = 0; i < published.size(); ++i)
-    EXPECT_THAT(omega[i] / (2 * pi), RelativelyNear(published[i], printed)) << i;
+    EXPECT_THAT(omega[i] / (2 * pi), RelativelyNear(published[i], printed_digits)) << i;
   for (std::size_t i = 0; i < exact.size(); ++i)
-    EXPECT_THAT(omega[i] / (2 * pi), RelativelyNear(exact[i], digits)) << i;
+    EXPECT_THAT(omega[i] / (2 * pi), RelativelyNear(exact[i], exponential)) << i;
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_THAT(omega[i + 8] / (2 * pi), RelativelyNear(extrapolated[i], extrapolation)) << i;
 }
 
 TEST(CoilSpring, StiffnessOfThePublishedSpring) {
   // Castigliano's theorem for the curved rod, at the top seat; its shear factor differs in the third digit.
-  constexpr double digits = 1e-4;
+  constexpr double other_shear_factor = 1e-4;
   Eigen::Matrix<double, 6, 6> expected;
   expected << 306.04358222428374, -0.6041200066131152, -14.941134978078045, 0.02461411633036571, -5.5031825158059,
       -0.057949425134543306, -0.604120006613122, 307.70658193408036, -4.854669038452093, 5.544351280785702,
@@ -45,7 +45,7 @@ TEST(CoilSpring, StiffnessOfThePublishedSpring) {
       -0.057949425134543146, -0.018828909611587397, -0.28026141657370107, -0.00034565686599802477,
       0.0010409040526312505, 0.041675579054987116;
   const Matrix12 k = elements::stiffness(literature_spring());
-  EXPECT_LE(test::scaled_difference(k.bottomRightCorner<6, 6>().eval(), expected), digits);
+  EXPECT_LE(test::scaled_difference(k.bottomRightCorner<6, 6>().eval(), expected), other_shear_factor);
 }
 
 TEST(CoilSpring, AxialRateOfTheStandardsExample) {

@@ -51,8 +51,10 @@ study::DesignMap map_of(const std::string& rules) {
   return study::design_map(project, project.base(), *project.base().analyses.map);
 }
 
-/// The boundary is accurate to 1e-6 of each axis; the amplitude changes by at most a factor e per 0.29 of an axis.
-constexpr double along_the_axis = 5e-6;
+/// The boundary is accurate to 1e-6 of each axis. The damping axis of 395 ms begins at 5 ms: its millionth is 8e-5
+/// there.
+constexpr double boundary_error = 1.5e-4;
+constexpr double of_a_float = 2e-7;  // margins are kept in single precision
 
 TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("limits = {\"mass.z\" = \"20 mm\"}\n");
@@ -61,7 +63,7 @@ TEST(DesignMap, HasTheBoundaryOfTheAmplitudeOfOneMassInClosedForm) {
   for (const design::MapLine& line : map.feasible.lines)
     for (const design::MapPlace& p : line) {
       const OneMass design(map.request.x.at(p.x), map.request.y.at(p.y));
-      EXPECT_NEAR(design.amplitude(), 0.02, 30 * along_the_axis * 0.02) << p.x << " " << p.y;
+      EXPECT_NEAR(design.amplitude(), 0.02, boundary_error * 0.02) << p.x << " " << p.y;
       ++points;
       resonant += design.zeta < 0.7;
     }
@@ -74,7 +76,7 @@ TEST(DesignMap, HasTheBoundaryOfThePeakOfOneMassInClosedForm) {
   ASSERT_FALSE(map.feasible.lines.empty());
   for (const design::MapLine& line : map.feasible.lines)
     for (const design::MapPlace& p : line)
-      EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, 30 * along_the_axis)
+      EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).rise(), 1.05, boundary_error)
           << p.x << " " << p.y;
 }
 
@@ -91,7 +93,7 @@ TEST(DesignMap, GivesMarginsOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("limits = {\"mass.z\" = \"20 mm\"}\n");
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const design::DesignPoint p = map.point(k);
-    EXPECT_NEAR(map.outcomes[k].margin, 0.02 / OneMass(p.x, p.y).amplitude(), 2e-7 * map.outcomes[k].margin);
+    EXPECT_NEAR(map.outcomes[k].margin, 0.02 / OneMass(p.x, p.y).amplitude(), of_a_float * map.outcomes[k].margin);
   }
 }
 

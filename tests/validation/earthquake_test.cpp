@@ -22,7 +22,9 @@ using namespace trivet;
 using test::along;
 using test::RelativelyNear;
 
-constexpr double round_off = 1e-10;
+constexpr double round_off = 1e-10;      // modes of one or two coordinates
+constexpr double step_by_step = 1e-9;    // 1200 steps, each exact to round-off, and a maximum between two of them
+constexpr double skew_round_off = 1e-8;  // modes of 18 coordinates with condition up to 1e5
 
 TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
   // Two masses m on two springs k: ω² = (3 ∓ √5)/2 k/m, shapes (1, (1 ± √5)/2); S_a = 2 m/s² at every frequency.
@@ -77,7 +79,7 @@ TEST(Earthquake, OfOneModeIsTheLargestValueOfItsTimeHistory) {
   const auto history = test::transient(system, assembled, {"m1.relative.x"},
                                        {test::base_motion(assembled, shaking, along(0), 2)}, options);
   const double largest = std::max(history.curves[0].largest.value, -history.curves[0].smallest.value);
-  EXPECT_THAT(r.answers[0].complete_quadratic, RelativelyNear(largest, 1e-9));
+  EXPECT_THAT(r.answers[0].complete_quadratic, RelativelyNear(largest, step_by_step));
   EXPECT_TRUE(r.warnings.list().empty());
   EXPECT_NEAR(r.modes[0].damping_ratio, zeta, round_off);
 }
@@ -93,7 +95,7 @@ TEST(Earthquake, ShakesTheMassOfSkewBodiesAlongEveryDirection) {
     double sum = 0;
     for (const auto& mode : response::earthquake_response(assembled, {}, flat, along(axis)).modes)
       sum += mode.effective_mass;
-    EXPECT_THAT(sum, RelativelyNear(mass, 1e-8));
+    EXPECT_THAT(sum, RelativelyNear(mass, skew_round_off));
   }
 }
 

@@ -27,13 +27,14 @@ constexpr double pi = std::numbers::pi;
 constexpr double degree = pi / 180;
 constexpr double omega = 314.1592653589793;
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double round_off = 1e-12;  // sums over the cylinders
 
 TEST(SliderCrank, HasTheSeriesOfTheTextbooks) {
   constexpr double l = 0.3;
   const std::vector<double> a = inertia_coefficients(l, 8), g = inertia_torque_coefficients(l, 4);
   EXPECT_EQ(a[1], 1);
   EXPECT_EQ(a[3], 0);
-  // The series is truncated after the fourth term: the next one is below λ⁹ for the second order, λ⁹ for the others.
+  // The series is truncated after λ⁷: the next term is below λ⁹, 2 λ⁹ and 3 λ⁹.
   EXPECT_NEAR(a[2], l + std::pow(l, 3) / 4 + 15 * std::pow(l, 5) / 128 + 35 * std::pow(l, 7) / 512, std::pow(l, 9));
   EXPECT_NEAR(a[4], -(std::pow(l, 3) / 4 + 3 * std::pow(l, 5) / 16 + 35 * std::pow(l, 7) / 256), 2 * std::pow(l, 9));
   EXPECT_NEAR(a[6], 9 * std::pow(l, 5) / 128 + 45 * std::pow(l, 7) / 512, 3 * std::pow(l, 9));
@@ -46,11 +47,12 @@ TEST(SliderCrank, HasTheSeriesOfTheTextbooks) {
 
 TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
   // Reference for λ = 0.3 by discrete Fourier transform of the exact motion, all digits.
-  constexpr double digits = 1e-10;
+  constexpr double all_digits = 1e-10, sixth_order = 1e-8;  // of a coefficient of 2e-4: round-off of numbers near 1
+  constexpr double round_off = 1e-12;                       // sums of up to some hundred terms
   const std::vector<double> a = inertia_coefficients(0.3, 6);
-  EXPECT_THAT(a[2], RelativelyNear(0.3070506590621658, digits));
-  EXPECT_THAT(a[4], RelativelyNear(-0.007237694996822019, digits));
-  EXPECT_THAT(a[6], RelativelyNear(0.00019193674663644267, 1e-8));
+  EXPECT_THAT(a[2], RelativelyNear(0.3070506590621658, all_digits));
+  EXPECT_THAT(a[4], RelativelyNear(-0.007237694996822019, all_digits));
+  EXPECT_THAT(a[6], RelativelyNear(0.00019193674663644267, sixth_order));
   for (const double l : {0.05, 0.3, 0.6, 0.9}) {  // here the sums must equal the motion
     const int count = negligible_order(l);
     const std::vector<double> all = inertia_coefficients(l, count), torque = inertia_torque_coefficients(l, 2 * count);
@@ -62,8 +64,8 @@ TEST(SliderCrank, CoefficientsAreThoseOfTheExactKinematics) {
       double inertia = 0, product = 0;
       for (int n = 0; n <= count; ++n) inertia += all[to_size(n)] * std::cos(n * phi);
       for (int n = 0; n <= 2 * count; ++n) product += torque[to_size(n)] * std::sin(n * phi);
-      EXPECT_NEAR(-inertia, second, 1e-12);
-      EXPECT_NEAR(product, first * second, 1e-12);
+      EXPECT_NEAR(-inertia, second, round_off);
+      EXPECT_NEAR(product, first * second, round_off);
     }
   }
   EXPECT_THROW((void)inertia_coefficients(1, 4), foundation::InvalidInput);
@@ -91,13 +93,12 @@ ComplexVector6 inertia(const Engine& engine, int order) {
 /// Reference values: amplitudes of the vertical and transverse force, and moments Σ position · force; the transverse
 /// direction is −y here.
 void expect_order(const Engine& engine, int order, Complex vertical, Complex transverse, Complex pitch, Complex yaw) {
-  constexpr double digits =
-      3e-6;  // the references truncate the series of λ after λ⁷: 3e-6 of the second, 1e-2 of the sixth order
-  constexpr double absolute = 2e-5;
-  const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : digits;
+  // The references truncate the series of λ after λ⁷: 3e-6 of the second, 3e-4 of the fourth, 1e-2 of the sixth order.
+  const double series = order == 6 ? 1e-2 : order == 4 ? 3e-4 : 3e-6;
+  constexpr double of_a_zero = 2e-5;  // N, N m: 1e-8 of the force of one cylinder
   const ComplexVector6 w = inertia(engine, order);
   const auto near = [&](Complex actual, Complex expected, const char* name) {
-    EXPECT_LE(std::abs(actual - expected), series * std::abs(expected) + absolute)
+    EXPECT_LE(std::abs(actual - expected), series * std::abs(expected) + of_a_zero)
         << name << " of order " << order << ": " << actual << ", expected " << expected;
   };
   near(w(2), vertical, "F_z");
@@ -114,7 +115,9 @@ TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
   expect_order(four, 4, -70.71885453043328, 0, 0, 0);
   expect_order(four, 6, 1.8753963617404699, 0, 0, 0);
   // In closed form with the exact coefficient: 4 m r Ω² a₂.
-  EXPECT_THAT(inertia(four, 2)(2).real(), RelativelyNear(4 * 0.55 * 0.045 * omega * omega * 0.3070506590621658, 1e-10));
+  constexpr double all_digits = 1e-10;  // of the coefficient
+  EXPECT_THAT(inertia(four, 2)(2).real(),
+              RelativelyNear(4 * 0.55 * 0.045 * omega * omega * 0.3070506590621658, all_digits));
   // Cancelled terms are exactly zero, and an order without terms is not listed: the torque of orders 1 and 3 also
   // cancels.
   for (const Order& entry : inertia_orders(four, 6)) EXPECT_EQ(std::fmod(entry.order, 2), 0);
@@ -126,7 +129,7 @@ TEST(EngineOrders, OfAnInlineThreeAreCouples) {
   expect_order(three, 2, 0, 0, {101.25552996034756, -58.459907479544945}, 0);
   expect_order(three, 4, 0, 0, {-2.3867613404021255, -1.3779973023725562}, 0);
   expect_order(three, 6, 1.4065472713053524, 0, 0, 0);
-  EXPECT_THAT(std::abs(inertia(three, 1)(4)), RelativelyNear(380.78346848758304, 1e-12));
+  EXPECT_THAT(std::abs(inertia(three, 1)(4)), RelativelyNear(380.78346848758304, round_off));
 }
 
 TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
@@ -217,7 +220,10 @@ TEST(EngineOrders, SumUpToTheForcesOfTheWholeEngineInTime) {
       sum += omega * omega * (entry.per_speed_squared * std::polar(1.0, entry.order * theta)).real();
     const auto exact = exact_wrench(engine, theta, omega);
     constexpr double second_difference = 1e-7;  // h²/12 of the fourth derivative, ε/h² of round-off
-    for (Eigen::Index i = 0; i < 6; ++i) EXPECT_NEAR(sum(i), exact(i), second_difference * (i < 3 ? 20000 : 2000)) << i;
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      const double size = i < 3 ? 20000 : 2000;  // N, N m of the whole engine
+      EXPECT_NEAR(sum(i), exact(i), second_difference * size) << i;
+    }
   }
 }
 
@@ -229,8 +235,9 @@ TEST(EngineOrders, CounterweightsOnTheThrowsBalanceTheRotatingMasses) {
   one.oscillating_mass = 0;
   one.counterweight = 0;
   const ComplexVector6 w = inertia(one, 1);  // circles: y leads z by a quarter turn towards −y
-  EXPECT_LE(std::abs(w(2) - 2 * 0.045 * omega * omega * std::polar(1.0, 0.3)), 1e-9);
-  EXPECT_LE(std::abs(w(1) - Complex(0, 1) * w(2)), 1e-9);
+  const double force = 2 * 0.045 * omega * omega;
+  EXPECT_LE(std::abs(w(2) - force * std::polar(1.0, 0.3)), round_off * force);
+  EXPECT_LE(std::abs(w(1) - Complex(0, 1) * w(2)), round_off * force);
 }
 
 /// A synthetic pressure: polytropic compression and expansion with combustion, over 720°, start of the cycle at firing
@@ -258,7 +265,8 @@ TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
   const double area = pi * bore * bore / 4, scale = area * engine.crank_radius * 6e6;
   for (const TorqueHarmonic& harmonic : harmonics) {
     Complex sum = 0;
-    constexpr int per_line = 400;  // Simpson within each straight line
+    constexpr int per_line = 400;               // Simpson within each straight line
+    constexpr double quadrature_error = 1e-11;  // of steps of 0.02°, 36,000 terms
     for (std::size_t i = 0; i < trace.angles.size(); ++i) {
       const double a = trace.angles[i], b = a + 4 * pi / 90, p = trace.pressures[i], q = trace.pressures[(i + 1) % 90];
       for (int k = 0; k <= per_line; ++k) {
@@ -271,7 +279,7 @@ TEST(GasTorque, HarmonicsAreTheFourierIntegralsOfPressureTimesLever) {
       }
     }
     sum /= harmonic.order == 0 ? 4 * pi : 2 * pi;
-    EXPECT_LE(std::abs(harmonic.torque - sum), 1e-11 * scale) << harmonic.order;
+    EXPECT_LE(std::abs(harmonic.torque - sum), quadrature_error * scale) << harmonic.order;
   }
   EXPECT_GT(harmonics[0].torque.real(), 0);  // the gas drives
 }
@@ -289,8 +297,8 @@ TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
   for (std::size_t i = 0; i < 7200; ++i)
     work += 0.5 * (trace.pressures[i] + trace.pressures[(i + 1) % 7200]) *
         (volume(4 * pi * static_cast<double>(i + 1) / 7200) - volume(trace.angles[i]));
-  EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(),
-              RelativelyNear(work, 1e-5));  // trapezoids of 0.1°
+  constexpr double trapezoids = 1e-5;  // of 0.1°
+  EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(), RelativelyNear(work, trapezoids));
 }
 
 TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
@@ -300,7 +308,7 @@ TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
   const std::vector<Order> orders = gas_orders(engine, one);
   ASSERT_EQ(orders.size(), 2u);
   EXPECT_EQ(orders[0].order, 2);
-  EXPECT_LE(std::abs(orders[0].fixed(3) + 4.0 * Complex(25, 12)), 1e-12);  // the block reacts opposite to the crank
+  EXPECT_LE(std::abs(orders[0].fixed(3) + 4.0 * Complex(25, 12)), round_off);  // the block reacts opposite to the crank
   EXPECT_EQ(orders[1].order, 4);
   EXPECT_EQ(mean_torque(engine, one), 80);
   EXPECT_EQ(orders[0].per_speed_squared.norm(), 0);
@@ -310,7 +318,7 @@ TEST(GasTorque, ALaterFiringAngleLags) {
   Engine engine = engine_of({{0, 0, 0}});
   engine.cylinders[0].crank_angle = -0.4;
   engine.cylinders[0].firing_angle = 0.4;
-  EXPECT_LE(std::abs(gas_orders(engine, {{1.5, 10}}).at(0).fixed(3) + std::polar(10.0, -0.6)), 1e-13);
+  EXPECT_LE(std::abs(gas_orders(engine, {{1.5, 10}}).at(0).fixed(3) + std::polar(10.0, -0.6)), round_off);
 }
 
 TEST(EngineOrders, JoinAddsEqualOrders) {
@@ -336,7 +344,8 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   };
   using ::testing::ElementsAre;
   const auto near = [](double d) {
-    return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < 1e-9; });
+    constexpr double round_off_in_degrees = 1e-9;
+    return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < round_off_in_degrees; });
   };
   EXPECT_THAT(throws({.cylinders = 4}), ElementsAre(near(0), near(180), near(180), near(0)));
   EXPECT_THAT(throws({.cylinders = 6}), ElementsAre(near(0), near(240), near(120), near(120), near(240), near(0)));
@@ -364,10 +373,11 @@ TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
                                             .spacing = 0.1,
                                             .bank_offset = 0.02,
                                             .firing_order = {1, 4, 2, 5, 3, 6}});
+  constexpr double last_digit = 1e-15;  // a handful of operations on numbers below 1
   const double positions[] = {0.11, 0.01, -0.09, 0.09, -0.01, -0.11};
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_NEAR(vee[i].position, positions[i], 1e-15);
-    EXPECT_NEAR(vee[i].bank_angle, (i < 3 ? 30 : -30) * degree, 1e-15);
+    EXPECT_NEAR(vee[i].position, positions[i], last_digit);
+    EXPECT_NEAR(vee[i].bank_angle, (i < 3 ? 30 : -30) * degree, last_digit);
   }
 }
 

@@ -67,14 +67,15 @@ TEST(StudentQuantile, MeetsTheTables) {
 
 TEST(IdentifiedStiffness, ExactReadingsGiveTheExactMatrix) {
   const Matrix12 truth = true_stiffness();
-  constexpr double round_off = 1e-11;  // 100 readings of 1e-16, condition below 1e3
+  constexpr double round_off = 1e-11;        // 100 readings of 1e-16, condition below 1e3
+  constexpr double rigid_round_off = 1e-10;  // a motion of both ends: sums of several such entries
   for (const auto unknowns : {Unknowns::self_balanced, Unknowns::full_symmetric}) {
     StiffnessFitOptions options;
     options.unknowns = unknowns;
     const auto fit = identified_stiffness(SyntheticRig(1).cases(30, truth, true, 0), arm, options);
     ASSERT_TRUE(fit.has_value());
     EXPECT_THAT(fit->stiffness, test::NearInUnits(truth, entry_size(truth), round_off));
-    EXPECT_LE(fit->scaled_rigid_residual, 1e-10);
+    EXPECT_LE(fit->scaled_rigid_residual, rigid_round_off);
     EXPECT_THAT(fit->outliers, testing::IsEmpty());
   }
 }

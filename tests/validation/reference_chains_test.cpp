@@ -31,7 +31,7 @@ std::string response_at(const std::vector<double>& hertz) {
 }
 
 TEST(Sdld02, EightMassesBetweenWallsInAnyDirection) {
-  constexpr double published_digits = 1e-4;
+  constexpr double published_digits = 1e-4, shape_digits = 5e-5;  // at least five, and four decimals
   const double published[] = {5.5274, 10.8868, 15.9155, 20.4606, 24.384, 27.5664, 29.9113, 31.3474};
   const double first_shape[] = {0.3473, 0.6527, 0.8794, 1, 1, 0.8794, 0.6527, 0.3473};
   for (const char* orientation : {"", "{axis = \"z\", angle = \"53.13010235415598 deg\"}"}) {
@@ -47,12 +47,12 @@ TEST(Sdld02, EightMassesBetweenWallsInAnyDirection) {
           RelativelyNear(std::sqrt(4 * 1e5 / 10) * std::sin((j + 1) * std::numbers::pi / 18) / turn, all_digits));
     }
     const Eigen::VectorXd shape = modes.list[0].shape / modes.list[0].shape.cwiseAbs().maxCoeff();
-    for (int i = 0; i < 8; ++i) EXPECT_NEAR(std::abs(shape(6 * i)), first_shape[i], 5e-5);
+    for (int i = 0; i < 8; ++i) EXPECT_NEAR(std::abs(shape(6 * i)), first_shape[i], shape_digits);
   }
 }
 
 TEST(Sdld21, HarmonicResponseOfTheDampedChain) {
-  constexpr double published_digits = 1e-3;
+  constexpr double published_digits = 1e-3;  // five are printed, the fifth is not always right
   const double table[][5] = {{5.0, 0.00010237, -8.5187e-06, 0.00010236955849989415, -8.518743998377353e-06},
                              {5.5, 0.00045066, -0.00077914, 0.0004506615611661645, -0.000779143533608017},
                              {6.0, -9.4101e-05, -1.0585e-05, -9.410096437827899e-05, -1.0585181923057974e-05},
@@ -140,7 +140,7 @@ TEST(Sdld21, HarmonicResponseOfTheDampedChain) {
 }
 
 TEST(Sdld313, HystereticDampingWithItsComplexStaticLimit) {
-  constexpr double published_digits = 5e-3;
+  constexpr double published_digits = 5e-3;  // up to 4e-4 from the full-digit columns, at the resonances
   const double table[][5] = {{0.0, 0.0071075, -0.0003536, 0.007107496463932108, -0.0003536067892503536},
                              {3.3687, 0.009388216, -0.000731196, 0.009388264989958294, -0.0007312061000107269},
                              {6.4848, -0.0050269, -0.0707103, -0.0050349198344059945, -0.07070858105241574},
@@ -163,7 +163,7 @@ TEST(Sdld313, HystereticDampingWithItsComplexStaticLimit) {
 }
 
 TEST(Iso7626, ReceptanceMobilityAndAccelerance) {
-  constexpr double digits = 1e-12;
+  constexpr double round_off = 1e-12;  // one division, and a unit of the frequency
   // f, receptance, mobility, accelerance (re, im each) of k = 4e5 N/m, c = 150 N s/m, m = 12 kg, e^{+iωt}.
   const double table[][7] = {{5.0, 2.575900948838204e-06, -3.127256154792939e-08, 9.82456496179096e-07,
                               8.092431497245079e-05, -0.0025423123341423793, 3.0864781108678174e-05},
@@ -181,7 +181,8 @@ TEST(Iso7626, ReceptanceMobilityAndAccelerance) {
           fmt::format("[analyses]\nresponse = {{at = [\"{} Hz\"], quantity = \"{}\"}}\n", row[0], quantity[kind]));
       const auto found = test::value(*study::answers(project.base(), project.base().analyses).response, "m1.x", 0);
       const std::complex<double> expected(row[1 + 2 * kind], row[2 + 2 * kind]);
-      EXPECT_LE(std::abs(found - expected), digits * std::abs(expected)) << quantity[kind] << " at " << row[0] << " Hz";
+      EXPECT_LE(std::abs(found - expected), round_off * std::abs(expected))
+          << quantity[kind] << " at " << row[0] << " Hz";
     }
 }
 

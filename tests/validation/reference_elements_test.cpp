@@ -26,7 +26,7 @@ double scaled_difference(const Matrix12& a, const Matrix12& b) {
 TEST(Cbush, AFiniteLengthBushingHasTheMomentArmsOfNastran) {
   // Nastran CBUSH semantics, spring at half of the length; matrix as published with MYSTRAN issue 7, load case of
   // issue 12.
-  constexpr double digits = 1e-10;
+  constexpr double round_off = 1e-10;  // the entries are exact; some ten operations
   const double L = 10, k[] = {1e5, 2e5, 3e5, 4e4, 5e4, 6e4};
   Matrix12 expected = Matrix12::Zero();
   const auto set = [&](int i, int j, double value) { expected(i - 1, j - 1) = expected(j - 1, i - 1) = value; };
@@ -37,14 +37,14 @@ TEST(Cbush, AFiniteLengthBushingHasTheMomentArmsOfNastran) {
   set(6, 6, 5.06e6), set(12, 12, 5.06e6), set(6, 12, 4.94e6);
   elements::Vector6 constants;
   constants << k[0], k[1], k[2], k[3], k[4], k[5];
-  EXPECT_LE(scaled_difference(elements::constants_at_point(constants, {L, 0, 0}, 0.5), expected), digits);
+  EXPECT_LE(scaled_difference(elements::constants_at_point(constants, {L, 0, 0}, 0.5), expected), round_off);
 
   const Eigen::Matrix<double, 6, 6> moved_end =
       elements::constants_at_point(constants, {L, 0, 0}, 0.5).bottomRightCorner<6, 6>();
   elements::Vector6 load = elements::Vector6::Zero(), displacement;
   load(2) = 1000;
   displacement << 0, 0, 0.5033333333333333, 0, -0.1, 0;
-  EXPECT_THAT((moved_end * displacement).eval(), test::NearVector(load, digits));
+  EXPECT_THAT((moved_end * displacement).eval(), test::NearVector(load, round_off));
 }
 
 /// Matrix of a straight Euler–Bernoulli beam of round section along x, nodes 1 (ground) and 2.
@@ -63,7 +63,7 @@ Matrix12 textbook_beam(double E, double G, double d, double L) {
 }
 
 TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
-  constexpr double digits = 1e-9;
+  constexpr double all_digits = 1e-9;  // of frequencies that differ by a factor 50
   const double expected[] = {21.239713236103995, 21.266698737544388, 103.1875984282794,
                              195.8593730759356,  235.487103553267,   1067.1378022032654};
   model::Description d;
@@ -84,19 +84,20 @@ TEST(BodyOnBeam, FrequenciesOfABodyOnAFull12x12) {
   ASSERT_TRUE(system.has_value());
   const modal::Modes modes = modal::modes(*system);
   for (std::size_t i = 0; i < 6; ++i)
-    EXPECT_THAT(*modes.list[i].angular_frequency / (2 * std::numbers::pi), RelativelyNear(expected[i], digits));
+    EXPECT_THAT(*modes.list[i].angular_frequency / (2 * std::numbers::pi), RelativelyNear(expected[i], all_digits));
 }
 
 TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
   // A realisation of the paper's K by three identical 12×12 elements, found by a separate linear solution.
+  constexpr double all_digits = 1e-12;  // of the matrices in the file
   const auto three =
       project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/three_elements.toml").value();
   const auto one = project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/corrected.toml").value();
   const Eigen::MatrixXd expected = assembly::assemble(one.base().system).matrices.K;
   const Eigen::VectorXd scale = expected.diagonal().cwiseSqrt();
-  EXPECT_THAT(assembly::assemble(three.base().system).matrices.K, test::NearInUnits(expected, scale, 1e-12));
+  EXPECT_THAT(assembly::assemble(three.base().system).matrices.K, test::NearInUnits(expected, scale, all_digits));
   EXPECT_THAT(assembly::assemble(three.base().system).matrices.B,
-              test::NearInUnits((0.05 * expected).eval(), scale, 1e-13));
+              test::NearInUnits((0.05 * expected).eval(), scale, all_digits));
 }
 
 }  // namespace
