@@ -145,6 +145,8 @@ std::complex<double> at_40(const std::string& excitations, const std::string& na
   return test::value(*answers.response, name, 0);
 }
 
+constexpr double digits_of_the_speed = 1e-6;  // std::to_string writes six decimals
+
 TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
   // Delay of the front leg against the rear: 3 m / c = one period 2π/40 s; `turned` removes the phase at x = 1.5 m.
   const double speed = 3 * 40 / (2 * std::numbers::pi);
@@ -155,8 +157,8 @@ TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
       "[excitations.both]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\", \"rear\"]\n";
   for (const char* name : {"frame.z", "frame.ry"}) {
     const Complex turned = at_40(wave, name) * std::polar(1.0, 40 * 1.5 / speed);
-    EXPECT_NEAR(std::abs(turned - at_40(together, name)), 0, 1e-6 * std::abs(at_40(together, "frame.z")))
-        << name;  // the speed has six decimals
+    EXPECT_NEAR(std::abs(turned - at_40(together, name)), 0, digits_of_the_speed * std::abs(at_40(together, "frame.z")))
+        << name;
   }
 }
 
@@ -169,7 +171,8 @@ TEST(TravellingGround, OfHalfAWavelengthLiftsThemAgainstEachOther) {
       "[excitations.front]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"front\"]\nphase = \"-90 deg\"\n"
       "[excitations.rear]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nelements = [\"rear\"]\nphase = \"90 deg\"\n";
   for (const char* name : {"frame.z", "frame.ry"})
-    EXPECT_NEAR(std::abs(at_40(wave, name) - at_40(against, name)), 0, 1e-6 * std::abs(at_40(against, "frame.z")))
+    EXPECT_NEAR(std::abs(at_40(wave, name) - at_40(against, name)), 0,
+                digits_of_the_speed * std::abs(at_40(against, "frame.z")))
         << name;
 }
 
@@ -210,12 +213,12 @@ void expect_peaks_of_a_scan(const model::System& system, double to) {
   for (std::size_t c = 0; c < curves.size(); ++c) {
     const Eigen::VectorXd y = curves[c].value.cwiseAbs();
     for (Eigen::Index i = 1; i + 1 < y.size(); ++i) {
-      if (!(y(i) > y(i - 1) * (1 + 1e-9) && y(i) > y(i + 1) * (1 + 1e-9))) continue;
+      if (!(y(i) > y(i - 1) * (1 + round_off) && y(i) > y(i + 1) * (1 + round_off))) continue;
       const double w = scan[to_size(i)];
       bool there = false;
       for (const response::Peak& peak : peaks.list)
         if (peak.curve == c && std::abs(peak.angular_frequency - w) <= to / points &&
-            peak.amplitude >= y(i) * (1 - 1e-9))
+            peak.amplitude >= y(i) * (1 - round_off))
           there = true;
       std::string near;
       for (const response::Peak& peak : peaks.list)

@@ -54,6 +54,9 @@ struct Comparison {
   int every = 1;  ///< compares every n-th parameter
 };
 
+/// Circles give peaks to 1e-10, so the differences need a longer step, which truncates more.
+constexpr double step_by_circles = 2e-3, truncation_by_circles = 2e-5;
+
 /// Compares every sensitivity of the most prominent peak of each curve with differences of the peaks of changed models.
 /// Returns the number of comparisons.
 int compare(const model::System& system, const response::Question& asked, const Comparison& how) {
@@ -140,9 +143,8 @@ TEST(PeakSensitivities, FollowRelaxingElementsWithInnerCoordinates) {
 TEST(PeakSensitivities, FollowElementsThatDependOnFrequencyInTheirOwnWay) {
   model::Description description = test::RandomSystem(13).description(1, test::RandomDamping::viscous);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
-  // Contours give peaks to 1e-10, so the differences need a longer step.
   EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
-                    {.step = 2e-3, .tolerance = 2e-5, .every = 4}),
+                    {.step = step_by_circles, .tolerance = truncation_by_circles, .every = 4}),
             10);
 }
 
@@ -209,7 +211,7 @@ TEST(PeakSensitivities, FollowAMovingGroundThroughElementsThatDependOnFrequency)
   description.excitations = drive(0, random);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
   EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
-                    {.step = 2e-3, .tolerance = 2e-5, .every = 6}),
+                    {.step = step_by_circles, .tolerance = truncation_by_circles, .every = 6}),
             10);
 }
 
@@ -237,7 +239,7 @@ TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness)
 }
 
 TEST(ModelParameters, MoveAnElementAsItIs) {
-  constexpr double round_off = 1e-14;
+  constexpr double round_off = 1e-14;  // m: a few rotations of numbers below 10
   const model::System system = test::checked(test::RandomSystem(17).description(3, test::RandomDamping::none));
   int moved = 0;
   for (const response::Parameter& parameter : response::model_parameters(system)) {
@@ -266,7 +268,7 @@ TEST(PeakSensitivities, OfAnUndampedPeakAreThoseOfItsMode) {
   const auto table = response::peak_sensitivities(system, assembled, question({"body 0.x"}),
                                                   {{0, *modes.list[2].angular_frequency, 3}});
   ASSERT_EQ(table.peaks[0].notes.size(), 1u) << "why there is no height";
-  constexpr double step = 1e-4, truncation = 1e-6;
+  constexpr double step = 1e-4, truncation = 1e-6;  // of second order, and round-off of a mode over the step
   for (std::size_t p = 0; p < table.parameters.size(); ++p) {
     const response::Parameter& parameter = table.parameters[p];
     const auto logarithm = [&](double amount) {
@@ -333,7 +335,7 @@ double input_power(const model::System& system, const response::Question& asked,
 
 TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
   using enum test::RandomDamping;
-  constexpr double round_off = 1e-9;
+  constexpr double round_off = 1e-9;  // two sums of solutions with condition up to 1e5
   for (unsigned seed = 1; seed <= 8; ++seed) {
     model::Description description =
         test::RandomSystem(seed).description(1 + seed % 3, std::array{proportional, viscous, loss}[seed % 3]);
@@ -363,7 +365,7 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
 
 TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
   // Power supplied by the ground: minus the mean of the force on it times its velocity.
-  constexpr double round_off = 1e-9;
+  constexpr double round_off = 1e-9;  // two sums of solutions with condition up to 1e5
   for (int kind = 0; kind < 2; ++kind) {
     test::RandomSystem random(30 + static_cast<unsigned>(kind));
     model::Description description = random.description(2, test::RandomDamping::viscous);
@@ -419,7 +421,7 @@ force = [5, 0, 0]
   const model::System& system = project.base().system;
   const response::PeakShares shares =
       response::peak_shares(system, assembly::assemble(system), question({"m.x"}), {0, 30.0, {}});
-  constexpr double round_off = 1e-13;
+  constexpr double round_off = 1e-13;  // one coordinate, some ten operations
   EXPECT_NEAR(shares.elements[0].stored, 500.0 / 1800, round_off);
   EXPECT_NEAR(shares.elements[1].by_direction(0), 1300.0 / 1800, round_off);
   EXPECT_NEAR(shares.elements[0].dissipated, 50.0 / 115, round_off);

@@ -155,14 +155,14 @@ TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
       {{19}}};
   const Load load(Eigen::VectorXcd::Ones(20));
   const std::vector<double> omega = {9.5, 10};
+  constexpr double residual = 1e-9;  // far below 1, with entries up to some 1000
   const SweepResult found = sweep(m, load, part, omega);
   EXPECT_EQ(found.singular, 0);
   EXPECT_LE(found.backward_error.maxCoeff(), accepted_backward_error);
   for (Index i = 0; i < 2; ++i) {
     Eigen::MatrixXcd z = m.at(omega[to_size(i)]);
     z(19, 19) = 0;
-    EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(),
-              1e-9);  // residual ≪ 1, with entries up to some 1000
+    EXPECT_LE((z * found.response.col(i) - Eigen::VectorXcd::Ones(20)).norm(), residual);
   }
 }
 

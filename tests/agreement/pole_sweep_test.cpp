@@ -113,6 +113,8 @@ std::vector<double> near_resonances(const DynamicMatrices& m) {
 }
 
 TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
+  // Poles keep all digits of Re λ of light damping. The other cases include close poles and a mass ratio of 1e-6.
+  constexpr double of_light_damping = 1e-11, of_others = 1e-9;
   int answered = 0;
   for (const test::HardCase& hard : test::hard_cases()) {
     const std::string name = hard.name;
@@ -126,7 +128,7 @@ TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
     for (std::size_t i = 0; i < omega.size(); ++i) {
       const Comparison with = compare(hard.m, test::load(), omega[i], at(found, i));
       EXPECT_LE(with.backward, numerics::accepted_backward_error) << name << " at " << omega[i];
-      EXPECT_LE(with.forward, general_light ? 1e-11 : 1e-9) << name << " at " << omega[i];
+      EXPECT_LE(with.forward, general_light ? of_light_damping : of_others) << name << " at " << omega[i];
     }
   }
   EXPECT_GE(answered, 7);
@@ -160,6 +162,7 @@ DynamicMatrices random_system(int n, unsigned seed, double damping) {
 }
 
 TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionSet) {
+  constexpr double round_off = 1e-12;  // times the condition of systems without very light damping
   struct Restore {
     ~Restore() { numerics::use_instruction_set(""); }
   } restore;
@@ -183,7 +186,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
           const Answer found = response(*poles, omega, n);
           EXPECT_TRUE(found.proven);
           for (std::size_t i = 0; i < omega.size(); ++i)
-            EXPECT_LE(compare(m, load, omega[i], at(found, i)).forward, 1e-12) << set << ", n = " << n;
+            EXPECT_LE(compare(m, load, omega[i], at(found, i)).forward, round_off) << set << ", n = " << n;
         }
       }
     EXPECT_GE(proven, 12) << set;

@@ -191,8 +191,10 @@ TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
   const Eigen::MatrixXd covariance = white_noise_covariance(c, load, density);
   const Eigen::VectorXd push = c.assembled.matrices.A.inverse() * load.force.at(0).real();
   expect_mean_squares(random, covariance.diagonal().head(n), round_off);
+  constexpr double of_velocities = 1e-7;  // in a band far above all poles; a variance is allowed an error of 1e-8
   // The band ends at `highest`: the velocities lack the tail, where the masses move as if free.
-  expect_mean_squares(random, covariance.diagonal().tail(n) - density / highest * push.cwiseAbs2(), 1e-7, true);
+  expect_mean_squares(random, covariance.diagonal().tail(n) - density / highest * push.cwiseAbs2(), of_velocities,
+                      true);
 }
 
 TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
@@ -347,12 +349,13 @@ TEST(RandomResponse, ElementsThatDependOnFrequencyAreIntegratedToTheSameValues) 
 TEST(RandomResponse, TwoEqualCoherentInputsHaveFourTimesTheDensityOfOne) {
   const Case c = random_case(34, 1, test::RandomDamping::viscous);
   const auto channels = c.channels({"coordinates"});
+  constexpr double last_digits = 1e-12;  // four products of the same numbers
   const response::RandomInput input{"one", force(c, 0), two_pieces(2, 40, 400)};
   const auto one = response::random_curves(c.assembled, channels, {{input}, {}}, {3, 30, 300});
   const auto two =
       response::random_curves(c.assembled, channels, {{input, input}, {{0, 1, {.at_zero = 1}, 0}}}, {3, 30, 300});
   for (std::size_t k = 0; k < channels.size(); ++k)
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(two.density[k][i] / one.density[k][i], 4, 1e-12);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(two.density[k][i] / one.density[k][i], 4, last_digits);
 }
 
 TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {

@@ -75,8 +75,9 @@ TEST(Simplification, ChangesNothingForAMatrixThatIsThreeSprings) {
     EXPECT_NEAR(mode.similarity, 1, round_off) << mode.name;
   }
   ASSERT_EQ(simple.peaks.size(), 6u);
+  constexpr double settled = 1e-9;  // last step of Newton's method for a peak
   for (const auto& peak : simple.peaks)
-    EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, 1e-9) << peak.name;  // Newton's tolerance
+    EXPECT_NEAR(peak.simplified->amplitude / peak.full->amplitude, 1, settled) << peak.name;
   EXPECT_TRUE(simple.free_motions.empty());
 }
 
@@ -84,10 +85,11 @@ TEST(Simplification, KeepsTheBounceOfACoilSpringAndLosesItsTilting) {
   const auto project = trivet::test::project(body + coil);
   const Simplification simple = trivet::study::simplification(project.base(), {0});
   const auto& stiffness = project.base().system.elements()[0].law.nominal_stiffness;
+  constexpr double helix_coupling = 1e-3;
   // On a single spring the vertical stiffness alone determines the bounce, except for the coupling of the helix itself.
   const ModeComparison& bounce = named(simple, "translation along z");
   EXPECT_NEAR(*bounce.simplified, std::sqrt(stiffness(8, 8) / 50), round_off * *bounce.simplified);
-  EXPECT_NEAR(*trivet::study::relative_difference(bounce.full, bounce.simplified), 0, 1e-3);
+  EXPECT_NEAR(*trivet::study::relative_difference(bounce.full, bounce.simplified), 0, helix_coupling);
   int free = 0;
   for (const ModeComparison& mode : simple.modes) {
     EXPECT_TRUE(mode.full && *mode.full > 0) << mode.name;
@@ -123,7 +125,7 @@ TEST(Simplification, KeepsTheKindOfDampingAndTheScale) {
   EXPECT_EQ(simplified.elements()[1].law.nominal_stiffness.diagonal().tail<3>().norm(), 0);
 }
 
-TEST(RelativeDifference, IsNoneWhereNoNumberStands) {
+TEST(RelativeDifference, IsMissingIfANumberIsMissing) {
   EXPECT_EQ(trivet::study::relative_difference(2.0, 3.0), 0.5);
   EXPECT_EQ(trivet::study::relative_difference(2.0, 0.0), -1.0);
   EXPECT_EQ(trivet::study::relative_difference(0.0, 0.0), std::nullopt);

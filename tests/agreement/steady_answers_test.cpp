@@ -24,7 +24,7 @@ using test::RandomDamping;
 using test::RandomSystem;
 using test::RelativelyNear;
 using Complex = std::complex<double>;
-constexpr double digits = 1e-9;  // round-off times the condition of small random systems
+constexpr double round_off = 1e-9;  // ε times the condition of small random systems
 const std::vector<double> frequencies = {3, 17, 40, 90, 250};
 
 /// The ground moves as a whole, and one foot in addition, with phases and a delay.
@@ -91,10 +91,10 @@ TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
             flow.dissipated.col(i).sum() + flow.dissipated_by_foundations(i) + flow.dissipated_by_system(i);
         const double scale =
             std::abs(flow.by_forces(i)) + std::abs(flow.by_ground(i)) + flow.dissipated.col(i).cwiseAbs().sum();
-        EXPECT_NEAR(in, out, digits * scale)
+        EXPECT_NEAR(in, out, round_off * scale)
             << static_cast<int>(damping) << " " << seed << " " << frequencies[to_size(i)];
-        EXPECT_GE(flow.dissipated.col(i).minCoeff(), -digits * scale);
-        EXPECT_EQ(out > digits * scale, damping != Damping::none);
+        EXPECT_GE(flow.dissipated.col(i).minCoeff(), -round_off * scale);
+        EXPECT_EQ(out > round_off * scale, damping != Damping::none);
         EXPECT_EQ(flow.dissipated_by_foundations(i) > 0, damping == Damping::foundation);
         EXPECT_EQ(flow.dissipated_by_system(i) != 0, damping == Damping::rayleigh || damping == Damping::modal);
       }
@@ -122,10 +122,11 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
           power += product.real();
           size += std::abs(product);
         }
-        EXPECT_NEAR(flow.into_ground(to_index(m), i), power, digits * size) << static_cast<int>(damping);
+        EXPECT_NEAR(flow.into_ground(to_index(m), i), power, round_off * size) << static_cast<int>(damping);
       }
     }
-    EXPECT_THAT(flow.into_ground_in_total(0), RelativelyNear(flow.into_ground(0, 0) + flow.into_ground(1, 0), digits));
+    EXPECT_THAT(flow.into_ground_in_total(0),
+                RelativelyNear(flow.into_ground(0, 0) + flow.into_ground(1, 0), round_off));
   }
 }
 
@@ -158,13 +159,15 @@ TEST(Transmissibility, OfForceIsThatOfDisplacement) {
       const auto followed = response::frequency_response(assembled, motion.channels, motion.loading, frequencies);
       for (Eigen::Index i = 0; i < to_index(frequencies.size()); ++i)
         EXPECT_NEAR(std::abs(felt.curves[0].value(i) - followed.curves[0].value(i)), 0,
-                    digits * (1 + std::abs(felt.curves[0].value(i))));
+                    round_off * (1 + std::abs(felt.curves[0].value(i))));
+      constexpr double near_rest = 1e-6;  // (ω/ω₁)²
       const auto slowly = response::frequency_response(assembled, force.channels, force.loading, {1e-3});
-      EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0, 1e-6)
-          << "at rest the ground answers the load; (ω/ω1)²";
+      EXPECT_NEAR(std::abs(slowly.curves[0].value(0) - here.axis.normalized().dot(there.axis.normalized())), 0,
+                  near_rest)
+          << "at rest the ground answers the load";
       if (rotation) continue;
       const Complex mounts = felt.curves[1].value(0) + felt.curves[2].value(0);
-      EXPECT_NEAR(std::abs(felt.curves[0].value(0) - mounts), 0, digits) << "the mounts add up to the total";
+      EXPECT_NEAR(std::abs(felt.curves[0].value(0) - mounts), 0, round_off) << "the mounts add up to the total";
     }
   }
 }
@@ -181,19 +184,20 @@ TEST(Crossover, LeavesNothingAboveOneBehindIt) {
       const response::Peaks peaks = response::peaks(assembled, force.channels, force.loading, modes,
                                                     modal::roots(system, assembled, modes), {1e-6, 3000});
       const auto found = response::crossovers(assembled, force, peaks);
+      constexpr double scan_step = 0.003;  // of the frequency: ln 30,000 / 4000
       const std::vector<double> scan = response::logarithmic_grid({0.1, 3000}, 4000);
       const auto curves = response::frequency_response(assembled, force.channels, force.loading, scan);
       for (std::size_t c = 0; c < found.size(); ++c) {
         double last_above = 0;
         for (std::size_t i = 0; i < scan.size(); ++i)
-          if (std::abs(curves.curves[c].value(to_index(i))) > 1 + 1e-9) last_above = scan[i];
+          if (std::abs(curves.curves[c].value(to_index(i))) > 1 + round_off) last_above = scan[i];
         ASSERT_TRUE(found[c].angular_frequency.has_value());
-        EXPECT_NEAR(*found[c].angular_frequency, last_above, 0.003 * last_above) << "one step of the scan";
+        EXPECT_NEAR(*found[c].angular_frequency, last_above, scan_step * last_above);
         EXPECT_GE(*found[c].angular_frequency, last_above);
         if (last_above == 0) continue;
         const auto there =
             response::frequency_response(assembled, {force.channels[c]}, force.loading, {*found[c].angular_frequency});
-        EXPECT_THAT(std::abs(there.curves[0].value(0)), RelativelyNear(1.0, digits));
+        EXPECT_THAT(std::abs(there.curves[0].value(0)), RelativelyNear(1.0, round_off));
       }
     }
 }
@@ -227,7 +231,7 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
                                                        {1.5 * found.speed[i]});
       for (std::size_t c = 0; c < channels.size(); ++c)
         EXPECT_NEAR(std::abs(found.orders[0].curves[c].value(to_index(i)) - single.curves[c].value(0)), 0,
-                    digits * std::abs(single.curves[c].value(0)));
+                    round_off * std::abs(single.curves[c].value(0)));
     }
   }
 }
@@ -246,7 +250,7 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
       motion.head<3>() = (axes * motion.head<3>()).eval();
       motion.tail<3>() = (axes * motion.tail<3>()).eval();
       EXPECT_EQ(place.name, word);
-      EXPECT_LT((place.motion - motion).norm(), digits * motion.norm()) << word;
+      EXPECT_LT((place.motion - motion).norm(), round_off * motion.norm()) << word;
     };
     for (std::size_t b = 0; b < 2; ++b) {
       expect(system.bodies()[b].name, shape.bodies[b], system.bodies()[b].pose.rotation);
@@ -257,11 +261,12 @@ TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
     // The head of the first element is rigidly attached to its body.
     const Eigen::Vector3d arm = shape.heads[0].position - shape.bodies[0].position;
     const Eigen::Matrix<Complex, 6, 1> carried = spatial::rigid_motion(arm).cast<Complex>() * shape.bodies[0].motion;
-    EXPECT_LT((shape.heads[0].motion - carried).norm(), digits * carried.norm());
+    EXPECT_LT((shape.heads[0].motion - carried).norm(), round_off * carried.norm());
   }
 }
 
 TEST(DeflectionShape, FindsTheFarthestPointOfAnEllipse) {
+  constexpr double scan_step = 1e-6;  // half of 0.1°, squared
   RandomSystem random(3);
   for (int trial = 0; trial < 5; ++trial) {
     Eigen::Vector3cd u;
@@ -271,11 +276,12 @@ TEST(DeflectionShape, FindsTheFarthestPointOfAnEllipse) {
     double farthest = 0;
     for (int step = 0; step < 3600; ++step)
       farthest = std::max(farthest, response::displaced(place, step * std::numbers::pi / 1800, 1).norm());
-    EXPECT_THAT(response::excursion(u), RelativelyNear(farthest, 1e-6)) << "a scan in steps of 0.1°";
+    EXPECT_THAT(response::excursion(u), RelativelyNear(farthest, scan_step));
   }
 }
 
 TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
+  constexpr double between_points = 1e-4;  // of the scan, in steps of 2e-4
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const model::System system =
         test::checked(random_description(seed, seed == 4 ? Damping::fractional : Damping::proportional));
@@ -304,8 +310,8 @@ TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
                                       [&](const response::Band& b) { return scan[i] >= b.from && scan[i] <= b.to; });
       EXPECT_EQ(inside, margin < 1) << scan[i];
     }
-    EXPECT_THAT(found.least_margin, RelativelyNear(least, 1e-4)) << "as fine as the scan";
-    EXPECT_LE(found.least_margin, least * (1 + digits));
+    EXPECT_THAT(found.least_margin, RelativelyNear(least, between_points));
+    EXPECT_LE(found.least_margin, least * (1 + round_off));
   }
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 using namespace trivet::numerics;
 
-constexpr double nine_digits = 1e-9;
+constexpr double nine_digits = 1e-9;   // stated for all heights in design_peaks.h
+constexpr double eight_digits = 1e-8;  // of the fallback, whose series are truncated
 
 /// One design.
 Designs design_of(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B, const Eigen::MatrixXd& K,
@@ -108,6 +109,7 @@ TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithou
   Eigen::Matrix2d K;
   K << 300, -100, -100, 250;
   const Designs designs = design_of(Eigen::Vector2d(2, 3).asDiagonal(), 0.003 * K, K, Eigen::Vector2d(0.7, 0));
+  constexpr double between_points = 1e-4;  // of the scan
   for (const bool count : {false, true}) {
     DesignPeakOptions options;
     options.rows = Eigen::ArrayXXd::Zero(1, 2);
@@ -124,7 +126,7 @@ TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithou
       seen = std::max(seen, omega * omega * std::abs(q(0) + std::complex<double>(0, omega) * q(1)));
     }
     EXPECT_LE(seen, peaks.highest(0, 0) * (1 + nine_digits));
-    EXPECT_GE(seen, peaks.highest(0, 0) * (1 - 1e-4)) << "the grid is that fine";
+    EXPECT_GE(seen, peaks.highest(0, 0) * (1 - between_points));
   }
 }
 
@@ -162,7 +164,7 @@ TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBeg
       const DesignPeaks peaks = design_peaks(sliding(stiffest), options);
       EXPECT_EQ(peaks.status[0], DesignStatus::fallback);
       EXPECT_NEAR(peaks.highest(0, 1), amplitudes(sliding(stiffest), peaks.highest_at(0, 1))(1),
-                  1e-8 * peaks.highest(0, 1))
+                  eight_digits * peaks.highest(0, 1))
           << stiffest << " " << from;
       EXPECT_EQ(peaks.peaks(0, 1), 1) << stiffest << " " << from;
       EXPECT_EQ(peaks.highest(0, 0), 0);
@@ -181,6 +183,7 @@ TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
 /// Free along a skew axis, where K has a stiffness of either sign by round-off: compared with the same body in its own
 /// axes, where that stiffness is exactly 0.
 TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
+  constexpr double start_of_the_search = 1e-5;  // round-off of K matters there, see docs/theory.md
   const Eigen::Vector3d damping(0, 3e2, 1.2e3), stiffness(0, 3e3, 3e4), load(0, 1, 1);
   for (int k = 0; k < 100; ++k) {
     const Eigen::Matrix3d turn =
@@ -197,8 +200,7 @@ TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
         design_of(mass, damping.asDiagonal(), stiffness.asDiagonal(), turn.transpose() * load), along_own_axes);
     const DesignPeaks found = design_peaks(design_of(mass, turned(damping), turned(stiffness), load));
     EXPECT_TRUE((found.peaks == expected.peaks).all()) << k << ": " << found.peaks << " instead of " << expected.peaks;
-    EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), 1e-5)
-        << k;  // round-off of K at the start of the search, docs/theory.md
+    EXPECT_LE(((found.highest - expected.highest) / expected.highest).abs().maxCoeff(), start_of_the_search) << k;
   }
 }
 

@@ -19,6 +19,7 @@ using namespace trivet;
 using test::RelativelyNear;
 constexpr double printed_digits = 1e-9;  // stated with them, see above
 constexpr double of_a_square = 2 * printed_digits;
+constexpr double round_off = 1e-9;  // rad/s: six coordinates, condition of the inertia 1e3
 
 project::Project paper(const std::string& file) {
   return project::read_project(std::string(TRIVET_SOURCE_DIR) + "/examples/paper/" + file).value();
@@ -145,7 +146,6 @@ TEST(Paper, AsPrintedHasOneGrowingRootAndSaysSo) {
 
 TEST(Paper, ATranslationKeepsItsFrequencyWhateverTheInertia) {
   // √(k/m) along the line from the mass centre to the elastic centre.
-  constexpr double round_off = 1e-9;  // rad/s: six coordinates, condition of the inertia 1e3
   for (const char* file : {"as_printed.toml", "corrected.toml"}) {
     const modal::Modes modes = modal::modes(paper(file).base().system);
     EXPECT_TRUE(std::any_of(modes.list.begin(), modes.list.end(), [](const auto& mode) {
