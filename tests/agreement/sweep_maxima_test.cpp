@@ -17,15 +17,23 @@ using namespace trivet::numerics;
 
 constexpr double round_off = 4 * 2.3e-16;  // of a square, a sum and a root
 constexpr double two_ways = 1e-11;         // by poles or directly: ε/ζ, ζ mostly above 1e-4
+constexpr double undamped_too = 1e-9;      // ε over the distance to a resonance, without damping in one design
+
+Eigen::MatrixXd random_matrix(std::mt19937& generator, Eigen::Index rows, Eigen::Index columns) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  Eigen::MatrixXd result(rows, columns);
+  for (double& entry : result.reshaped()) entry = number(generator);
+  return result;
+}
 
 Designs random_designs(Eigen::Index count, Eigen::Index n, bool one_load) {
-  std::srand(11);
+  std::mt19937 generator(11);
   Designs designs;
-  designs.load = Eigen::ArrayXXd::Random(one_load ? 1 : count, n);
+  designs.load = random_matrix(generator, one_load ? 1 : count, n).array();
   for (Eigen::ArrayXXd* each : {&designs.A, &designs.B, &designs.K}) each->resize(count, n * (n + 1) / 2);
   for (Eigen::Index d = 0; d < count; ++d) {
-    const Eigen::MatrixXd r = Eigen::MatrixXd::Random(n, n), s = Eigen::MatrixXd::Random(n, n),
-                          q = Eigen::MatrixXd::Random(n, n);
+    const Eigen::MatrixXd r = random_matrix(generator, n, n), s = random_matrix(generator, n, n),
+                          q = random_matrix(generator, n, n);
     const Eigen::MatrixXd A = Eigen::MatrixXd::Identity(n, n) + r * r.transpose(), B = 0.05 * q * q.transpose(),
                           K = 100 * s * s.transpose();
     pack(A, designs.A, d);
@@ -79,7 +87,7 @@ TEST(SweepMaxima, ByPolesAreThoseOfDirectSolutionsOnEveryInstructionSet) {
       trivet::numerics::use_instruction_set(set);
       const SweepMaxima found =
           sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 2, .progress = {}});
-      EXPECT_LE((found.amplitude / direct.amplitude - 1).abs().maxCoeff(), 1e-9) << set << ", n = " << n;
+      EXPECT_LE((found.amplitude / direct.amplitude - 1).abs().maxCoeff(), undamped_too) << set << ", n = " << n;
       EXPECT_EQ((found.angular_frequency != direct.angular_frequency).count(), 0) << set << ", n = " << n;
     }
   }
