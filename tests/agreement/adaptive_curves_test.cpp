@@ -157,7 +157,7 @@ TEST(AdaptiveCurves, FollowLossFactorsOfThreeBodies) {
   expect_like_uniform_points(picture(system, band_of(system)));
 }
 
-TEST(AdaptiveCurves, FollowUndampedResonancesAndFreeMotions) {
+TEST(AdaptiveCurves, FollowUndampedResonancesAndRigidBodyModes) {
   const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::none, false));
   expect_like_uniform_points(picture(system, {band_of(system).to / 1000, band_of(system).to}));
 }
@@ -233,7 +233,7 @@ study::Answers answers_to_a_push(const std::string& elements, const std::string&
   return study::answers(project.base(), project.base().analyses);
 }
 
-TEST(AdaptiveCurves, EveryRowOfATableIsSolvedWhereMatricesAreConstant) {
+TEST(AdaptiveCurves, EveryRowOfATableIsSolvedIfMatricesAreConstant) {
   const study::ResponseAnswer answer = *answers_to_a_push("damping = {proportional = 1e-3}\n", "[0, 100]").response;
   EXPECT_EQ(answer.curves.solves, static_cast<int>(answer.curves.angular_frequency.size()));
   EXPECT_EQ(answer.curves.interpolation_error, 0);
@@ -241,7 +241,7 @@ TEST(AdaptiveCurves, EveryRowOfATableIsSolvedWhereMatricesAreConstant) {
   EXPECT_LE(answer.model->solves, most_solves);
 }
 
-TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawSayHowFarTheyAreOff) {
+TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawStateTheirError) {
   const study::ResponseAnswer answer =
       *answers_to_a_push("damping = {fractional_zener = {ratio = 2, time = \"5 ms\", order = 0.5}}\n", "[1, 100]")
            .response;

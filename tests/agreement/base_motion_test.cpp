@@ -99,7 +99,7 @@ TEST(BaseMotion, RelativeAnswersAreAbsoluteOnesLessTheGround) {
                   round_off * std::abs(carried(j)));
 }
 
-TEST(BaseMotion, GivenByAccelerationIsGivenByDisplacement) {
+TEST(BaseMotion, ByAccelerationIsThatByDisplacement) {
   test::RandomSystem draw(5);
   model::Description d = draw.description(2, RandomDamping::proportional);
   d.excitations = {base(draw)};
@@ -147,7 +147,7 @@ std::complex<double> at_40(const std::string& excitations, const std::string& na
 
 constexpr double digits_of_the_speed = 1e-6;  // std::to_string writes six decimals
 
-TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
+TEST(TravellingGround, OneWavelengthBetweenTheLegsLiftsThemTogether) {
   // Delay of the front leg against the rear: 3 m / c = one period 2π/40 s; `turned` removes the phase at x = 1.5 m.
   const double speed = 3 * 40 / (2 * std::numbers::pi);
   const std::string wave =
@@ -162,7 +162,7 @@ TEST(TravellingGround, OfAWavelengthBetweenTheLegsLiftsThemTogether) {
   }
 }
 
-TEST(TravellingGround, OfHalfAWavelengthLiftsThemAgainstEachOther) {
+TEST(TravellingGround, HalfAWavelengthLiftsThemAgainstEachOther) {
   const double speed = 3 * 40 / std::numbers::pi;
   const std::string wave =
       "[excitations.wave]\ntype = \"base\"\ntranslation = [0, 0, 0.001]\nwave = {direction = \"x\", speed = " +

@@ -293,7 +293,7 @@ DynamicMatrices vanishing_pivots(Assembly& random) {
   return m;
 }
 
-TEST(BlockSweep, APivotThatVanishesIsRefusedAndDisturbsNoOtherFrequency) {
+TEST(BlockSweep, AVanishingPivotIsRejectedAndChangesNoOtherFrequency) {
   Assembly random(6);
   const DynamicMatrices m = vanishing_pivots(random);
   const numerics::Load load = random.load(m.size(), m.size());
@@ -308,7 +308,7 @@ TEST(BlockSweep, APivotThatVanishesIsRefusedAndDisturbsNoOtherFrequency) {
   expect_solved(m, load, with, mended, "vanishing pivots");
 }
 
-TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrRedone) {
+TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrReplaced) {
   Assembly random(6);
   const DynamicMatrices m = vanishing_pivots(random);
   const numerics::Load load = random.load(m.size(), m.size());
@@ -398,7 +398,7 @@ TEST(BlockElimination, ChainsAndTreesFillNothingAndARingOneBlockPerBody) {
   EXPECT_EQ(filled(full(8), 8), 0U);
 }
 
-TEST(BlockElimination, ALoadIsEliminatedLastWhereThatCostsNothing) {
+TEST(BlockElimination, ALoadIsEliminatedLastIfThatCostsNothing) {
   Assembly random(13);
   const DynamicMatrices m = random.bodies(Sizes(12, 6), chain(12), 0.1);
   for (const Index body : {0, 5, 11}) {

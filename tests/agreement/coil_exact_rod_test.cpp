@@ -145,7 +145,7 @@ TEST(CompressedCoilAgainstTheExactRod, TheExactRodHasTheStiffnessOfTheUnloadedSp
   EXPECT_LE((stiffness(s).block<2, 2>(6, 6) - exact).cwiseAbs().maxCoeff(), integrated * exact(0, 0));
 }
 
-TEST(CompressedCoilAgainstTheExactRod, FourCoilsAndMoreAreFollowedWithinTwoPercent) {
+TEST(CompressedCoilAgainstTheExactRod, FourCoilsAndMoreAgreeWithinTwoPercent) {
   constexpr double stated = 0.02;  // docs/elements/coil_spring.md
   for (const double index : {4.0, 5.0, 10.0})
     for (const double coils : {4.0, 4.5, 5.0, 7.5})
@@ -158,7 +158,7 @@ TEST(CompressedCoilAgainstTheExactRod, FourCoilsAndMoreAreFollowedWithinTwoPerce
       }
 }
 
-TEST(CompressedCoilAgainstTheExactRod, FewerCoilsAreWarnedOfWithTheErrorsThatTheyHave) {
+TEST(CompressedCoilAgainstTheExactRod, FewerCoilsHaveAWarningAndTheStatedErrors) {
   for (const auto& [coils, force_stated, lateral_stated] :
        {std::tuple{3.0, 0.03, 0.04}, {3.5, 0.03, 0.04}, {2.0, 0.13, 0.12}, {1.5, 0.13, 0.12}})
     for (const double pitch : {3.0, 5.0}) {

@@ -100,7 +100,7 @@ TEST(CompressedCoil, ClampedLateralFrequencyVanishesAtBuckling) {
   EXPECT_TRUE(check_compression(spring, 0.5 * limit).list().empty());
 }
 
-TEST(CompressedCoil, TouchingCoilsAreRefused) {
+TEST(CompressedCoil, TouchingCoilsAreRejected) {
   const CoilSpring spring = literature_spring();
   EXPECT_THROW((void)compressed_by(spring, 1.001 * open_length(spring)), foundation::InvalidInput);
   EXPECT_THROW((void)compressed_with(spring, 1e3), foundation::InvalidInput);

@@ -172,7 +172,7 @@ TEST(CoilSpring, ALeftHandIsTheMirrorImage) {
   EXPECT_LE(scaled_difference(dynamic_stiffness(spring, omega), expected), round_off);
 }
 
-TEST(CoilSpring, LossAlwaysTakesEnergy) {
+TEST(CoilSpring, LossAlwaysDissipatesEnergy) {
   std::mt19937 random(4);
   for (int i = 0; i < springs_tried; ++i) {
     CoilSpring spring = random_spring(random);

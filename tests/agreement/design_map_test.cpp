@@ -43,7 +43,7 @@ void expect_equal(const study::DesignMap& lanes, const study::DesignMap& single)
   }
 }
 
-TEST(DesignMap, OfThePaperIsTheSameDesignByDesign) {
+TEST(DesignMap, PaperIsTheSameDesignByDesign) {
   const project::Project project = paper();
   const study::DesignMap lanes = mapped(project, 7, 6, true), single = mapped(project, 7, 6, false);
   expect_equal(lanes, single);
@@ -51,7 +51,7 @@ TEST(DesignMap, OfThePaperIsTheSameDesignByDesign) {
   EXPECT_NEAR(lanes.feasible.area, single.feasible.area, boundary_error);
 }
 
-TEST(DesignMap, OfVelocitiesAndAccelerationsOfPointsIsTheSameDesignByDesign) {
+TEST(DesignMap, VelocitiesAndAccelerationsOfPointsAreTheSameDesignByDesign) {
   const project::Project project = test::project(test::chain({1.0, 2.0, 0.5}, {300, 500, 200, 0}, {2, 1, 3, 0}) + R"(
 [excitations.force]
 type = "harmonic"
@@ -70,7 +70,7 @@ no_peak = ["m3"]
 
 /// A light body on a heavy one: the rise of the light one depends on accelerations at the low resonances, which are a
 /// hundred-millionth of the highest.
-TEST(DesignMap, OfAccelerationsFarBelowTheHighestIsTheSameDesignByDesign) {
+TEST(DesignMap, AccelerationsFarBelowTheHighestAreTheSameDesignByDesign) {
   const auto bushing = [](const std::string& name, const std::string& between, const std::string& at,
                           const std::string& translation) {
     return "[elements." + name + "]\ntype = \"bushing\"\n" + between + "\nat = " + at +
@@ -103,7 +103,7 @@ quantity = "acceleration"
 
 /// A force along the axis of three equal mounts moves a machine along this axis only: round-off in the other
 /// coordinates is not a peak.
-TEST(DesignMap, OfASymmetricMachineHasNoPeaksOfRoundOff) {
+TEST(DesignMap, SymmetricMachineHasNoPeaksOfRoundOff) {
   std::string text = R"(trivet = 1
 bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}}
 )";

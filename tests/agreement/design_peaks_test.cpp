@@ -87,7 +87,7 @@ void expect_heights_at_their_places(const numerics::Designs& designs, const nume
     }
 }
 
-TEST(DesignPeaks, HighestAreThoseOfTheSearchOnDiscsWhateverTheDamping) {
+TEST(DesignPeaks, HighestAgreeWithTheSearchOnDiscsForAnyDamping) {
   numerics::DesignPeakOptions options;
   options.count_peaks = false;
   expect_agreement(test::random_designs(2400, 6, 1e-6, 1), options, 7, lightly_damped);
@@ -97,25 +97,25 @@ TEST(DesignPeaks, AreAsManyAsTheSearchOnDiscsFinds) {
   expect_agreement(test::random_designs(240, 6, 1e-3, 2), {}, 1, nine_digits);
 }
 
-TEST(DesignPeaks, OfAccelerationsAreThoseOfTheSearchOnDiscs) {
+TEST(DesignPeaks, AccelerationsAgreeWithTheSearchOnDiscs) {
   numerics::DesignPeakOptions options;
   options.derivative.assign(6, 2);
   expect_agreement(test::random_designs(120, 6, 1e-2, 3), options, 1, nine_digits);
 }
 
-TEST(DesignPeaks, OnABandAreThoseOfTheSearchOnDiscs) {
+TEST(DesignPeaks, BandsAgreeWithTheSearchOnDiscs) {
   numerics::DesignPeakOptions options;
   options.from = 5;
   options.to = 40;
   expect_agreement(test::random_designs(120, 6, 1e-2, 4), options, 1, nine_digits);
 }
 
-TEST(DesignPeaks, OfOtherNumbersOfCoordinatesAreThoseOfTheSearchOnDiscs) {
+TEST(DesignPeaks, OtherNumbersOfCoordinatesAgreeWithTheSearchOnDiscs) {
   for (const int n : {2, 3, 9}) expect_agreement(test::random_designs(24, n, 1e-2, 5), {}, 1, nine_digits);
 }
 
 /// Systems with more coordinates than the kernels support use the discs; direct solutions check these.
-TEST(DesignPeaks, OfManyCoordinatesAreThoseOfDirectSolutions) {
+TEST(DesignPeaks, ManyCoordinatesAgreeWithDirectSolutions) {
   const numerics::Designs designs = test::random_designs(12, 13, 1e-2, 5);
   const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
   expect_heights_at_their_places(designs, peaks, nine_digits);
@@ -130,7 +130,7 @@ TEST(DesignPeaks, OfManyCoordinatesAreThoseOfDirectSolutions) {
   }
 }
 
-TEST(DesignPeaks, StandWhereTheySay) {
+TEST(DesignPeaks, AreAtTheReportedFrequencies) {
   constexpr double of_direct_solutions = 1e-8;  // near resonances with damping ratios from 1e-4 on
   const numerics::Designs designs = test::random_designs(400, 6, 1e-4, 21);
   numerics::DesignPeakOptions options;
@@ -141,7 +141,7 @@ TEST(DesignPeaks, StandWhereTheySay) {
   }
 }
 
-TEST(DesignPeaks, OfOneAnswerDoNotDependOnWhatElseIsAsked) {
+TEST(DesignPeaks, DoNotDependOnOtherAnswers) {
   const numerics::Designs designs = test::random_designs(200, 6, 1e-3, 11);
   const Eigen::ArrayXXd rows = Eigen::MatrixXd::Identity(3, 6).array();
   Eigen::ArrayXXd on_velocity = Eigen::ArrayXXd::Zero(3, 6);

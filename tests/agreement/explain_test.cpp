@@ -140,7 +140,7 @@ TEST(PeakSensitivities, FollowRelaxingElementsWithInnerCoordinates) {
   }
 }
 
-TEST(PeakSensitivities, FollowElementsThatDependOnFrequencyInTheirOwnWay) {
+TEST(PeakSensitivities, FollowElementsThatDependOnFrequency) {
   model::Description description = test::RandomSystem(13).description(1, test::RandomDamping::viscous);
   description.elements[0].law.damping = elements::FractionalZener{0.6, 0.01, 0.5};
   EXPECT_GT(compare(test::checked(description), question({"body 0.y", "element 0.force.y"}),
@@ -238,7 +238,7 @@ TEST(PeakSensitivities, ToAllDirectionsOfAnElementAreTogetherThatToItsStiffness)
   }
 }
 
-TEST(ModelParameters, MoveAnElementAsItIs) {
+TEST(ModelParameters, MoveAnElementWithoutChangingIt) {
   constexpr double round_off = 1e-14;  // m: a few rotations of numbers below 10
   const model::System system = test::checked(test::RandomSystem(17).description(3, test::RandomDamping::none));
   int moved = 0;
@@ -261,7 +261,7 @@ TEST(ModelParameters, MoveAnElementAsItIs) {
   EXPECT_EQ(moved, 18);
 }
 
-TEST(PeakSensitivities, OfAnUndampedPeakAreThoseOfItsMode) {
+TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {
   const model::System system = test::checked(test::RandomSystem(14).description(2, test::RandomDamping::none));
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
@@ -280,7 +280,7 @@ TEST(PeakSensitivities, OfAnUndampedPeakAreThoseOfItsMode) {
   }
 }
 
-TEST(PeakSensitivities, SayWhereThereIsNoMaximum) {
+TEST(PeakSensitivities, ReportWhereThereIsNoMaximum) {
   const model::System system = test::checked(test::RandomSystem(15).description(1, test::RandomDamping::viscous));
   const auto table =
       response::peak_sensitivities(system, assembly::assemble(system), question({"body 0.x"}), {{0, 3.0, {}}});
@@ -292,7 +292,7 @@ TEST(PeakSensitivities, SayWhereThereIsNoMaximum) {
                foundation::InvalidInput);
 }
 
-TEST(PeakShares, OfModesSumToOneAndToTheAnswer) {
+TEST(PeakShares, ModesSumToOneAndToTheAnswer) {
   using enum test::RandomDamping;
   constexpr double round_off = 1e-9;  // 1e-16 over the damping, times modes that nearly cancel
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -333,7 +333,7 @@ double input_power(const model::System& system, const response::Question& asked,
   return power;
 }
 
-TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
+TEST(PeakShares, EnergiesSumToOneAndThePowerIsThatOfTheLoad) {
   using enum test::RandomDamping;
   constexpr double round_off = 1e-9;  // two sums of solutions with condition up to 1e5
   for (unsigned seed = 1; seed <= 8; ++seed) {
@@ -363,7 +363,7 @@ TEST(PeakShares, OfEnergySumToOneAndThePowerIsThatOfTheLoad) {
   }
 }
 
-TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
+TEST(PeakShares, IncludeThePowerOfAMovingGround) {
   // Power supplied by the ground: minus the mean of the force on it times its velocity.
   constexpr double round_off = 1e-9;  // two sums of solutions with condition up to 1e5
   for (int kind = 0; kind < 2; ++kind) {
@@ -395,7 +395,7 @@ TEST(PeakShares, CountWhatAMovingGroundBringsIn) {
   }
 }
 
-TEST(PeakShares, OfTwoSpringsBesideEachOtherAreThoseOfTheirStiffness) {
+TEST(PeakShares, TwoParallelSpringsShareByTheirStiffness) {
   const auto project = test::project(R"(trivet = 1
 [bodies.m]
 mass = 2

@@ -120,7 +120,7 @@ TEST(FixedDirections, AreThoseOfAVeryStiffDeckWhenTheFloorMoves) {
                 test::machine_on_deck(all_directions(stiff), base("floor", motion) + response), nearly_rigid);
 }
 
-TEST(FixedDirections, OfADeckWithoutRotationFollowATurningFloor) {
+TEST(FixedDirections, DeckWithoutRotationFollowsATurningFloor) {
   for (const char* motion :
        {"rotation = [1e-3, 0, 0]", "rotation = [0, 1e-3, 0]", "rotation = [0, 0, 1e-3]\nat = [0.4, 0.3, 0]"})
     expect_same(test::machine_on_deck(without_rotation, base("floor", motion) + response),
@@ -152,7 +152,7 @@ TEST(FixedDirections, AreFollowedInEveryAnalysis) {
               less_rigid);
 }
 
-TEST(FixedDirections, OfAMobilityAreThoseOfTheImpedanceAtItsRows) {
+TEST(FixedDirections, MobilityAgreesWithTheImpedanceAtItsRows) {
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "trivet_mobility_along_z.csv";
   std::string rows = "response = {at = [";
   {
@@ -236,7 +236,7 @@ TEST(FixedDirections, LetASlowGroundCarryEveryMachineWithIt) {
   }
 }
 
-TEST(FixedDirections, TakePartInTheBalanceOfPower) {
+TEST(FixedDirections, AreIncludedInTheBalanceOfPower) {
   constexpr double round_off =
       1e-9;  // of the largest part; sums over 12 ends and 4 kinds of dissipation, condition up to 1e4
   for (const std::string& deck : {along_z, without_rotation}) {
@@ -276,7 +276,7 @@ TEST(FixedDirections, MoveWithTheElementAboveThem) {
   FAIL() << "no parameter moves m2";
 }
 
-TEST(FixedDirections, LostByTheFastAssemblyAreSeenByTheSecondSolver) {
+TEST(FixedDirections, AreFoundByTheSecondSolverIfTheFastAssemblyLosesThem) {
   const project::Project project =
       test::project(test::machine_on_deck(along_z, base("floor", "translation = [1e-3, 0, 0]") + response));
   const model::System& system = project.base().system;

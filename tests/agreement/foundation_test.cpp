@@ -69,7 +69,7 @@ std::string raft(const std::string& name, const std::string& at) {
       "\"\nat = [0, 0, 0]\ntranslation = [5e6, 6e6, 3e6]\ndamping = {loss_factor = 0.06}\n";
 }
 
-TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
+TEST(Foundation, ImpedanceIsABodyOnASpring) {
   const std::string stands = "foundation = \"deck\"\n";
   const study::Answers given =
       answers(machine(mount("a", "[0.5, 0.4, -0.2]", stands) + mount("b", "[-0.5, -0.4, -0.2]", stands) +
@@ -95,7 +95,7 @@ TEST(Foundation, OfAnImpedanceIsABodyOnASpring) {
               root_round_off * std::abs(built.roots.list[i].eigenvalue));
 }
 
-TEST(Foundation, OfOneModeIsABodyThatSharesIt) {
+TEST(Foundation, OneModeIsABodyThatSharesIt) {
   // One mode that lifts both feet equally: a rigid strip of 150 kg guided along z.
   const std::string strip =
       "[bodies.strip]\nmass = 150\nfree = [\"z\"]\n[elements.ground_spring]\ntype = \"three_springs\"\non = "
@@ -183,7 +183,7 @@ peaks = {}
 )" + ground;
 }
 
-TEST(Foundation, OfAMeasuredMobilityHasThePeaksOfItsImpedance) {
+TEST(Foundation, MeasuredMobilityHasThePeaksOfItsImpedance) {
   constexpr double straight_lines = 1e-3;  // rows every 0.02 Hz across resonances 0.4 Hz wide
   constexpr double one_row = 0.13;         // rad/s: 0.02 Hz
   const std::filesystem::path file = std::filesystem::temp_directory_path() / "trivet_mobility_of_a_floor.csv";

@@ -71,7 +71,7 @@ void expect_same_peaks(const response::Peaks& found, const response::Peaks& expe
 }
 
 /// Decoupled directions: the spring in the third direction changes nothing.
-TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
+TEST(PeaksWithARigidBodyMode, AreThoseOfTheSameMachineHeldThere) {
   for (const double stiff : {3e3, 3e5, 3e6, 3e9}) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, false));
     EXPECT_EQ(found.list.size(), 2U);
@@ -82,7 +82,7 @@ TEST(PeaksBesideAFreeMotion, AreThoseOfTheSameMachineHeldThere) {
 }
 
 /// Heavily damped directions have no peaks, and the highest value is at rest: F/k.
-TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
+TEST(PeaksWithARigidBodyMode, HeightsAtRestAreThoseOfTheSprings) {
   const response::Peaks found = peaks_of(sled(0, 3e4, 3e4, false));
   EXPECT_TRUE(found.list.empty());
   EXPECT_NEAR(found.curves[1].highest, 1 / 3e3, start_of_the_search / 3e3);
@@ -91,7 +91,7 @@ TEST(PeaksBesideAFreeMotion, HeightsAtRestAreThoseOfTheSprings) {
 
 /// In turned axes the rigid-body mode moves all coordinates, which rise towards rest. A spring of 1e-5 N/m along that
 /// direction, which is damped, adds no resonance.
-TEST(PeaksBesideAFreeMotion, OfACoupledOneAreThoseOfTheSameMachineHeldThere) {
+TEST(PeaksWithARigidBodyMode, CoupledOnesAreThoseOfTheSameMachineHeldThere) {
   for (const double stiff : {3e4, 3e5, 3e6}) {
     const response::Peaks found = peaks_of(sled(0, stiff, 1, true));
     EXPECT_GE(found.list.size(), 6U) << stiff;

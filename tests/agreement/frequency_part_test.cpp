@@ -140,13 +140,13 @@ TEST(FrequencyPart, EveryInstructionSetSolvesIt) {
   }
 }
 
-TEST(FrequencyPart, OneThatAddsBesideItsRowsIsRefused) {
+TEST(FrequencyPart, OneThatAddsOutsideItsRowsIsRejected) {
   const Springs springs(20, true);
   EXPECT_THROW((void)sweep(springs.constant(), springs.load(), springs.part(2), frequencies(5)),
                foundation::InvalidInput);
 }
 
-TEST(FrequencyPart, APivotThatItMakesVanishIsRefusedAndRedone) {
+TEST(FrequencyPart, AVanishingPivotIsRejectedAndSolvedWithPivoting) {
   // The part cancels the mass of a coordinate without stiffness and damping; only couplings hold it.
   DynamicMatrices m = Springs(20, true).constant();
   m.K(19, 19) = m.B(19, 19) = 0;

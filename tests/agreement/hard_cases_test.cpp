@@ -48,7 +48,7 @@ TEST(HardCases, EveryReturnedValueHasASmallBackwardErrorAndTheForwardErrorOfItsC
   }
 }
 
-TEST(HardCases, PivotingIsCalledWhereTheFastPathFails) {
+TEST(HardCases, PivotingIsCalledIfTheFastPathFails) {
   const auto cases = hard_cases();
   const auto vanishing = std::find_if(cases.begin(), cases.end(),
                                       [](const auto& c) { return std::string(c.name).starts_with("vanishing"); });

@@ -87,7 +87,7 @@ at = [0, 0.3, 0.1]
 translation = [1e5, 1e5, 2e5]
 )";
 
-TEST(ModelNumbers, OfAnArrayAreItsComponents) {
+TEST(ModelNumbers, ArraysAreListedByTheirComponents) {
   const auto project = project::project_from_text(machine, "machine.toml");
   ASSERT_TRUE(project);
   const project::ModelNumber y("elements.\"front left\".at.y", "mm"), z("elements.rear.translation.z", "kN/m");
@@ -103,7 +103,7 @@ TEST(ModelNumbers, OfAnArrayAreItsComponents) {
   EXPECT_EQ(dynamic_stiffness(whole->base().system), dynamic_stiffness(*changed));
 }
 
-TEST(ModelNumbers, LeaveWhatTheyDoNotTouchAsItWasRead) {
+TEST(ModelNumbers, LeaveOtherNumbersUnchanged) {
   const auto project = project::project_from_text(
       machine, "machine.toml", {"bodies.machine.mass_about_center = 1.1", "elements.side.moved.x = 0.01"});
   ASSERT_TRUE(project);
@@ -169,7 +169,7 @@ TEST(ModelNumbers, ReachElementsThroughTheirTypesAndBodies) {
   EXPECT_DOUBLE_EQ(lift.read(project->base()).value(), 0);
 }
 
-TEST(KnownModel, LendsWhatIsTheSameAndHasNoAdjustments) {
+TEST(KnownModel, SharesUnchangedPartsAndHasNoAdjustments) {
   const auto project =
       project::project_from_text(pair_of_masses, "pair.toml", {"elements.foot.stiffness_factor.z = 1.1"});
   ASSERT_TRUE(project);

@@ -112,7 +112,7 @@ std::vector<double> near_resonances(const DynamicMatrices& m) {
   return omega;
 }
 
-TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
+TEST(PoleSweep, IsRightNearEveryResonanceOfEveryHardCaseThatItSolves) {
   // Poles keep all digits of Re λ of light damping. The other cases include close poles and a mass ratio of 1e-6.
   constexpr double of_light_damping = 1e-11, of_others = 1e-9;
   int answered = 0;
@@ -134,7 +134,7 @@ TEST(PoleSweep, WhereItAnswersItIsRightNearEveryResonanceOfEveryHardCase) {
   EXPECT_GE(answered, 7);
 }
 
-TEST(PoleSweep, DeclinesWhatItCannotProve) {
+TEST(PoleSweep, DeclinesSystemsWithoutAProof) {
   for (const test::HardCase& hard : test::hard_cases()) {
     const std::string name = hard.name;
     const bool impossible = name.starts_with("critical") || name == "exceptional point" || name == "indefinite mass" ||
@@ -194,7 +194,7 @@ TEST(PoleSweep, AgreesForAnyNumberOfCoordinatesAndFrequenciesOnEveryInstructionS
 }
 
 /// Results larger than the caches are written by another method, for any alignment of the rows to memory lines.
-TEST(PoleSweep, OfMoreThanCachesHoldIsThatOfItsPieces) {
+TEST(PoleSweep, ResultLargerThanTheCachesIsThatOfItsPieces) {
   constexpr Eigen::Index count = 400'003, piece = 999;
   const DynamicMatrices m = random_system(6, 3, 0.1);
   const std::optional<PoleSweep> poles = PoleSweep::try_build(m, Eigen::VectorXcd::Ones(6));
@@ -220,7 +220,7 @@ TEST(PoleSweep, NeedsArraysOfTheRightSize) {
   EXPECT_THROW(static_cast<void>(poles->response(Eigen::ArrayXd::Ones(4), re, im)), foundation::InvalidInput);
 }
 
-TEST(PoleSweep, IsTakenByALongSweepThatAsksForNoErrorsAndAgreesWithTheDirectOne) {
+TEST(PoleSweep, IsUsedByALongSweepWithoutErrorsAndAgreesWithTheDirectOne) {
   constexpr double round_off_at_resonances =
       3e-8;  // of the direct method: 100 epsilon over the smallest damping ratio of these cases, 1e-6
   std::vector<double> omega;

@@ -197,7 +197,7 @@ TEST(RandomResponse, WhiteNoiseAgreesWithTheLyapunovEquation) {
                       true);
 }
 
-TEST(RandomResponse, VeryLightDampingLeavesEachModeOnItsOwn) {
+TEST(RandomResponse, VeryLightDampingUncouplesTheModes) {
   // A millionth of the damping: the coupling between modes is a damping ratio, 1e-8. Σ π S (φᵀh)² φ²/(2 ω² φᵀBφ).
   constexpr double of_conditioning = 1e-7,
                    estimated = 1e-6;  // the estimated error varies with the compiler

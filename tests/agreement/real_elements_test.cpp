@@ -107,7 +107,7 @@ TEST_P(EveryLaw, ResistsNoRigidMotionInAnyAttitude) {
   }
 }
 
-TEST_P(EveryLaw, VibratesAlikeWhereverTheModelStands) {
+TEST_P(EveryLaw, VibratesAlikeInEveryPlaceAndAttitude) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     test::RandomSystem random(100 + seed);
     Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
@@ -175,7 +175,7 @@ TEST(RubberElement, StiffensInVibrationAndKeepsItsStaticPreload) {
   }
 }
 
-TEST(RubberElement, TakesPoissonsRatioForTheBulkModulus) {
+TEST(RubberElement, ComputesTheBulkModulusFromPoissonsRatio) {
   constexpr double round_off = 1e-12;  // of two moduli given with all digits
   const auto stiffness = [&](const char* material) {
     const std::string keys =
@@ -225,7 +225,7 @@ TEST(RubberElement, IsPartOfTheModelAlthoughItWarns) {
   ASSERT_EQ(project.base().system.elements().size(), 1u);
 }
 
-TEST(SolidMount, IsTakenFromTheCacheTheSecondTime) {
+TEST(SolidMount, IsReadFromTheCacheTheSecondTime) {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / fmt::format("trivet-cache-test-{}", ::getpid());
   const char* before = std::getenv("TRIVET_CACHE");

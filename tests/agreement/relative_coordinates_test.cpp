@@ -182,7 +182,7 @@ TEST(RelativeCoordinates, HoldForInternalCoordinatesOfElements) {
   expect_same_response(machine, from_rest_on);
 }
 
-TEST(RelativeCoordinates, HoldForElementsThatDependOnFrequencyInTheirOwnWay) {
+TEST(RelativeCoordinates, HoldForElementsThatDependOnFrequency) {
   test::RandomSystem draw(12);
   model::Description machine = draw.description(2, test::RandomDamping::none);
   for (model::Element& element : machine.elements)

@@ -31,7 +31,7 @@ std::string beside_a_preload(double lift) {
       lift, 0.1 - lift, -lift);
 }
 
-TEST(GeometricStiffness, LeavesABodyWithoutPreloadAloneWhereverItsPoleIs) {
+TEST(GeometricStiffness, DoesNotChangeABodyWithoutPreloadForAnyPole) {
   constexpr double round_off = 1e-10;  // of ω²: n ε times the spread of the eigenvalues
   const auto low = test::project(beside_a_preload(0)), high = test::project(beside_a_preload(0.5));
   const modal::Modes a = modal::modes(low.base().system), b = modal::modes(high.base().system);
@@ -59,7 +59,7 @@ TEST(StaticResponse, AWeightThatPreloadsCarryMovesNothing) {
   }
 }
 
-TEST(Roots, ASlowVibrationBesideAFreeMotionIsNoRigidMotion) {
+TEST(Roots, ASlowVibrationOfAMachineWithARigidBodyModeIsNoRigidMotion) {
   const auto project = test::project(
       "trivet = 1\n[bodies.sledge]\nmass = 10\nfree = [\"x\", \"z\"]\n"
       "[elements.mount]\ntype = \"three_springs\"\non = \"sledge\"\nat = [0, 0, 0]\ntranslation = [0, 0, 400]\n"

@@ -53,7 +53,7 @@ test::Triangles sphere(int around) {
   });
 }
 
-TEST(StlSolid, OfATorusTendsToTheTorusAtSecondOrder) {
+TEST(StlSolid, TorusConvergesAtSecondOrder) {
   constexpr double higher_orders = 0.05, extrapolation = 1e-4;
   const double volume = 2 * pi * pi * 30 * 100 * 1e-9 * 1000;
   const double coarse = 1 - of_triangles(torus(60, 30)).mass / volume,
@@ -64,7 +64,7 @@ TEST(StlSolid, OfATorusTendsToTheTorusAtSecondOrder) {
   EXPECT_THAT(extrapolated, test::RelativelyNear(volume, extrapolation));
 }
 
-TEST(StlSolid, OfAFineSphereIsTheSphere) {
+TEST(StlSolid, FineSphereAgreesWithTheSphere) {
   const spatial::MassProperties exact = properties({"ball", Sphere{40 * mm}, 1000}),
                                 triangles = of_triangles(sphere(200));
   constexpr double faceted = 1e-3;            // volume 1 − (2π/200)²·0.5

@@ -40,7 +40,7 @@ void compare(const elements::Matrix12& formula, const elements::Matrix12& elemen
   EXPECT_LE(apart(formula(11, 11), elements(11, 11)), promise.torsion + mesh) << what << " torsion";
 }
 
-TEST(RubberFormulas, OfDiscsAgreeWithFiniteElements) {
+TEST(RubberFormulas, DiscsAgreeWithFiniteElements) {
   const elements::Rubber rubber{1e6, 2e9};
   for (const double shape_factor : {0.25, 0.5, 1.25, 2.5, 5.0, 10.0, 20.0}) {
     elements::RubberDisc disc;
@@ -54,7 +54,7 @@ TEST(RubberFormulas, OfDiscsAgreeWithFiniteElements) {
   }
 }
 
-TEST(RubberFormulas, OfBlocksAgreeWithFiniteElements) {
+TEST(RubberFormulas, BlocksAgreeWithFiniteElements) {
   for (const double ratio : {1.0, 2.0, 4.0})
     for (const double thickness : {0.012, 0.03, 0.06}) {
       elements::RubberBlock block;
@@ -70,7 +70,7 @@ TEST(RubberFormulas, OfBlocksAgreeWithFiniteElements) {
     }
 }
 
-TEST(RubberFormulas, OfBushesAgreeWithFiniteElements) {
+TEST(RubberFormulas, BushesAgreeWithFiniteElements) {
   constexpr Promise promise{.axial = 0.032, .shear = 0.043, .tilt = 0.072, .torsion = 0.001};
   for (const double outer : {1.3, 2.0, 3.0})
     for (const double length : {1.0, 2.0, 5.0}) {

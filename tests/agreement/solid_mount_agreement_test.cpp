@@ -27,7 +27,7 @@ double scaled_difference(const spatial::Matrix12& a, const spatial::Matrix12& b,
   return std::abs(a(i, j) - b(i, j)) / std::sqrt(a(i, i) * a(j, j));
 }
 
-TEST(SolidMount, OfTetrahedraAndOfHexahedraAgreeWithinTheirEstimates) {
+TEST(SolidMount, TetrahedraAndHexahedraAgreeWithinTheirEstimates) {
   constexpr double other_half = 0.006;  // the bracket is an estimate, not a bound
   const std::vector<fem::Material> rubber{fem::linear_elastic(3e6, 0.4995)};
   const fem::SolidStiffness hexahedra = fem::condense(block, rubber, 3);

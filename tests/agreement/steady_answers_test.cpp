@@ -78,7 +78,7 @@ const Damping all_kinds[] = {Damping::none,  Damping::proportional, Damping::vis
                              Damping::loss,  Damping::rayleigh,     Damping::modal,
                              Damping::zener, Damping::fractional,   Damping::foundation};
 
-TEST(PowerBalance, WhatForcesAndGroundFeedInIsDissipated) {
+TEST(PowerBalance, PowerOfForcesAndGroundIsDissipated) {
   for (const Damping damping : all_kinds)
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const model::System system = test::checked(random_description(seed, damping));
@@ -130,7 +130,7 @@ TEST(PowerIntoTheGround, IsHalfTheRealPartOfForceTimesConjugateVelocity) {
   }
 }
 
-TEST(PowerIntoTheGround, IsNoneWhileItRests) {
+TEST(PowerIntoTheGround, IsZeroWhileItRests) {
   model::Description d = random_description(2, Damping::viscous);
   d.excitations.resize(1);
   const model::System system = test::checked(d);
@@ -142,7 +142,7 @@ TEST(PowerIntoTheGround, IsNoneWhileItRests) {
   EXPECT_GT(flow.by_forces.minCoeff(), 0);
 }
 
-TEST(Transmissibility, OfForceIsThatOfDisplacement) {
+TEST(Transmissibility, ForceAndDisplacementAgree) {
   // Reciprocity: the force on the ground by a unit force at a point equals the motion of the point by a unit motion of
   // the ground, in any two directions.
   for (const Damping damping :
@@ -172,7 +172,7 @@ TEST(Transmissibility, OfForceIsThatOfDisplacement) {
   }
 }
 
-TEST(Crossover, LeavesNothingAboveOneBehindIt) {
+TEST(Crossover, IsTheLastFrequencyAboveOne) {
   for (unsigned seed = 1; seed <= 4; ++seed)
     for (const Damping damping : {Damping::proportional, Damping::fractional}) {
       RandomSystem random(seed + 20);
@@ -236,7 +236,7 @@ TEST(RunUp, IsTheHarmonicResponseToEachOrderAtItsSpeed) {
   }
 }
 
-TEST(DeflectionShape, ShowsWhatTheAnswersSay) {
+TEST(DeflectionShape, AgreesWithTheAnswers) {
   for (const Damping damping : {Damping::loss, Damping::fractional, Damping::foundation}) {
     const model::System system = test::checked(random_description(8, damping));
     const assembly::Assembled assembled = assembly::assemble(system);
@@ -280,7 +280,7 @@ TEST(DeflectionShape, FindsTheFarthestPointOfAnEllipse) {
   }
 }
 
-TEST(LimitLine, IsExceededWhereADenseScanSaysSo) {
+TEST(LimitLine, IsExceededWhereADenseScanExceedsIt) {
   constexpr double between_points = 1e-4;  // of the scan, in steps of 2e-4
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const model::System system =

@@ -18,7 +18,7 @@ using namespace trivet::fem;
 constexpr double mm = 1e-3;
 const std::vector<Material> rubber{linear_elastic(3e6, 0.4995)};
 
-TEST(StepMount, OfABondedCylinderAgreesWithHexahedra) {
+TEST(StepMount, BondedCylinderAgreesWithHexahedra) {
   const foundation::TemporaryFolder folder;
   test::write_step(folder.path() / "mount.step", "Cylinder(1) = {0, 0, 0, 0, 0, 25, 25};");
   const auto step = mesh_step(folder.path() / "mount.step", {.size = 5 * mm, .rim_size = 1.2 * mm});

@@ -95,7 +95,7 @@ class SweepKernels : public testing::TestWithParam<std::string> {
 INSTANTIATE_TEST_SUITE_P(All, SweepKernels, testing::ValuesIn(instruction_sets()),
                          [](const auto& info) { return info.param; });
 
-TEST_P(SweepKernels, WhatTheGrowthOfFactorsAcceptsHasASmallBackwardError) {
+TEST_P(SweepKernels, SolutionsAcceptedByTheGrowthOfFactorsHaveASmallBackwardError) {
   for (const test::HardCase& hard : test::hard_cases()) {
     std::vector<double> omega = test::awkward_frequencies(hard.m);
     for (const double more : frequencies(400, 0.05, 0.31)) omega.push_back(more);
@@ -179,7 +179,7 @@ TEST_P(SweepKernels, ATailIsSolvedLikeAWholePack) {
   }
 }
 
-TEST_P(SweepKernels, PivotedLanesSolveWhatHasNoLeadingPivots) {
+TEST_P(SweepKernels, PivotedLanesSolveMatricesWithoutLeadingPivots) {
   constexpr double backward_error = 1e-15;  // 4.5 ε: seven coordinates, with pivoting
   constexpr long count = 16;
   DynamicMatrices m{

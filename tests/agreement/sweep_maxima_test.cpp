@@ -114,7 +114,7 @@ TEST(SweepMaxima, AnUndampedResonanceInTheListIsInfinite) {
   EXPECT_EQ(found.singular, 2);
 }
 
-TEST(SweepMaxima, AListWithoutFrequenciesIsRefused) {
+TEST(SweepMaxima, AnEmptyListOfFrequenciesIsRejected) {
   EXPECT_THROW(static_cast<void>(sweep_maxima(random_designs(1, 2, true), {})), trivet::foundation::InvalidInput);
   Designs ragged = random_designs(3, 2, true);
   ragged.B.conservativeResize(2, ragged.B.cols());

@@ -82,7 +82,7 @@ std::vector<double> corners_of(const excitation::Signal& signal) {
   return corners;
 }
 
-TEST(Transient, MeetsRungeKuttaOnSkewBodiesUnderForcesOfAllKindsOfPieces) {
+TEST(Transient, AgreesWithRungeKuttaOnSkewBodiesUnderForcesOfAllKindsOfPieces) {
   constexpr double truncation = 1e-9;  // fourth order, 400 parts of each step
   const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
@@ -127,7 +127,7 @@ TEST(Transient, SettlesIntoTheHarmonicResponseWithDelaysAtSingleGroundEnds) {
   }
 }
 
-TEST(Transient, OfABaseByOffDiagonalBlocksIsThatOfRelativeCoordinatesUnderInertialForces) {
+TEST(Transient, BaseByOffDiagonalBlocksAgreesWithInertialForcesInRelativeCoordinates) {
   const model::System system = test::checked(test::RandomSystem(8).description(2, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
   spatial::Vector6 direction;
@@ -161,7 +161,7 @@ std::string on_heavy_spring() {
          "3\ndamping = {proportional = 0.001}\n";
 }
 
-TEST(Transient, OfABaseGivenByAccelerationOrVelocityIsThatOfTheSameDisplacement) {
+TEST(Transient, BaseGivenByAccelerationOrVelocityAgreesWithTheSameDisplacement) {
   // 1 − cos κt, its rate κ sin κt and κ² cos κt, on elements with mass, so that all three derivatives act.
   const double kappa = 30;
   const auto project = test::project(on_heavy_spring());
@@ -209,7 +209,7 @@ TEST(Transient, ImpulsesOfAJumpingOrCorneredBaseAreTheLimitOfShortMotionsAlsoThr
   }
 }
 
-TEST(Transient, OfTwoDelayedWheelsHasTheInPhaseAndAntiPhaseLimits) {
+TEST(Transient, TwoDelayedWheelsHaveTheInPhaseAndAntiPhaseLimits) {
   const model::System system = test::checked(test::RandomSystem(3).description(1, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
   const double omega = 18, period = 2 * pi / omega;
@@ -230,7 +230,7 @@ TEST(Transient, OfTwoDelayedWheelsHasTheInPhaseAndAntiPhaseLimits) {
   }
 }
 
-TEST(Transient, OfANegativeDelayBeginsBeforeTimeZero) {
+TEST(Transient, NegativeDelayBeginsBeforeTimeZero) {
   const model::System system = test::checked(test::RandomSystem(3).description(1, test::RandomDamping::viscous));
   const assembly::Assembled assembled = assembly::assemble(system);
   const auto early = test::transient(system, assembled, {"coordinates"},
@@ -243,7 +243,7 @@ TEST(Transient, OfANegativeDelayBeginsBeforeTimeZero) {
     EXPECT_THAT(early.curves[k].values, NearVector(shifted.curves[k].values, round_off));
 }
 
-TEST(Transient, OfAMaxwellBranchMeetsRungeKuttaOnItsOwnEquations) {
+TEST(Transient, MaxwellBranchAgreesWithRungeKuttaOnItsOwnEquations) {
   // m q̈ = u − k q − g k (q − z); z has no mass, and its dashpot gives gkτ ż = gk (q − z).
   constexpr double truncation = 1e-9;  // fourth order, 2000 parts of each step
   const double k = 800, ratio = 1.5, time = 0.03, mass = 2;

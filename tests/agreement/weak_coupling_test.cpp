@@ -75,7 +75,7 @@ TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigi
     }
 }
 
-TEST(WeakCoupling, NearTheResonancesPolesAloneTellThat) {
+TEST(WeakCoupling, NearTheResonancesPolesAloneSuffice) {
   for (const int masses : {2, 6}) EXPECT_EQ(design_peaks(chain(masses)).status[0], DesignStatus::proven) << masses;
 }
 
@@ -85,7 +85,7 @@ Designs two_masses(double coupling) {
   return design_of(Eigen::Matrix2d::Identity(), Eigen::Vector2d(1, 1.5).asDiagonal(), K, Eigen::Vector2d(1, 0));
 }
 
-TEST(WeakCoupling, ByRoundOffIsNone) {
+TEST(WeakCoupling, RoundOffCouplesNothing) {
   for (const double coupling : {1e-15, 1e-18, 0.0}) {
     const DesignPeaks peaks = design_peaks(two_masses(coupling));
     EXPECT_EQ(peaks.highest(0, 1), 0) << coupling;
@@ -95,7 +95,7 @@ TEST(WeakCoupling, ByRoundOffIsNone) {
 }
 
 /// y₂ = −coupling / (Z₁₁ Z₂₂ − coupling²)
-TEST(WeakCoupling, ThatIsRealIsSeenToNineDigits) {
+TEST(WeakCoupling, RealCouplingHasNineDigits) {
   for (const double coupling : {1e-9, 1e-7, 1e-5, 1e-3}) {
     const Designs designs = two_masses(coupling);
     const DesignPeaks peaks = design_peaks(designs);
@@ -105,7 +105,7 @@ TEST(WeakCoupling, ThatIsRealIsSeenToNineDigits) {
   }
 }
 
-TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithoutEnd) {
+TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithoutBound) {
   Eigen::Matrix2d K;
   K << 300, -100, -100, 250;
   const Designs designs = design_of(Eigen::Vector2d(2, 3).asDiagonal(), 0.003 * K, K, Eigen::Vector2d(0.7, 0));
@@ -131,7 +131,7 @@ TEST(WeakCoupling, AVelocityThatTheForceDoesNotAccelerateAtOnceDoesNotGrowWithou
 }
 
 /// c₁ᵀA⁻¹h = 0 to round-off only.
-TEST(WeakCoupling, AVelocityWhoseAccelerationIsRoundOffDoesNotGrowWithoutEnd) {
+TEST(WeakCoupling, AVelocityWhoseAccelerationIsRoundOffDoesNotGrowWithoutBound) {
   Eigen::Matrix2d A, K;
   K << 300, -100, -100, 250;
   for (int k = 0; k < 200; ++k) {
@@ -156,7 +156,7 @@ Designs sliding(double stiffest) {
                    Eigen::Vector3d(0, 1, 1));
 }
 
-TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBegins) {
+TEST(WeakCoupling, WithAFreeDirectionTheHighestValueIsFiniteForAnyStartOfTheBand) {
   for (const double stiffest : {3e6, 3e11, 3e13, 3e15})
     for (const double from : {0.0, 1e-3, 0.22363, 0.268, 2.0}) {
       DesignPeakOptions options;
@@ -171,7 +171,7 @@ TEST(WeakCoupling, BesideAFreeDirectionTheHighestValueIsFiniteWhereverTheBandBeg
     }
 }
 
-TEST(WeakCoupling, ABandWhereAFreeMotionRulesIsNotJudged) {
+TEST(WeakCoupling, ABandRuledByARigidBodyModeIsUndecided) {
   Eigen::Matrix2d K;
   K << 100, -100, -100, 100;
   DesignPeakOptions options;

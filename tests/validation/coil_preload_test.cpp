@@ -41,7 +41,7 @@ double standard_buckling(const CoilSpring& s, double seating) {
   return s.active_length * 0.5 / (1 - ratio) * (1 - std::sqrt(1 - (1 - ratio) / (0.5 + ratio) * slender * slender));
 }
 
-TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
+TEST(CompressedCoil, LateralStiffnessFallsLikeThatOfHaringxColumn) {
   // The column distributes the coils evenly; the two lateral stiffnesses of the real spring differ from it in one
   // direction, by less than 3 % of the unloaded value.
   constexpr double of_the_unloaded = 0.03;
@@ -58,7 +58,7 @@ TEST(CompressedCoil, LateralStiffnessFallsAsHaringxSays) {
   }
 }
 
-TEST(CompressedCoil, BucklesWhereTheStandardSays) {
+TEST(CompressedCoil, BucklesAtTheCompressionOfTheStandard) {
   constexpr double smeared_coils = 0.011;  // the standard distributes the coils evenly
   for (const double length : {0.06, 0.08, 0.1, 0.12}) {
     const CoilSpring spring = spring_of_length(length);
@@ -70,7 +70,7 @@ TEST(CompressedCoil, BucklesWhereTheStandardSays) {
   }
 }
 
-TEST(CompressedCoil, TheFormulaOfTheStandardIsGivenBesideAndIsEarlyForASmallIndex) {
+TEST(CompressedCoil, TheFormulaOfTheStandardIsEarlyForASmallIndex) {
   const CoilSpring slender = spring_of_length(0.08);
   EXPECT_THAT(elements::standard_buckling(slender).value(), RelativelyNear(standard_buckling(slender, 0.5), round_off));
   CoilSpring thick = literature_spring();  // index 5, 8 coils, L/D = 6

@@ -80,7 +80,7 @@ TEST(DesignMap, HasTheBoundaryOfThePeakOfOneMassInClosedForm) {
           << p.x << " " << p.y;
 }
 
-TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
+TEST(DesignMap, WithoutToleranceRequiresADampingRatioOfHalfTheRootOfTwo) {
   const study::DesignMap map = map_of("no_peak = \"mass.z\"\npeak_tolerance = 0\n");
   ASSERT_FALSE(map.feasible.lines.empty());
   constexpr double flat = 1e-3;  // rises below 1e-6 of the curve are not peaks; the rise is (1 − 2ζ²)²/2 of it
@@ -89,7 +89,7 @@ TEST(DesignMap, WithoutToleranceAsksForADampingRatioOfHalfTheRootOfTwo) {
       EXPECT_NEAR(OneMass(map.request.x.at(p.x), map.request.y.at(p.y)).zeta, std::sqrt(0.5), flat);
 }
 
-TEST(DesignMap, GivesMarginsOfOneMassInClosedForm) {
+TEST(DesignMap, HasTheMarginsOfOneMassInClosedForm) {
   const study::DesignMap map = map_of("limits = {\"mass.z\" = \"20 mm\"}\n");
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const design::DesignPoint p = map.point(k);

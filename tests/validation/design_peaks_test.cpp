@@ -30,7 +30,7 @@ constexpr double round_off = 1e-12;    // some hundred operations on numbers up 
 constexpr double flat_maximum = 1e-8;  // rad/s: the place of a maximum is known to the root of round-off
 constexpr double nine_digits = 1e-9;   // stated for all heights in design_peaks.h
 
-TEST(DesignPeaks, OfASingleMassStandBelowItsNaturalFrequency) {  // [Ewins2000]: ω0 √(1 − 2ζ²), F/k / (2ζ√(1 − ζ²))
+TEST(DesignPeaks, SingleMassHasItsPeakBelowTheNaturalFrequency) {  // [Ewins2000]: ω0 √(1 − 2ζ²), F/k / (2ζ√(1 − ζ²))
   const std::vector<double> zeta = {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
   for (std::size_t i = 0; i < zeta.size(); ++i) {
@@ -44,7 +44,7 @@ TEST(DesignPeaks, OfASingleMassStandBelowItsNaturalFrequency) {  // [Ewins2000]:
   }
 }
 
-TEST(DesignPeaks, AreNoneFromSeventyOnePercentOfCriticalDampingOn) {
+TEST(DesignPeaks, DoNotExistFromSeventyOnePercentOfCriticalDampingOn) {
   const std::vector<double> zeta = {0.7072, 0.8, 0.999, 1, 1.0001, 3, 100};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));
   for (std::size_t i = 0; i < zeta.size(); ++i) {
@@ -56,7 +56,7 @@ TEST(DesignPeaks, AreNoneFromSeventyOnePercentOfCriticalDampingOn) {
   }
 }
 
-TEST(DesignPeaks, WithoutDampingAreInfiniteAlsoOnTheEdgeOfTheBand) {
+TEST(DesignPeaks, AreInfiniteWithoutDampingAlsoOnTheEdgeOfTheBand) {
   for (const auto& [from, to] : {std::pair{10.0, 20.0}, {5.0, 10.0}, {5.0, 20.0}}) {
     numerics::DesignPeakOptions options;
     options.from = from;
@@ -65,7 +65,7 @@ TEST(DesignPeaks, WithoutDampingAreInfiniteAlsoOnTheEdgeOfTheBand) {
   }
 }
 
-TEST(DesignPeaks, OfAMachineThatMovesInOneDirectionOnlyAreProvenInAll) {
+TEST(DesignPeaks, AreProvenInAllDirectionsIfOnlyOneMoves) {
   numerics::Designs designs{Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21), Eigen::ArrayXXd::Zero(1, 21),
                             Eigen::ArrayXXd::Zero(1, 6)};
   for (int i = 0; i < 6; ++i) {
@@ -82,7 +82,7 @@ TEST(DesignPeaks, OfAMachineThatMovesInOneDirectionOnlyAreProvenInAll) {
   EXPECT_TRUE((peaks.highest.rightCols(5) == 0).all() && (peaks.peaks.rightCols(5) == 0).all());
 }
 
-TEST(DesignPeaks, OfVelocityStandAtTheNaturalFrequencyWhateverTheDamping) {
+TEST(DesignPeaks, VelocityPeaksAtTheNaturalFrequencyForAnyDamping) {
   const std::vector<double> zeta = {1e-3, 0.2, 0.9, 4};
   numerics::DesignPeakOptions options;
   options.derivative = {1};
@@ -97,7 +97,7 @@ TEST(DesignPeaks, OfVelocityStandAtTheNaturalFrequencyWhateverTheDamping) {
   }
 }
 
-TEST(DesignPeaks, OfAccelerationRiseToTheForceOverTheMassWhereDampingIsHeavy) {
+TEST(DesignPeaks, AccelerationRisesToForceOverMassWithHeavyDamping) {
   numerics::DesignPeakOptions options;
   options.derivative = {2};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses({0.1, 0.8}), options);
@@ -110,7 +110,7 @@ TEST(DesignPeaks, OfAccelerationRiseToTheForceOverTheMassWhereDampingIsHeavy) {
 }
 
 TEST(DesignPeaks,
-     OfTheForceOnTheGroundHaveSpringAndDamper) {  // [Ewins2000]: |T|² = (1 + (2ζr)²) / ((1 − r²)² + (2ζr)²)
+     ForceOnTheGroundHasSpringAndDamper) {  // [Ewins2000]: |T|² = (1 + (2ζr)²) / ((1 − r²)² + (2ζr)²)
   const double zeta = 0.3, r = std::sqrt((std::sqrt(1 + 8 * zeta * zeta) - 1) / (4 * zeta * zeta));
   const double damping = 2 * zeta * r,
                expected = 3 * std::sqrt((1 + damping * damping) / (std::pow(1 - r * r, 2) + damping * damping));
@@ -123,7 +123,7 @@ TEST(DesignPeaks,
   EXPECT_EQ(peaks.peaks(0, 0), 1);
 }
 
-TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 + τs) q rises like ω above its minimum
+TEST(DesignPeaks, CurveThatGrowsWithoutBoundHasItsPeaksCounted) {  // y = s²(1 + τs) q rises like ω above its minimum
   const double zeta = 0.01, rate = 1e-4;
   numerics::DesignPeakOptions options;
   options.rows = Eigen::ArrayXXd::Constant(1, 1, 1);
@@ -142,7 +142,7 @@ TEST(DesignPeaks, OfACurveThatGrowsWithoutEndAreCountedBelowIt) {  // y = s²(1 
   EXPECT_NEAR(peaks.largest_rise(0, 0), top / base - 1, scan_step * top / base);
 }
 
-TEST(DesignPeaks, OfAFreeMassAreItsForceOverItsMass) {
+TEST(DesignPeaks, FreeMassAcceleratesByForceOverMass) {
   numerics::Designs free = single_masses({0});
   free.K.setZero();
   numerics::DesignPeakOptions acceleration;
@@ -150,7 +150,7 @@ TEST(DesignPeaks, OfAFreeMassAreItsForceOverItsMass) {
   EXPECT_NEAR(numerics::design_peaks(free, acceleration).highest(0, 0), 1.5, round_off);
 }
 
-TEST(DesignPeaks, OutsideTheBandAreNotCountedAndItsEndIsTheHighest) {
+TEST(DesignPeaks, AreNotCountedOutsideTheBandAndItsEndIsTheHighest) {
   numerics::DesignPeakOptions options;
   options.to = 9;
   const numerics::DesignPeaks below = numerics::design_peaks(single_masses({0.01}), options);
@@ -169,7 +169,7 @@ TEST(DesignPeaks, AreInfiniteWithoutDamping) {
   EXPECT_EQ(peaks.peaks(0, 0), 1);
 }
 
-TEST(DesignPeaks, OfAnImpossibleMassAreNotGiven) {
+TEST(DesignPeaks, AreNotComputedForANegativeMass) {
   numerics::Designs designs = single_masses({0.1, 0.1});
   designs.A(0, 0) = -2;
   const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
@@ -178,7 +178,7 @@ TEST(DesignPeaks, OfAnImpossibleMassAreNotGiven) {
   EXPECT_EQ(peaks.status[1], DesignStatus::proven);
 }
 
-TEST(DesignPeaks, OfNumbersThatAreNotFiniteAreNotGiven) {
+TEST(DesignPeaks, AreNotComputedFromNumbersThatAreNotFinite) {
   for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (int which = 0; which < 4; ++which) {
       numerics::Designs designs = single_masses({0.1, 0.2, 0.3});
@@ -192,7 +192,7 @@ TEST(DesignPeaks, OfNumbersThatAreNotFiniteAreNotGiven) {
     }
 }
 
-TEST(DesignPeaks, RefuseABandThatIsEmpty) {
+TEST(DesignPeaks, RejectAnEmptyBand) {
   numerics::DesignPeakOptions options;
   options.from = 3;
   options.to = 3;

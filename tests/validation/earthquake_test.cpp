@@ -26,7 +26,7 @@ constexpr double round_off = 1e-10;      // modes of one or two coordinates
 constexpr double step_by_step = 1e-9;    // 1200 steps, each exact to round-off, and a maximum between two of them
 constexpr double skew_round_off = 1e-8;  // modes of 18 coordinates with condition up to 1e5
 
-TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
+TEST(Earthquake, TwoEqualStoreysHaveTheClosedForm) {
   // Two masses m on two springs k: ω² = (3 ∓ √5)/2 k/m, shapes (1, (1 ± √5)/2); S_a = 2 m/s² at every frequency.
   const double k = 1000, m = 4;
   const auto project = test::project(test::chain({m, m}, {k, k, 0}, {}));
@@ -54,7 +54,7 @@ TEST(Earthquake, OfTwoEqualStoreysIsTheClosedForm) {
   EXPECT_THAT(r.effective_mass_share, RelativelyNear(1.0, round_off));
 }
 
-TEST(Earthquake, OfOneModeIsTheLargestValueOfItsTimeHistory) {
+TEST(Earthquake, OneModeHasTheLargestValueOfItsTimeHistory) {
   const double omega = 12, zeta = 0.05, mass = 2;
   excitation::Samples record;
   for (int i = 0; i < 800; ++i) {

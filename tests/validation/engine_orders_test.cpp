@@ -108,7 +108,7 @@ void expect_order(const Engine& engine, int order, Complex vertical, Complex tra
   EXPECT_EQ(w(0), 0.0);
 }
 
-TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
+TEST(EngineOrders, InlineFourHasOnlyEvenOrders) {
   const Engine four = engine_of({{0, 0, 0.135}, {pi, 0, 0.045}, {pi, 0, -0.045}, {0, 0, -0.135}});
   expect_order(four, 1, 0, 0, 0, 0);
   expect_order(four, 2, 3000.1638506769664, 0, 0, 0);
@@ -123,7 +123,7 @@ TEST(EngineOrders, OfAnInlineFourAreItsSecondOrder) {
   for (const Order& entry : inertia_orders(four, 6)) EXPECT_EQ(std::fmod(entry.order, 2), 0);
 }
 
-TEST(EngineOrders, OfAnInlineThreeAreCouples) {
+TEST(EngineOrders, InlineThreeHasCouples) {
   const Engine three = engine_of({{0, 0, 0.09}, {120 * degree, 0, 0}, {240 * degree, 0, -0.09}});
   expect_order(three, 1, 0, 0, {329.7681570513983, 190.3917342437915}, 0);
   expect_order(three, 2, 0, 0, {101.25552996034756, -58.459907479544945}, 0);
@@ -132,7 +132,7 @@ TEST(EngineOrders, OfAnInlineThreeAreCouples) {
   EXPECT_THAT(std::abs(inertia(three, 1)(4)), RelativelyNear(380.78346848758304, round_off));
 }
 
-TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
+TEST(EngineOrders, InlineSixHasNoOrderBelowTheSixth) {
   const double a = 120 * degree, b = 240 * degree;
   const Engine six =
       engine_of({{0, 0, 0.225}, {a, 0, 0.135}, {b, 0, 0.045}, {b, 0, -0.045}, {a, 0, -0.135}, {0, 0, -0.225}});
@@ -140,7 +140,7 @@ TEST(EngineOrders, OfAnInlineSixVanishBelowTheSixth) {
   expect_order(six, 6, 2.8130945426107052, 0, 0, 0);
 }
 
-TEST(EngineOrders, OfAVeeSixTurnAndTumble) {
+TEST(EngineOrders, VeeSixHasPitchAndYawCouples) {
   const double p = 30 * degree, m = -30 * degree;
   const Engine vee = engine_of({{0, p, 0.09},
                                 {60 * degree, m, 0.09},
@@ -154,7 +154,7 @@ TEST(EngineOrders, OfAVeeSixTurnAndTumble) {
   expect_order(vee, 6, -2.436211337148236, 0, 0, 0);
 }
 
-TEST(EngineOrders, OfACrossPlaneVeeEightAreItsPrimaryCouple) {
+TEST(EngineOrders, CrossPlaneVeeEightHasAPrimaryCouple) {
   const double p = 45 * degree, m = -45 * degree, q = 90 * degree;
   const Engine vee = engine_of({{0, p, 0.135},
                                 {0, m, 0.135},
@@ -301,7 +301,7 @@ TEST(GasTorque, MeanIsTheWorkOfTheCycle) {
   EXPECT_THAT(4 * pi * gas_harmonics(trace, engine, 0.08, 0)[0].torque.real(), RelativelyNear(work, trapezoids));
 }
 
-TEST(GasTorque, OfEvenlyFiringCylindersAddsUpInMultiplesOfTheFiringOrder) {
+TEST(GasTorque, AddsUpInMultiplesOfTheFiringOrderIfCylindersFireEvenly) {
   Engine engine{.crank_radius = 0.045, .rod_ratio = 0.3};
   engine.cylinders = evenly_firing_cylinders({.cylinders = 4, .spacing = 0.09});
   const std::vector<TorqueHarmonic> one = {{0, 20}, {0.5, {30, 5}}, {1, {40, -3}}, {2, {25, 12}}, {4, {8, 1}}};
@@ -366,7 +366,7 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   EXPECT_GT(inertia(boxer, 2).tail<3>().norm(), 1);  // the couple of the offset banks remains
 }
 
-TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
+TEST(EngineLayout, IsCentredOnTheMiddleOfItsCrank) {
   const auto vee = evenly_firing_cylinders({.kind = EngineLayout::Kind::vee,
                                             .cylinders = 6,
                                             .bank_angle = 60 * degree,
@@ -381,7 +381,7 @@ TEST(EngineLayout, StandsAboutTheMiddleOfItsCrank) {
   }
 }
 
-TEST(Engine, FindingsSayWhatIsWrong) {
+TEST(Engine, FindingsNameTheError) {
   const auto first = [](const Engine& e) { return foundation::message(check(e, "engine").list().at(0)); };
   Engine engine = engine_of({{0, 0, 0}});
   EXPECT_TRUE(check(engine, "").list().empty());
@@ -410,7 +410,7 @@ TEST(Engine, FindingsSayWhatIsWrong) {
   EXPECT_TRUE(check(wrong, "").has_errors());
 }
 
-TEST(EngineLayout, RefusesWhatDoesNotExist) {
+TEST(EngineLayout, RejectsImpossibleLayouts) {
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 0}), foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 7}), foundation::InvalidInput);
   EXPECT_THROW((void)evenly_firing_cylinders({.kind = EngineLayout::Kind::vee, .cylinders = 6}),
@@ -421,7 +421,7 @@ TEST(EngineLayout, RefusesWhatDoesNotExist) {
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 4, .firing_order = {1, 3, 3, 2}}), foundation::InvalidInput);
 }
 
-TEST(GasTorque, FindingsSayWhatIsWrong) {
+TEST(GasTorque, FindingsNameTheError) {
   const auto first = [](const PressureTrace& t) { return foundation::message(check(t, 4 * pi, "p.csv").list().at(0)); };
   EXPECT_THAT(first({{0, 2, 1}, {1, 1, 1}}), HasSubstr("angles must increase"));
   EXPECT_THAT(first({{0, 1, not_a_number}, {1, 1, 1}}), HasSubstr("row 3: nan"));

@@ -62,7 +62,7 @@ TEST(Balance, G63At3000PerMinuteIsTwentyMicrometres) {
   EXPECT_THROW((void)permissible_unbalance(6.3, 200, not_a_number), foundation::InvalidInput);
 }
 
-TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
+TEST(ShockSpectrum, HalfSineAgreesWithTwoOtherPrograms) {
   // Half sine 50 g, 11 ms, Q = 10: an adaptive Runge–Kutta solution, and the ramp-invariant filter of ISO 18431-4 at
   // 100 kHz, agree to 2e-3 at worst.
   constexpr double between_the_programs = 2e-3, of_the_positive = 2e-5;
@@ -79,7 +79,7 @@ TEST(ShockSpectrum, OfAHalfSineMeetsTwoOtherPrograms) {
   }
 }
 
-TEST(ShockSpectrum, OfAnUndampedOscillatorHasItsClosedForms) {
+TEST(ShockSpectrum, UndampedOscillatorHasItsClosedForms) {
   constexpr double of_the_extreme = 1e-11;  // piece by piece in closed form, extremes from the zeros of the velocity
   // Half sine, residual: 2β |cos(π/2β)|/(|β² − 1|) with β = f_pulse/f = 1/(2fT). Rectangle, residual: 2 |sin(πfT)|.
   // [Harris, chapter on shock]
@@ -121,7 +121,7 @@ TEST(ShockSpectrum, AnImpulseLeavesItsClosedFormBehind) {
   }
 }
 
-TEST(ShockSpectrum, RefusesWhatHasNoLargestValue) {
+TEST(ShockSpectrum, RejectsASignalWithoutALargestValue) {
   EXPECT_THROW((void)shock_spectrum({{Piece{0, 0, 1}}}, {1}, 0.05), foundation::InvalidInput);
   EXPECT_THROW((void)shock_spectrum(step(1), {0}, 0.05), foundation::InvalidInput);
   EXPECT_THROW((void)shock_spectrum(step(1), {1}, 1), foundation::InvalidInput);
@@ -180,7 +180,7 @@ TEST(ResponseSpectrum, IsStraightOverLogarithms) {
   EXPECT_THROW((void)spectral_acceleration(spectrum, two_pi / 2.1), foundation::InvalidInput);
 }
 
-TEST(ResponseSpectrum, FindingsSayWhatIsWrong) {
+TEST(ResponseSpectrum, FindingsNameTheError) {
   const auto first = [](const ResponseSpectrum& s) { return foundation::message(check(s, "sa.csv").list().at(0)); };
   EXPECT_THAT(first(over_period({0, 1}, {1, 1}, 0.05)), HasSubstr("a natural frequency of inf Hz"));
   EXPECT_THAT(first({{2, 1}, {1, 1}}), HasSubstr("must increase"));

@@ -56,7 +56,7 @@ class SyntheticRig {
 
 Vector12 entry_size(const Matrix12& stiffness) { return stiffness.diagonal().cwiseSqrt(); }
 
-TEST(StudentQuantile, MeetsTheTables) {
+TEST(StudentQuantile, AgreesWithTheTables) {
   constexpr double printed = 5e-4;  // three decimals
   EXPECT_NEAR(student_quantile(0.95, 1), 12.706, printed);
   EXPECT_NEAR(student_quantile(0.95, 5), 2.571, printed);
@@ -101,7 +101,7 @@ constexpr double
     least = 0.93,
     most = 0.97;  // the goal for 95 % intervals; 2000 to 4000 intervals each: the simulation scatters by 0.005
 
-TEST(IdentifiedStiffness, IntervalsHoldTheTruthAsOftenAsTheySay) {
+TEST(IdentifiedStiffness, IntervalsContainTheTruthAsOftenAsStated) {
   for (const double noise : {0.01, 0.05}) {
     EXPECT_THAT(coverage(Unknowns::self_balanced, false, 24, noise, 200),
                 testing::AllOf(testing::Ge(least), testing::Le(most)))

@@ -86,7 +86,7 @@ TEST(UnbalanceRunUp, PeaksAboveTheNaturalFrequency) {
   }
 }
 
-TEST(UnbalanceRunUp, GivesTheTextbookTable) {
+TEST(UnbalanceRunUp, HasTheAmplitudesOfTheTextbookTable) {
   // M X/(m e) over r at ζ = 0.02 (Den Hartog, Rao).
   constexpr double mass = 3, natural = 50, unbalance = 0.02;
   model::Description d = test::guided_mass(mass, natural, 0.02);
@@ -144,7 +144,7 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
   EXPECT_NEAR(found.critical[0].speed, natural / 2, shift) << "order 2 meets the natural frequency at half its speed";
 }
 
-TEST(RunUp, TellsTallPeaksFromSmallOnes) {
+TEST(RunUp, DistinguishesTallPeaksFromSmallOnes) {
   // Equal forces at orders 1 and 2, and 0.9 % and 0.1 % of them at orders 3 and 4: all peak at ω0√(1 − 2ζ²).
   constexpr double natural = 60, ratio = 0.02;
   model::Description d = test::guided_mass(2, natural, ratio);
@@ -221,7 +221,7 @@ model::Description two_masses(double natural, double ratio) {
   return d;
 }
 
-TEST(CampbellDiagram, HasOrdersMeetDampedNaturalFrequencies) {
+TEST(CampbellDiagram, OrdersMeetDampedNaturalFrequencies) {
   constexpr double natural = 40, ratio = 0.05;
   model::Description d = two_masses(natural, ratio);
   model::Action left;
@@ -250,7 +250,7 @@ TEST(CampbellDiagram, HasOrdersMeetDampedNaturalFrequencies) {
   }
 }
 
-TEST(CampbellDiagram, TellsWhichModeAnOrderLeavesAlone) {
+TEST(CampbellDiagram, ShowsWhichModeAnOrderDoesNotExcite) {
   model::Description d = two_masses(40, 0.02);
   d.excitations = {test::vertical_force("left rotor", 0, 0.1, 2), test::vertical_force("right rotor", 1, 0.1, 2)};
   const Solved solved(d);
@@ -272,7 +272,7 @@ double textbook_transmissibility(double ratio, double r) {
   return std::sqrt((1 + c) / (std::pow(1 - r * r, 2) + c));
 }
 
-TEST(Transmissibility, OfOneMassIsTheTextbooks) {
+TEST(Transmissibility, OneMassHasTheTextbookCurve) {
   constexpr double natural = 20;
   for (const double ratio : {0.02, 0.1, 0.5, 1.5}) {
     const Solved solved(test::guided_mass(7, natural, ratio));
@@ -303,7 +303,7 @@ TEST(Transmissibility, OfOneMassIsTheTextbooks) {
   }
 }
 
-TEST(Transmissibility, GivesTheIsolationOfVdi2062) {
+TEST(Transmissibility, HasTheIsolationOfVdi2062) {
   // Undamped: η = (n² − 2)/(n² − 1).
   constexpr double efficiency[] = {0.6666666666666666, 0.875, 0.9333333333333333, 0.9583333333333334};
   constexpr double isolation_db[] = {9.542425094393248, 18.06179973983887, 23.521825181113627, 27.604224834232124};
@@ -320,7 +320,7 @@ TEST(Transmissibility, GivesTheIsolationOfVdi2062) {
               RelativelyNear(10 * std::numbers::sqrt2, round_off));
 }
 
-TEST(Transmissibility, OfRelativeMotionNeverFallsBelowOneForGood) {
+TEST(Transmissibility, RelativeMotionHasNoCrossover) {
   // The relative motion over a base motion tends to 1 from above: |r²/(1 − r²)|.
   const Solved solved(test::guided_mass(4, 10, 0.05));
   auto motion = response::displacement_transmission(solved.system, solved.assembled, {"machine"}, {});
@@ -329,7 +329,7 @@ TEST(Transmissibility, OfRelativeMotionNeverFallsBelowOneForGood) {
   EXPECT_FALSE(response::crossovers(solved.assembled, motion, peaks)[0].angular_frequency.has_value());
 }
 
-TEST(Transmissibility, RefusesToCompareUnlikeUnits) {
+TEST(Transmissibility, RejectsARatioOfDifferentUnits) {
   const Solved solved(test::guided_mass(4, 10, 0.05));
   const response::Direction up, turn{Eigen::Vector3d::UnitX(), true};
   EXPECT_THAT(
@@ -348,7 +348,7 @@ TEST(Transmissibility, RefusesToCompareUnlikeUnits) {
                foundation::InvalidInput);
 }
 
-TEST(Transmissibility, TakesItsDirectionFromAForceOfTheModel) {
+TEST(Transmissibility, HasTheDirectionOfAForceOfTheModel) {
   model::Description d = test::guided_mass(4, 10, 0.05);
   d.bodies[0].pose.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // body z along ground x
   d.elements[0].k.axes = d.bodies[0].pose.rotation.transpose();
@@ -419,7 +419,7 @@ TEST(LimitLine, FallingWithFrequencyLimitsTheDisplacement) {
               RelativelyNear(20 * std::log10(found.least_margin), round_off));
 }
 
-TEST(LimitLine, HoldsItsLowerValueAtAStep) {
+TEST(LimitLine, HasItsLowerValueAtAStep) {
   const response::LimitLine line{"step", "m/s", false, {1, 35, 35, 1000}, {10, 10, 0.1, 0.1}};
   EXPECT_EQ(response::zero_to_peak_limit(line, 35), 0.1);
   EXPECT_EQ(response::zero_to_peak_limit(line, 34), 10);
@@ -431,7 +431,7 @@ TEST(LimitLine, HoldsItsLowerValueAtAStep) {
   EXPECT_GT(found.exceeded[0].to, 35);
 }
 
-TEST(LimitLine, GoesOnOverAPointBetweenTwoPieces) {
+TEST(LimitLine, ContinuesAcrossAPointBetweenTwoPieces) {
   const response::LimitLine line{"kink", "m/s", false, {1, 30, 1000}, {0.2, 0.2, 0.2}};
   EXPECT_EQ(velocity_of_mass(line, {2, 200}).exceeded.size(), 1u);
 }
@@ -445,7 +445,7 @@ TEST(LimitLine, HasNoMarginAtAnUndampedResonance) {
   EXPECT_GT(found.exceeded[0].to, 30);
 }
 
-TEST(LimitLine, TellsAllThatIsWrongWithItsTable) {
+TEST(LimitLine, ReportsAllErrorsOfItsTable) {
   const response::LimitLine line{"bad", "m/s", true, {-1, 5, 4, 4, 4}, {1, 0, std::nan(""), 1, 1}};
   EXPECT_EQ(response::check(line, "limits.bad").errors(), 5u);
   EXPECT_EQ(response::check({"short", "m", true, {1}, {1}}, "limits").errors(), 1u);

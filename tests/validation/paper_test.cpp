@@ -131,7 +131,7 @@ TEST(Paper, CharacteristicsOfTheCorrectedBody) {
   expect_characteristics("three_elements.toml", expected);
 }
 
-TEST(Paper, AsPrintedHasOneGrowingRootAndSaysSo) {
+TEST(Paper, AsPrintedHasOneGrowingRootAndAWarning) {
   const project::Project project = paper("as_printed.toml");
   const modal::Roots roots = modal::roots(project.find("Figure 3")->system);
   const auto growing = std::find_if(roots.list.begin(), roots.list.end(),
@@ -144,7 +144,7 @@ TEST(Paper, AsPrintedHasOneGrowingRootAndSaysSo) {
   EXPECT_FALSE(project.base().warnings.list().empty());
 }
 
-TEST(Paper, ATranslationKeepsItsFrequencyWhateverTheInertia) {
+TEST(Paper, ATranslationKeepsItsFrequencyForAnyInertia) {
   // √(k/m) along the line from the mass centre to the elastic centre.
   for (const char* file : {"as_printed.toml", "corrected.toml"}) {
     const modal::Modes modes = modal::modes(paper(file).base().system);

@@ -77,7 +77,7 @@ excitation::Spectrum flat_hz(double density_per_hz, double from_hz, double to_hz
   return excitation::flat_spectrum(density_per_hz / (2 * pi), 2 * pi * from_hz, 2 * pi * to_hz);
 }
 
-TEST(MilesEquation, TheFormulaAndItsExactNeighboursAreMet) {
+TEST(MilesEquation, AgreesWithTheFormulaAndItsExactNeighbours) {
   // Miles, Journal of the Aeronautical Sciences 21 (1954) 753–762: f_n = 80 Hz, Q = 10, 0.04 g²/Hz.
   constexpr double integral_error = 1e-6;  // of separate integrals; white noise ends at 0.8 GHz here
   constexpr double last_digit = 1e-15;     // one multiplication
@@ -171,7 +171,7 @@ TEST(RandomRoad, AQuarterCarOnAClassCRoadAgreesWithItsIntegralByHand) {
               truncation);
 }
 
-TEST(HumanWeighting, AVeryNarrowBandIsWeighedByThePublishedFactors) {
+TEST(HumanWeighting, AVeryNarrowBandHasThePublishedFactors) {
   // ISO 2631-1 annex B / ISO 8041-1 at 15.915 Hz: Wk 0.7718, Wd 0.1261. The acceleration of a free mass is F/m.
   constexpr double printed_digits = 0.00005 / 0.1261;
   model::Description description;

@@ -35,7 +35,7 @@ TEST(FourMounts, SymmetricBlockOfTheHandbook) {
     EXPECT_THAT(*modes.list[i].angular_frequency / (2 * std::numbers::pi), RelativelyNear(expected[i], all_digits));
 }
 
-TEST(Static, ThreeMountsCarryWhatEquilibriumGivesThem) {
+TEST(Static, ThreeMountsCarryTheForcesOfEquilibrium) {
   constexpr double all_digits = 1e-9;       // equilibrium, solved separately with all digits
   constexpr double of_a_difference = 1e-7;  // of larger terms
   const std::string text = R"(
@@ -87,7 +87,7 @@ struct Inertia {
   bool physical;
 };
 
-TEST(Inertia, ImpossibleOnesAreRefusedAndTheCorrectedOneAccepted) {
+TEST(Inertia, ImpossibleOnesAreRejectedAndTheCorrectedOneIsAccepted) {
   // Central principal moments computed outside this project; with Jz = 132.853 one is −0.0085 kg m².
   constexpr double round_off = 1e-7;  // kg m²: 1e-9 of the largest moment
   for (const Inertia& given :

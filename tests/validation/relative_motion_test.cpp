@@ -78,7 +78,7 @@ struct Oscillator {
 
 const std::vector<double> times_natural = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.5, 0.999, 3, 1e3, 1e6, 1e9};
 
-TEST(RelativeMotion, OfAMassOverAShakenGroundIsTheClosedFormFromRestToHighFrequency) {
+TEST(RelativeMotion, MassOverAShakenGroundHasTheClosedFormFromRestToHighFrequency) {
   for (const double ratio : {0.01, 1.0, 30.0}) {
     const Oscillator o(23, ratio);
     const auto channels = o.channels({"m.relative.z", "strut.deflection.z", "strut.force.z", "m.z"});
@@ -153,7 +153,7 @@ TEST(RandomRelativeMotion, HasRmsAndZeroCrossingsOfTheClosedFormFarBelowResonanc
   }
 }
 
-TEST(RandomRelativeMotion, MeetsMilesFromZeroOn) {
+TEST(RandomRelativeMotion, AgreesWithMilesFromZeroOn) {
   const Oscillator o(40, 0.02);
   const double density = 0.3, miles = std::sqrt(pi * density / (4 * o.ratio * std::pow(o.natural, 3)));
   const response::RandomInput input{"base", o.base(1), excitation::flat_spectrum(density, 0, 1e3 * o.natural)};

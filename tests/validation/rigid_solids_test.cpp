@@ -88,7 +88,7 @@ TEST(Primitives, AFrustumIsAConeWithoutItsTip) {
   EXPECT_LE(difference(together->properties, properties(cone), h), round_off);
 }
 
-TEST(Primitives, ATubeOfCylindersDifference) {
+TEST(Primitives, ATubeIsTheDifferenceOfTwoCylinders) {
   const VolumeIntegrals tube = integrals(Tube{0.2, 0.15, 0.5}), outer = integrals(Cylinder{0.2, 0.5}),
                         inner = integrals(Cylinder{0.15, 0.5});
   EXPECT_THAT(tube.volume, test::RelativelyNear(outer.volume - inner.volume, round_off));
@@ -123,14 +123,14 @@ test::Triangles l_block_surface() {
   return surface;
 }
 
-TEST(StlSolid, OfAnLBlockIsExactWithItsProductOfInertia) {
+TEST(StlSolid, LBlockIsExactWithItsProductOfInertia) {
   const foundation::TemporaryFolder folder;
   test::write_file(folder.path() / "l.stl", test::stl_binary(l_block_surface()));
   EXPECT_LE(difference(properties({"", StlSolid{folder.path() / "l.stl", mm}, steel}), l_block(mm, steel), 3 * mm),
             round_off);
 }
 
-TEST(StepSolid, OfAnLBlockIsExactWithItsProductOfInertia) {
+TEST(StepSolid, LBlockIsExactWithItsProductOfInertia) {
   const foundation::TemporaryFolder folder;
   test::write_step(folder.path() / "l.step", R"(Box(1) = {0, 0, 0, 3, 1, 1}; Box(2) = {0, 0, 0, 1, 2, 1};
     BooleanUnion(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };)");
@@ -138,7 +138,7 @@ TEST(StepSolid, OfAnLBlockIsExactWithItsProductOfInertia) {
             step_accuracy);
 }
 
-TEST(StepSolid, OfACylinderASphereATorusAndAConeIsExact) {
+TEST(StepSolid, CylinderSphereTorusAndConeAreExact) {
   const foundation::TemporaryFolder folder;
   test::write_step(folder.path() / "round.step", R"(
     Cylinder(1) = {0, 0, 0, 0, 0, 25, 25};
@@ -165,7 +165,7 @@ TEST(StepSolid, OfACylinderASphereATorusAndAConeIsExact) {
             step_accuracy);
 }
 
-TEST(StepSolid, HeedsTheLengthUnitOfItsFile) {
+TEST(StepSolid, UsesTheLengthUnitOfItsFile) {
   const foundation::TemporaryFolder folder;
   test::write_step(folder.path() / "box.step", "Box(1) = {0, 0, 0, 10, 20, 30};");
   std::ifstream stream(folder.path() / "box.step");

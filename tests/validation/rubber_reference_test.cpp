@@ -19,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double all_digits = 1e-9;  // of the published numbers, ten or more
 constexpr double round_off = 1e-12;  // a few operations
 
-TEST(BondedDisc, MeetsThePublishedModuli) {
+TEST(BondedDisc, HasThePublishedModuli) {
   const Rubber rubber{7e5, 2e9}, incompressible{7e5, std::numeric_limits<double>::infinity()};
   const double radius = 0.05, h = 0.02, s = disc_shape_factor(radius, 0, h);
   EXPECT_THAT(s, RelativelyNear(1.25, all_digits));
@@ -46,7 +46,7 @@ TEST(BondedDisc, TextbookFormulasGiveThePublishedMatrix) {
   EXPECT_THAT(c(1, 3), RelativelyNear(-2748.8935718910693, all_digits));
 }
 
-TEST(BondedDisc, MeetsThreeDimensionalFiniteElements) {
+TEST(BondedDisc, AgreesWithThreeDimensionalFiniteElements) {
   // Cylinder D = 50 mm, E = 3 MPa, ν = 0.4995, hexahedra with quadratic displacement and discontinuous linear pressure,
   // rim graded: ±0.05 %.
   constexpr double axial_error = 0.005, shear_error = 0.004, tilt_error = 0.01;
@@ -66,7 +66,7 @@ TEST(BondedDisc, MeetsThreeDimensionalFiniteElements) {
               RelativelyNear(24.5519, printed_digits));
 }
 
-TEST(BondedDisc, MeetsAxisymmetricFiniteElementsOverAllShapeFactors) {
+TEST(BondedDisc, AgreesWithAxisymmetricFiniteElementsOverAllShapeFactors) {
   // Fourier-axisymmetric Q2/P1, K/G = 2000, by a program separate from the library; S, Ec/3G, shear/(G A/h), Eb/3G, all
   // ±0.15 %.
   constexpr double documented = 0.01;  // docs/elements/rubber.md: at most 0.8 %
@@ -85,7 +85,7 @@ TEST(BondedDisc, MeetsAxisymmetricFiniteElementsOverAllShapeFactors) {
   }
 }
 
-TEST(BondedRing, MeetsAxisymmetricFiniteElements) {
+TEST(BondedRing, AgreesWithAxisymmetricFiniteElements) {
   constexpr double documented = 0.045;  // docs/elements/rubber.md: at most 4 %
   const double table[][5] = {{0.3, 0.25, 1.280111, 0.750090, 1.203588},   {0.3, 1, 2.816426, 0.942106, 2.269800},
                              {0.3, 10, 109.389276, 0.994235, 85.612576},  {0.5, 0.25, 1.364017, 0.751817, 1.280525},
@@ -102,7 +102,7 @@ TEST(BondedRing, MeetsAxisymmetricFiniteElements) {
   }
 }
 
-TEST(BondedStrip, MeetsPlaneStrainFiniteElements) {
+TEST(BondedStrip, AgreesWithPlaneStrainFiniteElements) {
   constexpr double documented = 0.012;  // docs/elements/rubber.md: at most 1 %
   const double table[][4] = {{0.25, 1.507880, 0.500581, 1.405632},
                              {0.5, 1.749753, 0.762686, 1.484977},
@@ -119,7 +119,7 @@ TEST(BondedStrip, MeetsPlaneStrainFiniteElements) {
   }
 }
 
-TEST(RubberBlock, MeetsThreeDimensionalFiniteElements) {
+TEST(RubberBlock, AgreesWithThreeDimensionalFiniteElements) {
   // Quarter model of Q2/P1 bricks, edges graded, K/G = 2000, per G, width_1 = 1, by a program separate from the
   // library, ±0.5 %: width_2, S, axial, shear 1, shear 2, bending 1, bending 2, torsion.
   constexpr double axial_error = 0.02, shear_error = 0.045, bending_error = 0.05, torsion_error = 0.05;
@@ -163,7 +163,7 @@ TEST(RubberBlock, TwistsBetweenPolarMomentAndSaintVenant) {
   EXPECT_THAT(torsion(4, 10000), RelativelyNear(1.124, slender));
 }
 
-TEST(RubberBush, MeetsItsClosedForms) {
+TEST(RubberBush, HasItsClosedForms) {
   const RubberBush bush{.rubber = {7e5, 2e9}, .inner_radius = 0.012, .outer_radius = 0.03, .length = 0.05};
   EXPECT_THAT(long_bush_axial(bush), RelativelyNear(240001.8663306621, all_digits));
   EXPECT_THAT(bush_torsion(bush), RelativelyNear(75.39822368615503, all_digits));
@@ -178,7 +178,7 @@ TEST(RubberBush, MeetsItsClosedForms) {
               RelativelyNear(80 * pi * gl * sum / (25 * sum * l - 9 * difference), all_digits));
 }
 
-TEST(RubberBush, MeetsAxisymmetricFiniteElements) {
+TEST(RubberBush, AgreesWithAxisymmetricFiniteElements) {
   // ri = 1, K/G = 2000, per G: ro/ri, length/wall, axial, radial, tilt.
   constexpr double axial_error = 0.035, radial_error = 0.045, tilt_error = 0.075;
   const double table[][5] = {

@@ -25,7 +25,7 @@ const fem::Material rubber = fem::linear_elastic(3e6, 0.4995);
 constexpr double axial = 363.45e3, shear = 68.55e3, tilt = 59.06;
 constexpr double solve_round_off = 1e-9;  // condensations of some thousand equations
 
-TEST(BondedCylinder, MeetsTheConvergedStiffnessesAtTheDefaultLevel) {
+TEST(BondedCylinder, HasTheConvergedStiffnessesAtTheDefaultLevel) {
   constexpr double goal = 0.0015, of_use = 0.01;  // accuracy of the default level, and of an estimate of it
   const fem::SolidStiffness solid = fem::condense(cylinder, {rubber});
   const auto& c = solid.stiffness;
@@ -139,7 +139,7 @@ TEST(Bush, TwistsExactlyAndShearsAlongItsAxisAsALongOne) {
   }
 }
 
-TEST(Sandwich, OfThreeLayersIsThreeLayersInSeries) {
+TEST(Sandwich, ThreeLayersAreInSeries) {
   // Steel plates of 2 mm bend little: 0.1 % in compression.
   constexpr double plates_bend = 2e-3, plates_twist = 1e-5;  // G of the rubber over G of steel is 1e-5
   const fem::Disc three{.diameter = 0.1, .layers = fem::sandwich_layers(3, 0.01, 0.002)},
@@ -200,7 +200,7 @@ TEST(Preload, TurnsWithTheElementAsAPotentialDemands) {
   EXPECT_LT((solid.stiffness - solid.stiffness.transpose()).cwiseAbs().maxCoeff(), symmetry);
 }
 
-TEST(Preload, OfNothingIsTheStressFreeElement) {
+TEST(Preload, ZeroPreloadIsTheStressFreeElement) {
   const fem::Mesh mesh = fem::mesh(cylinder, 1);
   const auto solid = fem::preloaded_stiffness(mesh, {rubber}, fem::frame(cylinder), {});
   ASSERT_TRUE(solid.converged) << solid.failure_reason;
@@ -209,7 +209,7 @@ TEST(Preload, OfNothingIsTheStressFreeElement) {
   EXPECT_THAT(solid.stiffness, test::NearInUnits(free, scale, solve_round_off));
 }
 
-TEST(Preload, BeyondAllMeasureIsRefusedWithTheLastBalance) {
+TEST(Preload, AnImpossibleOneIsRejectedWithTheLastEquilibrium) {
   fem::Preload load;
   load.value(2) = -0.0255;  // through the other plate
   const auto solid = fem::preloaded_stiffness(fem::mesh(cylinder, 1), {rubber}, fem::frame(cylinder), load);

@@ -149,7 +149,7 @@ TEST(Suspension, AStaticMomentTurnsTheBodyAboutTheElasticRollAxis) {
   }
 }
 
-TEST(Suspension, SaysWhatItCannotTell) {
+TEST(Suspension, ReportsWhatItCannotDetermine) {
   const auto guided = test::project(test::chain({2}, {1800}, {}));
   EXPECT_FALSE(of_body(guided.base().system).elastic.has_value());
   EXPECT_THAT(of_body(guided.base().system).notes, testing::ElementsAre(testing::HasSubstr("guided")));

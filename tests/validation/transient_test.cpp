@@ -44,7 +44,7 @@ response::TransientOptions until(double to, double step) {
 // One mass of 2 kg on a spring of 800 N/m: ω = 20 rad/s.
 constexpr double mass = 2, stiffness = 800, omega = 20;
 
-TEST(Transient, OfASineFromRestMeetsThePublishedCase) {
+TEST(Transient, SineFromRestAgreesWithThePublishedCase) {
   // EDF code_aster SDLD31: m = 1, k = (2π3)², F = sin(1.1·2π3 t); closed form as published there.
   constexpr double all_digits = 1e-9;  // of the closed form
   const Machine m = chain({1}, {36 * pi * pi, 0});
@@ -62,7 +62,7 @@ TEST(Transient, OfASineFromRestMeetsThePublishedCase) {
   }
 }
 
-TEST(Transient, OfAnAcceleratedBaseMeetsThePublishedCase) {
+TEST(Transient, AcceleratedBaseAgreesWithThePublishedCase) {
   // SFM VPCS SDLD04: three masses of 1 kg on springs of 1000 N/m, base acceleration 2e5 t² m/s², last mass relative to
   // the base.
   constexpr double all_digits = 1e-9;  // of the closed form
@@ -76,7 +76,7 @@ TEST(Transient, OfAnAcceleratedBaseMeetsThePublishedCase) {
   for (int i = 0; i < 6; ++i) EXPECT_THAT(r.curves[0].values(at[i]), RelativelyNear(relative[i], all_digits)) << at[i];
 }
 
-TEST(Transient, OfADampedMassUnderAStepIsTheClosedFormAndSoIsItsOvershoot) {
+TEST(Transient, DampedMassUnderAStepHasTheClosedFormAndItsOvershoot) {
   const double dashpot = 8, zeta = dashpot / (2 * mass * omega), damped = omega * std::sqrt(1 - zeta * zeta), force = 5;
   const Machine m = chain({mass}, {stiffness, 0}, {dashpot});
   const auto r =
@@ -96,7 +96,7 @@ TEST(Transient, OfADampedMassUnderAStepIsTheClosedFormAndSoIsItsOvershoot) {
   EXPECT_NEAR(r.curves[0].smallest.value, 0, round_off * force / stiffness);
 }
 
-TEST(Transient, OfAnUndampedMassUnderARampIsTheClosedForm) {
+TEST(Transient, UndampedMassUnderARampHasTheClosedForm) {
   const double rise = 0.37, force = 5;
   const Machine m = chain({mass}, {stiffness, 0});
   const auto r =
@@ -110,7 +110,7 @@ TEST(Transient, OfAnUndampedMassUnderARampIsTheClosedForm) {
     EXPECT_NEAR(r.curves[0].values(i), ramp(r.time(i)) - ramp(r.time(i) - rise), of_a_difference * force / stiffness);
 }
 
-TEST(Transient, OfAnUndampedMassUnderAHalfSineIsTheClosedForm) {
+TEST(Transient, UndampedMassUnderAHalfSineHasTheClosedForm) {
   const double duration = 0.11, force = 5, w = pi / duration;
   const Machine m = chain({mass}, {stiffness, 0});
   const auto r = test::transient(m.system, m.assembled, {"m1.x"},
@@ -123,7 +123,7 @@ TEST(Transient, OfAnUndampedMassUnderAHalfSineIsTheClosedForm) {
     EXPECT_NEAR(r.curves[0].values(i), sine(r.time(i)) + sine(r.time(i) - duration), round_off * force / stiffness);
 }
 
-TEST(Transient, OfABaseThatJumpsStartsWithTheImpulseOfItsDamper) {
+TEST(Transient, JumpOfTheBaseStartsWithTheImpulseOfTheDamper) {
   // x(t)/Δ = 1 − e^{−ζωt}(cos ω_d t − ζω/ω_d sin ω_d t): its velocity starts with cΔ/m.
   const double dashpot = 16, zeta = dashpot / (2 * mass * omega), damped = omega * std::sqrt(1 - zeta * zeta),
                height = 0.01;
@@ -151,7 +151,7 @@ TEST(Transient, WarnsThatForcesOfDampersOnAJumpingBaseAreImpulses) {
   EXPECT_TRUE(test::transient(m.system, m.assembled, {"m1.x"}, inputs, until(1, 0.01)).warnings.list().empty());
 }
 
-TEST(Transient, OfAFreeBodyUnderAForceDriftsExactly) {
+TEST(Transient, FreeBodyUnderAForceDriftsExactly) {
   const Machine m = chain({3, 5}, {0, 700, 0});
   const double force = 2, duration = 0.25;
   const auto r = test::transient(m.system, m.assembled, {"m1.x", "m2.x"},
@@ -162,7 +162,7 @@ TEST(Transient, OfAFreeBodyUnderAForceDriftsExactly) {
     EXPECT_THAT(centre(i), RelativelyNear(force * duration / 8 * (r.time(i) - duration / 2), round_off));
 }
 
-TEST(Transient, OfAnInitialStateIsTheFreeVibration) {
+TEST(Transient, InitialStateStartsTheFreeVibration) {
   const Machine m = chain({mass}, {stiffness, 0});
   response::TransientOptions options = until(40, 0.05);
   options.initial =
@@ -191,7 +191,7 @@ TEST(Transient, ExtremesOfTheAccelerationAreThoseOfTheShockResponseSpectrum) {
   }
 }
 
-TEST(Transient, SeesBothSidesOfAJumpBetweenItsPoints) {
+TEST(Transient, FindsBothSidesOfAJumpBetweenItsPoints) {
   // A sawtooth of force ends between two points: the acceleration is largest just before the end.
   const Machine m = chain({mass}, {1e-3, 0});
   const auto r =
@@ -222,7 +222,7 @@ TEST(Transient, KeepsTheEnergyOfAnUndampedMachineOverAHundredThousandSteps) {
   EXPECT_THAT(energy(100000), RelativelyNear(energy(0), drift));
 }
 
-TEST(Transient, RefusesALossFactorWithItsEquivalents) {
+TEST(Transient, RejectsALossFactorAndNamesItsEquivalents) {
   const Machine m{test::project(test::chain({mass}, {stiffness, 0}, {}, {0.1}))};
   try {
     static_cast<void>(test::transient(m.system, m.assembled, {"m1.x"},

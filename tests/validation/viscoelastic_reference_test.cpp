@@ -14,7 +14,7 @@ using namespace trivet;
 using namespace trivet::elements;
 using Complex = std::complex<double>;
 
-TEST(GeneralizedMaxwell, MeetsTheTableOfItsFourierQuadrature) {
+TEST(GeneralizedMaxwell, AgreesWithTheTableOfItsFourierQuadrature) {
   // k∞ = 1e6 N/m with branches 4e5, 2.5e5, 1.5e5 N/m of 1, 10, 100 ms; closed form confirmed by quadrature of the
   // relaxation kernel.
   constexpr double stiffness = 1e6, round_off = 1e-12;  // three branches, some ten operations each
