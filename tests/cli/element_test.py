@@ -159,7 +159,7 @@ class Element(unittest.TestCase):
                     self.assertNotIn(f'"{word}', text)
                     self.assertNotIn(f">{word}", text)
 
-    def test_a_picture_that_cannot_be_written_is_said(self):
+    def test_a_picture_that_cannot_be_written_is_reported(self):
         done = subprocess.run([TRIVET, "element", str(self.project(BODY, BUSHING)), "mount", "--picture", str(self.folder / "no" / "x.svg")], capture_output=True, text=True)
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no folder", done.stderr)

@@ -42,7 +42,7 @@ class Explain(unittest.TestCase):
             difference = (changed[1][key] - changed[-1][key]) / (2e-4 * peak[key])
             self.assertAlmostEqual(slopes["bodies.aggregate.mass_about_center"][name], difference, delta=1e-5 * abs(difference))
 
-    def test_the_sentence_names_mode_element_direction_and_what_ten_percent_do(self):
+    def test_the_sentence_names_mode_element_direction_and_the_effect_of_ten_percent(self):
         text = " ".join(run("explain", BOGIE, "--of", "frame.z")[0].split())
         for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "recomputed"):
             self.assertIn(words, text)
@@ -102,7 +102,7 @@ peaks = {{of = ["fan.x"]}}
     def test_an_unknown_answer_is_wrong_input(self):
         self.assertIn("nonsense", run("explain", PAPER, "--of", "nonsense", code=2)[1])
 
-    def test_without_an_excitation_nothing_is_to_be_explained(self):
+    def test_without_an_excitation_there_is_nothing_to_explain(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "still.toml"
             path.write_text("trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.k]\ntype = \"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n")

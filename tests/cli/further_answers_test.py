@@ -67,7 +67,7 @@ transient = {to = 1, step = 0.001}
             self.assertAlmostEqual(curve["largest"]["value"], 2 * 40 / 4000, delta=1e-12)
             self.assertAlmostEqual(curve["largest"]["time"] * 20 / 3.141592653589793 % 2, 1, delta=1e-6)
 
-    def test_a_loss_factor_in_time_is_refused_with_an_offer(self):
+    def test_a_loss_factor_in_time_is_rejected_with_an_alternative(self):
         with tempfile.TemporaryDirectory() as folder:
             path = model(folder, """[excitations.push]
 type = "time"
@@ -81,7 +81,7 @@ history = {step = {amplitude = 1}}
             self.assertIn("loss factor", refused.stderr)
             self.assertIn("proportional", refused.stderr)
 
-    def test_coarse_samples_are_warned_of_with_the_number(self):
+    def test_coarse_samples_have_a_warning_with_the_number(self):
         with tempfile.TemporaryDirectory() as folder:
             rows = ", ".join(f"[{0.1 * i}, {(i * 7) % 5 - 2}]" for i in range(40))
             path = model(folder, f"""[excitations.push]
@@ -97,7 +97,7 @@ transient = {{to = 5, step = 0.01}}
             self.assertEqual(warned.returncode, 0, warned.stderr)
             self.assertIn("3.18", warned.stdout + warned.stderr)  # the natural frequency in Hz
 
-    def test_critical_speeds_stand_where_orders_meet_modes(self):
+    def test_critical_speeds_are_where_orders_meet_modes(self):
         result = answer(self, "orders", EXAMPLES / "genset/genset.toml")
         self.assertGreater(len(result["critical_speeds"]), 5)
         for speed in result["critical_speeds"]:
@@ -140,7 +140,7 @@ force = [0, 0, 1]
         translations = sum(weighted[axis] ** 2 for axis in "xyz") ** 0.5
         self.assertGreater(total, 1.0001 * translations)  # the rotations count
 
-    def test_a_total_value_says_of_what_it_is(self):
+    def test_a_total_value_names_its_axes(self):
         asked = ("random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.of=[\"frame.x\", \"frame.y\", \"frame.z\"]")
         done = answer(self, *asked, "--set", "analyses.random.weighting=\"seat\"")
         self.assertEqual(done["vibration_total_axes"]["frame"], ["x", "y", "z"])
@@ -148,7 +148,7 @@ force = [0, 0, 1]
         feet = answer(self, "random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.weighting=\"feet\"")
         self.assertEqual(feet["vibration_total_axes"]["frame"], ["x", "y", "z"])  # no factor for rotations
 
-    def test_an_infinite_root_mean_square_is_said_everywhere(self):
+    def test_an_infinite_root_mean_square_is_reported_everywhere(self):
         with tempfile.TemporaryDirectory() as folder:
             path = model(folder, """[excitations.noise]
 type = "random"
@@ -217,7 +217,7 @@ shock_spectrum = {{band = ["5 Hz", "200 Hz"]}}
                 highest.append(max(row["maximax"] for row in rows))
             self.assertAlmostEqual(highest[1] / highest[0], 2, delta=1e-9)
 
-    def test_bands_beside_an_undamped_resonance_leave_it_out(self):
+    def test_bands_on_both_sides_of_an_undamped_resonance_exclude_it(self):
         with tempfile.TemporaryDirectory() as folder:
             text = ""
             for name, band in (("low", (1, 2)), ("high", (5, 8))):

@@ -47,14 +47,14 @@ class OrderOfChanges(InTemporaryFolder):
                        "--set", "elements.mount.damping={proportional=0.01}")
         self.assertTrue(all(root["eigenvalue"][0] < -1 for root in found["roots"]), found)
 
-    def test_a_law_in_braces_takes_the_place_of_the_law_of_the_case_in_the_list_too(self):
+    def test_a_law_in_braces_replaces_the_law_of_the_case_in_the_list_too(self):
         done = trivet("run", self.file(MACHINE + CASES), "-o", self.folder / "out",
                       "--set", "elements.mount.damping={proportional=0.01}")
         self.assertEqual(done.returncode, 0, done.stderr)
         cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
         self.assertEqual(cases[2]["changes"], ["elements.mount.damping.proportional = 0.01"])
 
-    def test_a_run_lists_the_number_that_holds(self):
+    def test_a_run_lists_the_number_that_is_used(self):
         asked = "[analyses]\nmodes = {}\nresponse = {of = [\"machine\", \"machine.seat\"]}\n"
         done = trivet("run", self.file(MACHINE + CASES + asked), "-o", self.folder / "out", "--set", "elements.mount.scale=9")
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -71,7 +71,7 @@ class OrderOfChanges(InTemporaryFolder):
 
 
 class Questions(InTemporaryFolder):
-    def test_a_bad_question_stops_itself_check_and_run_alone(self):
+    def test_a_bad_question_stops_only_itself_check_and_run(self):
         path = self.file(MACHINE + "[analyses]\nstatic = {}\nresponse = {}\n[limits]\n\"machine.seat.z\" = 1\n")
         for command in ("modes", "roots", "response", "peaks", "explain", "suspension"):
             with self.subTest(command=command):
@@ -84,7 +84,7 @@ class Questions(InTemporaryFolder):
             self.assertIn("analyses.static: neither gravity nor a constant force", done.stderr)
         self.assertFalse((self.folder / "out").exists())
 
-    def test_a_bad_question_of_one_case_stops_that_case_alone(self):
+    def test_a_bad_question_of_one_case_stops_only_that_case(self):
         path = self.file(MACHINE + "[analyses]\nresponse = {}\n[cases.wrong]\nanalyses.response.of = \"mashine\"\n")
         self.assertEqual(trivet("response", path).returncode, 0)
         done = trivet("response", path, "--case", "wrong")
@@ -193,7 +193,7 @@ class Unused(InTemporaryFolder):
         neglected = 1e-4  # ten times the share of the mass
         self.assertAlmostEqual(values[0]["cqc"] / values[1]["cqc"], 1, delta=neglected)
 
-    def test_limit_lines_beside_the_response(self):
+    def test_limit_lines_are_reported_with_the_response(self):
         line = ('[analyses]\nresponse = {of = ["machine.seat"]}\n'
                 '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n')
         self.assertIn("severe", self.warnings(line, "response"))
@@ -209,8 +209,8 @@ class Unused(InTemporaryFolder):
         self.assertEqual(json.loads(done.stdout)["deep"][0]["verdict"], "agrees")
 
 
-class Refusals(InTemporaryFolder):
-    def test_a_refused_transient_names_the_key_that_helps(self):
+class Rejections(InTemporaryFolder):
+    def test_a_rejected_transient_names_the_key_that_helps(self):
         ask = "[analyses]\ntransient = {to = 1, initial_velocity = {\"machine.z\" = 1}}\n"
         lossy = trivet("transient", self.file((MACHINE + ask).replace("proportional = 0.001", "loss_factor = 0.1")))
         self.assertEqual(lossy.returncode, 2)

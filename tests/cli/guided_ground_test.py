@@ -40,7 +40,7 @@ class GuidedGround(unittest.TestCase):
             self.answer = json.loads(done.stdout)
             return [w for w in self.answer.get("warnings", self.answer.get("problems")) if "guides are fixed in space" in json.dumps(w)]
 
-    def test_a_ground_that_moves_along_a_guide_is_warned_of(self):
+    def test_a_ground_that_moves_along_a_guide_has_a_warning(self):
         found = self.warnings('translation = ["1 mm", 0, "1 mm"]')
         self.assertEqual(len(found), 1)
         self.assertIn("is guided in x", json.dumps(found))
@@ -48,7 +48,7 @@ class GuidedGround(unittest.TestCase):
         force = {one["name"]: one["complex"][0] for one in self.answer["results"]}["mount.force.x"]
         self.assertAlmostEqual(abs(complex(*force)), 1e6 * 1e-3, delta=1e-3)  # the floor moves under the body
 
-    def test_a_ground_that_the_body_follows_is_not(self):
+    def test_a_ground_that_the_body_follows_has_no_warning(self):
         self.assertEqual(self.warnings('translation = [0, 0, "1 mm"]'), [])
 
     def test_a_turning_floor_moves_the_body_at_its_place_too(self):
@@ -60,10 +60,10 @@ class GuidedGround(unittest.TestCase):
         self.assertEqual(self.warnings('translation = ["1 mm", 0, 0]', turned), [])
         self.assertIn("is guided in x", json.dumps(self.warnings('translation = [0, 0, "1 mm"]', turned)))
 
-    def test_single_supports_leave_the_guides_alone(self):
+    def test_single_supports_do_not_move_the_guides(self):
         self.assertEqual(self.warnings('elements = ["mount"]\ntranslation = ["1 mm", 0, 0]'), [])
 
-    def test_every_kind_of_motion_is_looked_at(self):
+    def test_every_kind_of_motion_is_checked(self):
         noise = 'translation = [0, 0, "1 mm"]\n[excitations.noise]\ntype = "random"\nbase = true\nquantity = "acceleration"\ntranslation = [0, 1, 0]\npsd = {flat = 1, band = ["1 Hz", "10 Hz"]}\n'
         self.assertIn("noise", json.dumps(self.warnings(noise, command="check")))
         shock = 'translation = [0, 0, "1 mm"]\n[excitations.shock]\ntype = "time"\nbase = true\nquantity = "acceleration"\ntranslation = [1, 0, 0]\nhistory = {half_sine = {amplitude = "5 g", duration = "11 ms"}}\n'

@@ -28,7 +28,7 @@ class Refused(InTemporaryFolder):
 
 
 class Messages(Refused):
-    def test_one_mistake_in_thousands_of_places_is_told_a_hundred_times(self):
+    def test_one_mistake_in_thousands_of_places_is_reported_a_hundred_times(self):
         text = BODY + "".join(mount(f"m{i}", on="nobody") for i in range(2000))
         done = self.refused("no body has this name", "… and 1900 more (1900 errors, 0 warnings)", text=text)
         self.assertEqual(len(done.stderr.splitlines()), 101)
@@ -48,7 +48,7 @@ class Messages(Refused):
             self.assertEqual(done.returncode, 2, arguments)
             self.assertNotRegex(done.stderr, r"[\x00-\x08\x0b-\x1f\x7f]")
 
-    def test_a_file_name_that_is_no_utf8_is_no_fault_of_json(self):
+    def test_json_is_valid_for_a_file_name_that_is_not_utf8(self):
         path = bytes(self.folder) + b"/M\xfcller.toml"
         pathlib.Path(path.decode("utf-8", "surrogateescape")).write_text(BODY + "mass = 1\n")
         done = subprocess.run([TRIVET.encode(), b"check", path, b"--json"], capture_output=True, timeout=60)
@@ -66,7 +66,7 @@ class Frequencies(InTemporaryFolder):
             self.assertIn('"1 Hz,5 Hz"', done.stderr)
         self.assertEqual(trivet("suspension", PAPER, "--excitation", "25,50Hz").returncode, 2)
 
-    def test_lists_that_are_clear_are_taken(self):
+    def test_lists_that_are_clear_are_accepted(self):
         self.assertEqual(answer("response", PAPER, "--at", "1,5")["angular_frequency"], [1, 5])
         self.assertAlmostEqual(answer("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12)
         self.assertEqual(trivet("response", PAPER, "--band", "0,5 Hz").returncode, 0)  # 0 is 0 in every unit, and a band has two ends

@@ -49,7 +49,7 @@ class MapMessages(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stderr if code else done.stdout
 
-    def test_both_axes_are_told_at_once(self):
+    def test_errors_of_both_axes_are_reported_at_once(self):
         misspelt = self.map(BODY.replace(SCALE, 'parameter = "elements.q.scale", from = 1, to = 2').replace(DAMPING, 'parameter = "bodies.m.mas", from = 1, to = 2'), code=2)
         self.assertIn('no "q" there', misspelt)
         self.assertIn("bodies.m.mas = unknown key", misspelt)
@@ -60,16 +60,16 @@ class MapMessages(unittest.TestCase):
         self.assertIn("elements.s.scal = unknown key", both)
         self.assertIn("bodies.m.mas = unknown key", both)
 
-    def test_a_limit_is_guessed(self):
+    def test_a_misspelt_limit_has_a_suggestion(self):
         self.assertIn('did you mean "m.z"?', self.map(BODY.replace('"m.z" =', '"m.zz" ='), code=2))
 
     def test_one_problem_has_one_message(self):
         self.assertEqual(self.map(BODY, "--set", "elements.s.scale=", code=2).count("error:"), 1)
 
-    def test_no_excitation_is_not_all(self):
+    def test_an_empty_list_of_excitations_is_an_error(self):
         self.assertIn("at least one excitation is expected", self.map(BODY + "excitations = []\n", code=2))
 
-    def test_figures_have_the_digits_that_tell_them_apart(self):
+    def test_numbers_have_enough_digits_to_differ(self):
         self.assertRegex(self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n'), "m.z reaches 0.0001 m at 0 rad/s, allowed 9.99999e-05")
         narrow = self.map(BODY.replace("to = 1.5", "to = 0.5000000001").replace('limits = {', 'band = ["99.9999 rad/s", "100.0001 rad/s"]\nlimits = {'))
         self.assertIn("0.5 … 0.5000000001", narrow)

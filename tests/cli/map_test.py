@@ -64,12 +64,12 @@ class Map(unittest.TestCase):
         path.write_text(ONE_MASS.replace('limits = {"mass.z" = "30 mm"}\n', ""))
         return str(path)
 
-    def test_the_text_tells_region_best_design_and_cases(self):
+    def test_the_text_reports_region_best_design_and_cases(self):
         text = run("map", self.project)[0]
         for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): meets every rule", "base model (1, 50 ms): VIOLATES", "poles and residues"):
             self.assertIn(words, text)
 
-    def test_json_and_csv_hold_the_same_designs(self):
+    def test_json_and_csv_contain_the_same_designs(self):
         found = json.loads(run("map", self.project, "--json", "--points", "5x4")[0])
         rows = list(csv.reader(io.StringIO(run("map", self.project, "--csv", "--points", "5x4")[0])))
         self.assertEqual(rows[0], ["elements.spring.scale", "elements.spring.damping.proportional [ms]", "margin", "governing", "kept"])
@@ -109,12 +109,12 @@ class Map(unittest.TestCase):
         run("map", self.project, "--points", "5", "--picture", str(old))
         self.assertIn("stiffness scale of spring", old.read_text())
 
-    def test_a_picture_that_cannot_be_written_is_refused_before_the_answer(self):
+    def test_a_picture_that_cannot_be_written_is_rejected_before_the_answer(self):
         self.refused_picture(self.folder / "none" / "map.svg", "there is no folder")
         self.refused_picture("/proc/map.svg", "choose a folder with write permission")
         self.refused_picture("", '--picture: "": pictures are SVG; name a file that ends in .svg')
 
-    def test_a_full_disk_spares_the_old_picture_and_the_answer(self):
+    def test_a_full_disk_keeps_the_old_picture_and_the_answer(self):
         picture = self.folder / "map.svg"
         picture.write_text("<svg>old</svg>")
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
@@ -155,7 +155,7 @@ class Map(unittest.TestCase):
         self.assertGreater(len(ticks), 3)
         self.assertEqual(len(ticks), len(set(ticks)))
 
-    def test_a_picture_tells_the_doubts_about_its_map(self):
+    def test_a_picture_lists_the_warnings_of_its_map(self):
         inertia = ONE_MASS.replace("mass = 4", 'mass = 4\nallow_unphysical = true\ninertia = {about = "center_of_mass", xx = 50, yy = 2, zz = 2}')
         pathlib.Path(self.project).write_text(inertia)
         words = "Warning: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
@@ -174,7 +174,7 @@ class Map(unittest.TestCase):
         self.assertGreater(len(steps), 100)
         self.assertFalse([p for p in steps if x - 1 < p[0] < x + 25 and y - 10 < p[1] < y + 2])
 
-    def test_the_picture_says_which_cases_it_does_not_show(self):
+    def test_the_picture_names_the_cases_that_it_does_not_show(self):
         pathlib.Path(self.project).write_text(ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n')
         picture = self.folder / "map.svg"
         run("map", self.project, "--picture", str(picture))
@@ -182,13 +182,13 @@ class Map(unittest.TestCase):
         self.assertIn("Outside the frame: far (9, 50 ms: meets every rule).", svg)
         self.assertIn("more than the two numbers: heavy (violates a rule).", svg)
 
-    def test_the_picture_shows_the_nearest_design_where_none_is_feasible(self):
+    def test_the_picture_shows_the_nearest_design_if_none_is_feasible(self):
         picture = self.folder / "map.svg"
         text = run("map", self.project, "--set", "analyses.map.limits={\"mass.z\"=\"1 mm\"}", "--picture", str(picture))[0]
         self.assertIn("No design is feasible; the nearest: ", text)
         self.assertIn("nearest design: margin 0.2", picture.read_text())
 
-    def test_the_headline_tells_of_the_rules_that_there_are(self):
+    def test_the_headline_names_only_existing_rules(self):
         both = run("map", self.project)[0]
         peaks = run("map", self.without_limits())[0]
         amplitudes = run("map", self.project, "--set", "analyses.map.no_peak=[]")[0]
@@ -196,7 +196,7 @@ class Map(unittest.TestCase):
         self.assertTrue("amplitudes over" not in peaks and "resonance peaks" in peaks)
         self.assertTrue("amplitudes over" in amplitudes and "resonance peaks" not in amplitudes)
 
-    def test_picture_and_report_say_what_was_asked(self):
+    def test_picture_and_report_state_the_question(self):
         asked = "amplitudes over all frequencies; resonance peaks at all frequencies, from 1 % above the adjacent minimum (rises below 1e-06 of the curve maximum are ignored)"
         out = self.folder / "out"
         self.assertIn(asked, run("run", self.project, "-o", str(out))[0])
@@ -224,7 +224,7 @@ class Map(unittest.TestCase):
         svg = self.picture(*still)
         self.assertIn("no rule limits it: no motion", svg)
 
-    def test_numbers_of_lines_stand_on_a_ground_above_all_lines(self):
+    def test_numbers_of_lines_have_a_background_above_all_lines(self):
         svg = self.picture()
         lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[:svg.index("margin = limit / value")])][:-1]  # the last is in the legend
         grounds = [m.start() for m in re.finditer('rx="3" fill="white"', svg)]
@@ -241,7 +241,7 @@ class Map(unittest.TestCase):
         self.assertIn("a coarse grid: regions below 25 % of an axis", run("map", self.project, "--points", "5")[0])
         self.assertNotIn("coarse", run("map", self.project, "--points", "21")[0])
 
-    def test_the_best_of_designs_without_bound_stands_in_their_midst(self):
+    def test_the_best_of_designs_without_bound_is_in_their_middle(self):
         found = json.loads(run("map", self.without_limits(), "--points", "41", "--json")[0])
         self.assertIsNone(found["best"]["margin"])
         self.assertGreater(found["best"]["without_bound"], 500)
@@ -260,7 +260,7 @@ class Map(unittest.TestCase):
         self.assertEqual(cases["strict"]["map"]["rules"][0]["allowed"], 0.012)
         self.assertTrue((out / "02-strict" / "map.svg").exists())
 
-    def test_a_run_holds_map_table_picture_and_section(self):
+    def test_a_run_contains_map_table_picture_and_section(self):
         out = self.folder / "out"
         text = run("run", self.project, "-o", str(out))[0]
         self.assertIn("Map of 81 designs", text)
@@ -274,7 +274,7 @@ class Map(unittest.TestCase):
     def test_the_same_input_gives_the_same_bytes(self):
         self.assertEqual(run("map", self.project, "--json")[0], run("map", self.project, "--json")[0])
 
-    def test_what_cannot_be_mapped_is_told(self):
+    def test_what_cannot_be_mapped_is_reported(self):
         self.assertIn("add map = ", run("map", str(SOURCE / "examples/paper/corrected.toml"), code=2)[1])
         for points in ("1", "0x5", "axb", "5x", "100000x100000", "-3x4"):
             self.assertIn("--points", run("map", self.project, "--points", points, code=2)[1])

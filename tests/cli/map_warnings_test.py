@@ -65,7 +65,7 @@ class MapWarnings(unittest.TestCase):
         near = BODY.replace('"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 5e7, to = 2e8')
         self.assertNotIn("far from all designs", self.map(near).stderr)
 
-    def test_a_map_without_doubts_warns_of_nothing(self):
+    def test_a_sound_map_has_no_warning(self):
         self.assertEqual(self.map(BODY).stderr, "")
 
     def test_a_case_that_contradicts_the_designs_around_it(self):
@@ -84,7 +84,7 @@ class MapWarnings(unittest.TestCase):
     def test_forces_that_move_nothing(self):
         self.warned(BODY.replace("force = [100, 0, 0]", "force = [0, 0, 0]"), "all answers are 0")
 
-    def test_what_the_model_itself_gives_to_doubt(self):
+    def test_warnings_of_the_model_itself(self):
         guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace('"m.x" = "1 mm"', '"ground.force.x" = "1 kN"')
         self.warned(guided, "without the forces that guides carry")
 

@@ -73,7 +73,7 @@ class Questions(unittest.TestCase):
         self.machine = self.folder / "machine.toml"
         self.machine.write_text(MACHINE)
 
-    def test_say_what_run_says(self):
+    def test_report_what_run_reports(self):
         met = set()
         for project in [*EXAMPLES, self.machine]:
             out = self.folder / project.parent.name / project.stem
@@ -95,7 +95,7 @@ class Questions(unittest.TestCase):
                 self.assertEqual(trivet(question, project, "--csv").stdout, (tables / f"{first}.csv").read_text(), f"{question} of {project}")
         self.assertEqual(met, set(QUESTIONS))
 
-    def test_of_the_file_alone_say_what_is_missing(self):
+    def test_name_what_is_missing_in_the_file(self):
         bare = self.folder / "bare.toml"
         bare.write_text(MACHINE[:MACHINE.index("[limit_lines")])
         for question, words in (("orders", "speed"), ("transmissibility", "force"), ("shapes", "at ="), ("shock_spectrum", "band"), ("earthquake", "direction"), ("limit_lines", "[limit_lines.NAME]")):

@@ -55,14 +55,14 @@ class ReportPage(unittest.TestCase):
             page = subprocess.run(view, check=True, capture_output=True, text=True, timeout=300).stdout
             return re.sub("<script.*?</script>", "", page, flags=re.DOTALL)
 
-    def test_only_limits_that_are_kept_are_calm(self):
+    def test_the_page_is_calm_only_if_limits_are_met(self):
         kept, broken = self.page("1 m"), self.page("12 mm")
         self.assertRegex(kept, '<p class="calm">✓ No warnings; all checks of the data passed in all cases.</p>')
         self.assertNotIn("Limits are exceeded", kept)
         self.assertIn("Limits are exceeded: </span>Base model (1 of 1); see below.", broken)
         self.assertNotIn('class="calm"', broken)
 
-    def test_the_overview_tells_what_the_map_found(self):
+    def test_the_overview_reports_the_verdicts_of_the_map(self):
         overview = re.search('<[^>]*id="cases".*?</table>', self.page("12 mm"), re.DOTALL).group()
         self.assertIn("rules of the map", overview)
         verdicts = [re.findall("[✓✗] ([^<]*)<", row)[-1] for row in overview.split("<tr")[2:]]

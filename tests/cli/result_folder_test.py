@@ -95,7 +95,7 @@ class SecondRun(InFolder):
         found = {str(path.relative_to(self.target)) for path in self.target.rglob("*") if path.is_file()}
         self.assertEqual(listed | {"manifest.json"}, found)
 
-    def test_what_the_user_put_there_stays(self):
+    def test_files_of_the_user_stay(self):
         self.succeeds()
         (self.target / "note.txt").write_text("mine")
         (self.target / "00-base" / "note.txt").write_text("mine too")
@@ -155,11 +155,11 @@ class SecondRun(InFolder):
         self.succeeds()
         self.assertEqual(self.target.stat().st_mode & 0o7777, 0o750)
 
-    def test_an_empty_folder_is_taken(self):
+    def test_an_empty_folder_is_used(self):
         self.target.mkdir()
         self.succeeds()
 
-    def test_missing_parents_are_made_and_removed_if_nothing_comes_of_it(self):
+    def test_missing_parents_are_made_and_removed_if_the_run_fails(self):
         self.target = self.work / "a" / "b" / "out"
         bad = self.folder / "bad.toml"
         bad.write_text((ONE_MASS + CASES).replace("mass = 4", "mass = -4"))
@@ -169,7 +169,7 @@ class SecondRun(InFolder):
         self.assertEqual(os.listdir(self.work / "a" / "b"), ["out"])
 
 
-class Refusal(InFolder):
+class Rejection(InFolder):
     def test_links_are_neither_followed_nor_replaced(self):
         elsewhere = self.work / "elsewhere"
         elsewhere.mkdir()
@@ -210,7 +210,7 @@ class Refusal(InFolder):
             self.run_trivet()
             self.assertEqual(victim.read_text(), "text")
 
-    def test_manifests_that_are_none(self):
+    def test_files_that_are_not_manifests(self):
         for text in ("", "{", "[]", '{"format": "other"}', '{"format": "trivet-manifest", "files": 3}', '{"format": "trivet-manifest", "files": [{"path": 3}]}',
                      '{"format": "trivet-manifest", "files": [{"path": "a", "size": -1, "sha256": "x"}]}', "\0" * 100):
             self.target.mkdir(exist_ok=True)
@@ -254,7 +254,7 @@ class AtOnce(InFolder):
                 (self.target / "note.txt").write_text("mine")
         self.assertEqual((self.target / "note.txt").read_text(), "mine")
 
-    def test_the_name_always_holds_a_whole_result(self):
+    def test_the_name_always_contains_a_whole_result(self):
         self.succeeds()
         (self.target / "note.txt").write_text("mine")
         runs = [subprocess.Popen([TRIVET, "run", str(self.project), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(4)]
@@ -296,7 +296,7 @@ class AfterAKill(InFolder):
         self.assertEqual(sorted(os.listdir(self.target)), OURS)
         self.nothing_beside()
 
-    def test_the_living_and_what_only_looks_like_ours_are_spared(self):
+    def test_folders_with_similar_names_are_kept(self):
         lookalike = self.work / ".trivet-aaaaaaaaaaaaaaaaaaaa"
         lookalike.mkdir()
         (lookalike / "note.txt").write_text("mine")

@@ -35,7 +35,7 @@ class Sizes(Refused):
         self.refused("more than 20000 rows", text=BODY + table, files=[("t.csv", rows)])
         self.refused("200000 columns", "at most 2000 columns", text=BODY + table, files=[("t.csv", ",".join(f"c{i}" for i in range(200000)) + "\n")])
 
-    def test_peaks_of_a_large_system_are_refused_before_the_search(self):
+    def test_peaks_of_a_large_system_are_rejected_before_the_search(self):
         text = "trivet = 1\n" + "".join(f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(60))
         text += "".join(mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)) + FORCE.replace('"b"', '"b0"')
         self.refused("hours of search", "name fewer answers in `of`", text=text + "[analyses]\npeaks = {}\n")
@@ -45,7 +45,7 @@ class Sizes(Refused):
 
 
 class Extremes(InTemporaryFolder):
-    def test_random_answers_beside_a_stiffness_of_another_world(self):
+    def test_random_answers_with_one_extreme_stiffness(self):
         example = (SOURCE / "examples/optical_table/table.toml").read_text()
         for file in (SOURCE / "examples/optical_table").glob("*.csv"):
             (self.folder / file.name).write_text(file.read_text())

@@ -232,7 +232,7 @@ class Acceptances(InTemporaryFolder):
         done = self.check(self.machine)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_of_a_mount_do_not_silence_the_questions(self):
+    def test_those_of_a_mount_do_not_silence_the_questions(self):
         self.machine["analyses"] = {"response": {"band": ["900 Hz", "2000 Hz"]}}
         self.machine["cases"] = {}
         self.machine.pop("limits", None), self.machine.pop("limit_lines", None)
@@ -243,7 +243,7 @@ class Acceptances(InTemporaryFolder):
         mounts[0]["accept"] = {"scale": "stops"}
         self.assertIn("band", reported_kinds(self.check(self.machine)))
 
-    def test_of_a_foundation_are_accepted_there(self):
+    def test_those_of_a_foundation_are_accepted_there(self):
         mount = next(iter(self.machine["elements"].values()))
         mount["foundation"] = "deck"
         self.machine["foundations"] = {"deck": {"type": "impedance", "translation": [1e8, 1e8, 1e8], "damping": {"loss_factor": 0.8}}}
@@ -269,13 +269,13 @@ class Acceptances(InTemporaryFolder):
         self.assertIn("400 kg if typed in grams", (self.folder / "out/report.html").read_text())
         self.assertIn("400 kg if typed in grams", (self.folder / "out/results.json").read_text())
 
-    def test_are_errors_where_nothing_is_suspicious(self):
+    def test_are_errors_if_nothing_is_suspicious(self):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "heavy"}
         done = self.check(self.machine)
         self.assertEqual(done.returncode, 2)
         self.assertIn("no case has a suspicion of this kind here", done.stderr)
 
-    def test_of_a_case_are_needed_by_that_case_only(self):
+    def test_those_of_a_case_are_needed_by_that_case_only(self):
         self.machine["cases"] = {"heavy": {"bodies": {"compressor": {"mass": 400000, "accept": {"mass": "filled"}}}}}
         self.assertEqual(self.check(self.machine).stderr, "")
         self.machine["cases"] = {"heavy": {"bodies": {"compressor": {"mass": 400000}}}}

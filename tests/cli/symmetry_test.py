@@ -97,7 +97,7 @@ class SymmetricTable(unittest.TestCase):
             self.assertTrue(any(abs(f / natural - 1) < MOVED_BY_MOUNTS for f in found), (natural, found))
 
 
-    def test_limits_are_judged_where_the_table_begins_above_rest(self):
+    def test_limits_are_judged_if_the_table_begins_above_rest(self):
         more = ('response = {of = ["table.z"], excitations = ["shaken"]}\n[limits]\n"table.z" = 1\n'
                 '[excitations.shaken]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n')
         (self.folder / "table.toml").write_text(project(0) + more)

@@ -112,7 +112,7 @@ class TemporaryFiles(Faults):
         self.fails("set TMPDIR", "run", self.folder / "pump.toml", "-o", self.work / "out", environment={"TMPDIR": str(self.folder / "missing")})
         self.assertEqual(os.listdir(self.work), [])
 
-    def test_commands_that_need_none_do_not_mind(self):
+    def test_commands_that_need_none_succeed(self):
         self.assertEqual(self.run_trivet("run", self.project, "-o", self.work / "out", environment={"TMPDIR": "/missing"}).returncode, 0)
 
     def test_a_full_quota(self):
@@ -166,7 +166,7 @@ class Cache(Faults):
                 done = self.run_trivet("modes", project, environment={"TRIVET_CACHE": str(place)})
                 self.assertEqual((done.returncode, done.stdout, done.stderr), (0, self.first.stdout, ""))
 
-    def test_what_a_killed_run_left_goes(self):
+    def test_leftovers_of_a_killed_run_are_removed(self):
         project, entry = self.entry_made()
         left = self.cache / ".trivet-aaaaaaaaaaaaaaaaaaaa"
         left.mkdir()
@@ -193,16 +193,16 @@ class Gmsh(Faults):
                 self.nothing_left()
                 self.assertEqual((os.listdir(self.work), os.listdir(self.cache)), ([], []))
 
-    def test_that_fails(self):
+    def test_failure_is_reported(self):
         self.rejected("gmsh failed (exit code 3): no licence", "#!/bin/sh\necho no licence\nexit 3\n")
         self.rejected("gmsh failed (signal 11)", "#!/bin/sh\nkill -SEGV $$\n")
         self.rejected("gmsh cannot be started: Exec format error", "nonsense\n")
         self.rejected("gmsh cannot be started: No such file or directory", "#!/no/such/program\n")
 
-    def test_that_fails_although_our_parent_ignores_the_end_of_children(self):
+    def test_failure_is_reported_although_our_parent_ignores_the_end_of_children(self):
         self.rejected("gmsh failed (exit code 3)", "#!/bin/sh\nexit 3\n", preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
 
-    def test_that_writes_nothing_or_nonsense(self):
+    def test_no_output_or_nonsense_is_rejected(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")
         for odd in ("mkfifo faces.txt", "mkdir faces.msh", "ln -s /dev/zero faces.msh"):
             self.rejected("which is not a file", f"#!/bin/sh\n{odd}\n")
@@ -211,18 +211,18 @@ class Gmsh(Faults):
         self.rejected("", "#!/bin/sh\nprintf '1e18 nan -1\\n999999999999999999 1 2 3' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$Nodes\\n99999999999\\n' > faces.msh\n")
         self.rejected("", "#!/bin/sh\nprintf '1\\n1\\n1\\n1\\n1 1 0 0 0\\n' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n9\\n' > faces.msh\n")
 
-    def test_that_hangs(self):
+    def test_a_hanging_one_is_stopped(self):
         self.rejected("gmsh had not finished after 0.5 s and was stopped", "#!/bin/sh\nsleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
         self.rejected("gmsh had not finished", "#!/bin/sh\ntrap '' TERM INT HUP\nsleep 1000 & sleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
 
-    def test_that_prints_for_ever(self):
+    def test_endless_output_is_stopped(self):
         self.rejected("ended after 100 MB of messages", "#!/bin/sh\nexec yes\n")
 
     def test_its_time_must_be_a_time(self):
         for wrong in ("0", "-1", "nan", "inf", "1e9", "soon", "1 s"):
             self.rejected(f'TRIVET_GMSH_SECONDS = "{wrong}"', "#!/bin/sh\nexit 0\n", environment={"TRIVET_GMSH_SECONDS": wrong})
 
-    def test_what_it_started_ends_with_it(self):
+    def test_its_children_end_with_it(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nsleep 1000 &\nexit 0\n")
 
 
@@ -251,7 +251,7 @@ class Files(Faults):
         self.fails("at most 100 bytes", "check", self.file(long_body.replace(name, name + "ä"), "longer.toml"), lines=10)
         self.fails("File name too long", "map", SOURCE / "examples/paper/map.toml", "--points", "3", "--picture", self.work / ("n" * 300 + ".svg"))
 
-    def test_names_that_are_no_utf_8(self):
+    def test_names_that_are_not_utf_8(self):
         raw = os.fsencode(self.folder) + b"/\xff\xfe\x80.toml"
         shutil.copy(os.fsencode(self.project), raw)
         target = os.fsencode(self.work) + b"/out\xff"

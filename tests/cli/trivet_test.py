@@ -90,7 +90,7 @@ class Contract(InTemporaryFolder):
         self.assertEqual(len(growing), 1)
         self.assertIsNone(growing[0]["angular_frequency"])
 
-    def test_as_printed_without_permission_is_refused(self):
+    def test_as_printed_without_permission_is_rejected(self):
         bad = self.file(PRINTED.read_text().replace("allow_unphysical = true\n", ""))
         done = trivet("run", bad, "-o", self.folder / "out")
         self.assertEqual(done.returncode, 2)
@@ -139,14 +139,14 @@ class Contract(InTemporaryFolder):
         self.assertEqual(verdict["problems"][0]["severity"], "error")
         self.assertGreater(verdict["problems"][0]["line"], 0)
 
-    def test_a_word_that_is_no_command_is_named(self):
+    def test_an_unknown_command_is_named(self):
         run = trivet("modess", PAPER)
         self.assertEqual((run.returncode, run.stderr), (2, 'error: "modess" is not a command; did you mean "modes"?\n'))
         none = trivet()
         self.assertEqual(none.returncode, 2)
         self.assertIn("subcommand is required", none.stderr)
 
-    def test_schema_holds_for_examples_and_catches_a_typing_error(self):
+    def test_schema_accepts_examples_and_finds_a_typing_error(self):
         import jsonschema
         schema = json.loads(trivet("schema").stdout)
         validator = jsonschema.Draft7Validator(schema)
