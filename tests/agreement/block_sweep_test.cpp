@@ -3,21 +3,19 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <random>
+#include <complex>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
+#include "support/coupled_bodies.h"
 #include "support/matchers.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/numerics/sweep/block_elimination.h"
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
@@ -26,86 +24,11 @@ namespace {
 using namespace trivet;
 using Eigen::Index;
 using numerics::DynamicMatrices;
-using Edges = std::vector<std::pair<Index, Index>>;
-using Sizes = std::vector<Index>;
+using test::chain_edges, test::full_edges, test::ring_edges, test::tree_edges;
+using test::CoupledBodies, test::Edges, test::Sizes;
 
 /// Backward stability allows round-off times the condition, and a little for the sums over many rows.
 constexpr double condition_share = 64 * test::epsilon;
-
-class Assembly {
- public:
-  explicit Assembly(unsigned seed) : generator_(seed) {}
-
-  /// Bodies with `sizes` coordinates, elements of damping ratio near `damping` between them, the first on the ground.
-  DynamicMatrices bodies(const Sizes& sizes, const Edges& edges, double damping) {
-    std::vector<Index> first = {0};
-    for (const Index s : sizes) first.push_back(first.back() + s);
-    const Index n = first.back();
-    DynamicMatrices m{
-        Eigen::MatrixXd::Zero(n, n),     Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n), {}, true,
-        {first.begin(), first.end() - 1}};
-    for (std::size_t b = 0; b < sizes.size(); ++b)
-      m.A.block(first[b], first[b], sizes[b], sizes[b]) = positive(sizes[b], 1);
-    m.K.topLeftCorner(sizes[0], sizes[0]) = positive(sizes[0], 1000);
-    for (const auto& [i, j] : edges) {
-      const auto a = to_size(i), b = to_size(j);
-      const Index together = sizes[a] + sizes[b];
-      std::vector<Index> rows;
-      for (Index k = 0; k < sizes[a]; ++k) rows.push_back(first[a] + k);
-      for (Index k = 0; k < sizes[b]; ++k) rows.push_back(first[b] + k);
-      m.K(rows, rows) += positive(together, 1000);
-      m.B(rows, rows) += positive(together, 60 * damping);
-    }
-    return m;
-  }
-
-  Eigen::VectorXcd load(Index n, Index loaded) {
-    Eigen::VectorXcd h = Eigen::VectorXcd::Zero(n);
-    for (Index i = 0; i < loaded; ++i) h((i * 7) % n) = {normal_(generator_), normal_(generator_)};
-    return h;
-  }
-
-  Eigen::ArrayXXcd numbers(Index rows, Index columns) {
-    Eigen::ArrayXXcd x(rows, columns);
-    for (std::complex<double>& entry : x.reshaped()) {
-      entry.real(normal_(generator_));
-      entry.imag(normal_(generator_));
-    }
-    return x;
-  }
-
-  Eigen::MatrixXd positive(Index n, double size) {
-    Eigen::MatrixXd x(n, n);
-    for (double& entry : x.reshaped()) entry = normal_(generator_);
-    return size * (x * x.transpose() / static_cast<double>(n) + 0.3 * Eigen::MatrixXd::Identity(n, n));
-  }
-
- private:
-  std::mt19937 generator_;
-  std::normal_distribution<double> normal_;
-};
-
-Edges chain(Index bodies) {
-  Edges edges;
-  for (Index i = 0; i + 1 < bodies; ++i) edges.emplace_back(i, i + 1);
-  return edges;
-}
-Edges ring(Index bodies) {
-  Edges edges = chain(bodies);
-  edges.emplace_back(0, bodies - 1);
-  return edges;
-}
-Edges tree(Index bodies) {
-  Edges edges;
-  for (Index i = 1; i < bodies; ++i) edges.emplace_back((i - 1) / 3, i);
-  return edges;
-}
-Edges full(Index bodies) {
-  Edges edges;
-  for (Index i = 0; i < bodies; ++i)
-    for (Index j = 0; j < i; ++j) edges.emplace_back(j, i);
-  return edges;
-}
 
 std::vector<double> frequencies(Index count, double highest = 80) {
   std::vector<double> omega;
@@ -171,25 +94,21 @@ numerics::SweepResult by_blocks(const DynamicMatrices& m, const numerics::Load& 
   return result;
 }
 
-numerics::Couplings couplings_of(const DynamicMatrices& m) {
-  return numerics::couplings(m.size(), numerics::symmetric_entries(m, Eigen::VectorXd::Ones(m.size())));
-}
-
 TEST(BlockSweep, GraphsOfEveryShapeAgreeWithExtendedPrecision) {
-  Assembly random(3);
+  CoupledBodies random(3);
   const Sizes six(7, 6), mixed = {6, 3, 5, 1, 6, 8, 2, 6, 4};
   const std::vector<std::tuple<std::string, Sizes, Edges>> cases = {{"one body", {6}, {}},
-                                                                    {"two", {6, 6}, chain(2)},
-                                                                    {"chain", six, chain(7)},
-                                                                    {"ring", six, ring(7)},
-                                                                    {"tree", Sizes(13, 6), tree(13)},
-                                                                    {"full", six, full(7)},
-                                                                    {"mixed chain", mixed, chain(9)},
-                                                                    {"mixed ring", mixed, ring(9)},
-                                                                    {"mixed tree", mixed, tree(9)},
-                                                                    {"mixed full", mixed, full(9)},
-                                                                    {"planar", Sizes(8, 3), ring(8)},
-                                                                    {"not coupled", {6, 6, 6}, chain(2)}};
+                                                                    {"two", {6, 6}, chain_edges(2)},
+                                                                    {"chain", six, chain_edges(7)},
+                                                                    {"ring", six, ring_edges(7)},
+                                                                    {"tree", Sizes(13, 6), tree_edges(13)},
+                                                                    {"full", six, full_edges(7)},
+                                                                    {"mixed chain", mixed, chain_edges(9)},
+                                                                    {"mixed ring", mixed, ring_edges(9)},
+                                                                    {"mixed tree", mixed, tree_edges(9)},
+                                                                    {"mixed full", mixed, full_edges(9)},
+                                                                    {"planar", Sizes(8, 3), ring_edges(8)},
+                                                                    {"not coupled", {6, 6, 6}, chain_edges(2)}};
   for (const auto& [name, sizes, edges] : cases)
     for (const double damping : {0.3, 1e-3}) {
       DynamicMatrices m = random.bodies(sizes, edges, damping);
@@ -212,8 +131,8 @@ TEST(BlockSweep, NoCoordinatesHaveNoResponse) {
 }
 
 TEST(BlockSweep, LossFactorsAndLoadsThatVaryWithFrequencyAreFollowed) {
-  Assembly random(4);
-  DynamicMatrices m = random.bodies(Sizes(4, 6), ring(4), 0.02);
+  CoupledBodies random(4);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), ring_edges(4), 0.02);
   m.K_loss = 0.1 * m.K;
   numerics::Load load(m.size());
   load.add({0, 0.01, random.load(m.size(), 3)});
@@ -224,9 +143,9 @@ TEST(BlockSweep, LossFactorsAndLoadsThatVaryWithFrequencyAreFollowed) {
 }
 
 TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
-  Assembly random(5);
+  CoupledBodies random(5);
   const Sizes sizes = {6, 1, 6, 1, 6, 3};
-  DynamicMatrices m = random.bodies(sizes, chain(6), 0.1);
+  DynamicMatrices m = random.bodies(sizes, chain_edges(6), 0.1);
   for (const Index row : {6, 13, 20, 21, 22}) {
     m.A.row(row).setZero();
     m.A.col(row).setZero();
@@ -237,8 +156,8 @@ TEST(BlockSweep, CoordinatesWithoutMassAreEliminatedLikeOthers) {
 }
 
 TEST(BlockSweep, EntriesAndLoadsGivenForEachFrequencyJoinThePlan) {
-  Assembly random(15);
-  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain(5), 0.1);
+  CoupledBodies random(15);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 3}, chain_edges(5), 0.1);
   const Index n = m.size();
   // Entries within a body, between coupled bodies, and between two bodies without another coupling.
   const std::vector<numerics::FreeEntry> free = {{0, 0}, {3, 1}, {2, 8}, {24, 4}, {12, 11}, {20, 20}};
@@ -281,8 +200,8 @@ double worst_difference(const Eigen::MatrixXcd& a, const Eigen::MatrixXcd& b) {
 }
 
 /// Every body has an undamped leading pivot k − ω²m that vanishes exactly at ω = 10.
-DynamicMatrices vanishing_pivots(Assembly& random) {
-  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.05);
+DynamicMatrices vanishing_pivots(CoupledBodies& random) {
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain_edges(4), 0.05);
   for (Index body = 0; body < 4; ++body) {
     const Index i = 6 * body;
     m.B.row(i).setZero();
@@ -294,7 +213,7 @@ DynamicMatrices vanishing_pivots(Assembly& random) {
 }
 
 TEST(BlockSweep, AVanishingPivotIsRejectedAndChangesNoOtherFrequency) {
-  Assembly random(6);
+  CoupledBodies random(6);
   const DynamicMatrices m = vanishing_pivots(random);
   const numerics::Load load = random.load(m.size(), m.size());
   const std::vector<double> with = {3, 10, 20, 30}, without = {3, 20, 30};
@@ -309,7 +228,7 @@ TEST(BlockSweep, AVanishingPivotIsRejectedAndChangesNoOtherFrequency) {
 }
 
 TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrReplaced) {
-  Assembly random(6);
+  CoupledBodies random(6);
   const DynamicMatrices m = vanishing_pivots(random);
   const numerics::Load load = random.load(m.size(), m.size());
   std::vector<double> omega;
@@ -318,9 +237,9 @@ TEST(BlockSweep, PivotsThatNearlyVanishAreRefinedOrReplaced) {
 }
 
 TEST(BlockSweep, ResonancesWithLightDampingKeepTheirBackwardError) {
-  Assembly random(8);
+  CoupledBodies random(8);
   for (const double damping : {1e-3, 1e-6}) {
-    const DynamicMatrices m = random.bodies(Sizes(6, 6), tree(6), damping);
+    const DynamicMatrices m = random.bodies(Sizes(6, 6), tree_edges(6), damping);
     const Eigen::VectorXd squares = numerics::symmetric_eigen(m.K, m.A).values;
     std::vector<double> omega;
     for (const double square : squares)
@@ -331,8 +250,8 @@ TEST(BlockSweep, ResonancesWithLightDampingKeepTheirBackwardError) {
 }
 
 TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
-  Assembly random(9);
-  DynamicMatrices m = random.bodies(Sizes(4, 6), chain(4), 0.02);
+  CoupledBodies random(9);
+  DynamicMatrices m = random.bodies(Sizes(4, 6), chain_edges(4), 0.02);
   m.K.topRows(6).setZero();  // the first body is free: it has only mass
   m.K.leftCols(6).setZero();
   m.B.topRows(6).setZero();
@@ -349,8 +268,8 @@ TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
 }
 
 TEST(BlockSweep, AllInstructionSetsAgree) {
-  Assembly random(10);
-  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 1, 6, 8}, ring(7), 0.05);
+  CoupledBodies random(10);
+  const DynamicMatrices m = random.bodies({6, 4, 6, 6, 1, 6, 8}, ring_edges(7), 0.05);
   const numerics::Load load = random.load(m.size(), 9);
   const std::vector<double> omega = frequencies(37);
   constexpr double round_off = 1e-11;  // ε times a condition of a few thousand
@@ -364,8 +283,8 @@ TEST(BlockSweep, AllInstructionSetsAgree) {
 }
 
 TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
-  Assembly random(11);
-  const DynamicMatrices m = random.bodies(Sizes(9, 6), tree(9), 1e-4);
+  CoupledBodies random(11);
+  const DynamicMatrices m = random.bodies(Sizes(9, 6), tree_edges(9), 1e-4);
   const numerics::Load load = random.load(m.size(), 4);
   const std::vector<double> omega = frequencies(333);
   const numerics::BlockSweep blocks(m, load);
@@ -379,64 +298,6 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
   const numerics::SweepResult one = with_threads(1), sixteen = with_threads(16);
   EXPECT_EQ(one.response, sixteen.response);
   EXPECT_EQ(one.backward_error, sixteen.backward_error);
-}
-
-std::size_t filled(const Edges& edges, Index bodies) {
-  Assembly random(12);
-  const DynamicMatrices m = random.bodies(Sizes(to_size(bodies), 6), edges, 0.1);
-  const numerics::BlockElimination found =
-      numerics::block_elimination(couplings_of(m), m.blocks, std::vector<bool>(to_size(m.size()), true));
-  std::size_t below = 0;
-  for (const auto& column : found.below) below += column.size();
-  return below - edges.size();
-}
-
-TEST(BlockElimination, ChainsAndTreesFillNothingAndARingOneBlockPerBody) {
-  EXPECT_EQ(filled(chain(20), 20), 0U);
-  EXPECT_EQ(filled(tree(40), 40), 0U);
-  EXPECT_EQ(filled(ring(20), 20), 17U);
-  EXPECT_EQ(filled(full(8), 8), 0U);
-}
-
-TEST(BlockElimination, ALoadIsEliminatedLastIfThatCostsNothing) {
-  Assembly random(13);
-  const DynamicMatrices m = random.bodies(Sizes(12, 6), chain(12), 0.1);
-  for (const Index body : {0, 5, 11}) {
-    std::vector<bool> loaded(to_size(m.size()), false);
-    loaded[to_size(6 * body + 2)] = true;
-    const numerics::BlockElimination found = numerics::block_elimination(couplings_of(m), m.blocks, loaded);
-    EXPECT_EQ(found.rows.back() / 6, body);
-  }
-}
-
-TEST(BlockElimination, BodiesAreFoundInTheCouplings) {
-  constexpr double times_the_cost = 1.3;  // of the elimination by the bodies themselves
-  Assembly random(14);
-  for (const Sizes& sizes : {Sizes(10, 6), Sizes(10, 3), Sizes{6, 3, 6, 3, 6, 3}}) {
-    const auto bodies = static_cast<Index>(sizes.size());
-    DynamicMatrices m = random.bodies(sizes, chain(bodies), 0.1);
-    const std::vector<bool> loaded(to_size(m.size()), true);
-    const double named = numerics::cost(numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded));
-    m.blocks.clear();
-    EXPECT_LE(numerics::cost(numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded)),
-              times_the_cost * named);
-  }
-}
-
-TEST(BlockElimination, BodiesWithZerosInTheirCouplingsAreNotCutIntoSmallBlocks) {
-  // As with skew dampers in a plane: blocks of one row need a few multiplications less, but many more visits.
-  Assembly random(16);
-  DynamicMatrices m = random.bodies(Sizes(10, 6), chain(10), 0.1);
-  const std::array<const char*, 6> pattern = {"xx.xxx", "xx.xxx", "..xxx.", "xxxxxx", "xxxxxx", "xx.xxx"};
-  for (Eigen::MatrixXd* matrix : {&m.A, &m.B, &m.K})
-    for (Index i = 0; i < m.size(); ++i)
-      for (Index j = 0; j < m.size(); ++j)
-        if (pattern[to_size(i % 6)][j % 6] == '.') (*matrix)(i, j) = 0;
-  m.blocks.clear();
-  std::vector<bool> loaded(to_size(m.size()), false);
-  std::fill(loaded.end() - 6, loaded.end(), true);
-  const numerics::BlockElimination found = numerics::cheapest_block_elimination(couplings_of(m), m.blocks, loaded);
-  EXPECT_EQ(found.count(), 10);
 }
 
 }  // namespace
