@@ -54,7 +54,7 @@ test::Triangles sphere(int around) {
 }
 
 TEST(StlSolid, TorusConvergesAtSecondOrder) {
-  constexpr double higher_orders = 0.05, extrapolation = 1e-4;
+  constexpr double higher_orders = 0.05, extrapolation = 1e-4;  // what second order leaves
   const double volume = 2 * pi * pi * 30 * 100 * 1e-9 * 1000;
   const double coarse = 1 - of_triangles(torus(60, 30)).mass / volume,
                fine = 1 - of_triangles(torus(120, 60)).mass / volume;

@@ -85,7 +85,7 @@ TEST(Simplification, KeepsTheBounceOfACoilSpringAndLosesItsTilting) {
   const auto project = trivet::test::project(body + coil);
   const Simplification simple = trivet::study::simplification(project.base(), {0});
   const auto& stiffness = project.base().system.elements()[0].law.nominal_stiffness;
-  constexpr double helix_coupling = 1e-3;
+  constexpr double helix_coupling = 1e-3;  // of the vertical with other directions
   // On a single spring the vertical stiffness alone determines the bounce, except for the coupling of the helix itself.
   const ModeComparison& bounce = named(simple, "translation along z");
   EXPECT_NEAR(*bounce.simplified, std::sqrt(stiffness(8, 8) / 50), round_off * *bounce.simplified);

@@ -218,7 +218,7 @@ TEST(EngineLayout, ThrowsOfUsualEnginesFollowFromTheirFiring) {
   };
   using ::testing::ElementsAre;
   const auto near = [](double d) {
-    constexpr double round_off_in_degrees = 1e-9;
+    constexpr double round_off_in_degrees = 1e-9;  // a product and a remainder of numbers up to 360
     return ::testing::Truly([d](double x) { return std::abs(std::remainder(x - d, 360)) < round_off_in_degrees; });
   };
   EXPECT_THAT(throws({.cylinders = 4}), ElementsAre(near(0), near(180), near(180), near(0)));
