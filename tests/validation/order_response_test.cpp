@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Run-up, transmissibility, limits and load sharing of simple systems against closed forms.
+// Run-up of simple systems against closed forms.
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -9,14 +9,11 @@
 
 #include "support/guided_mass.h"
 #include "support/matchers.h"
-#include "support/random_system.h"
+#include "support/solved_system.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/machinery/campbell.h"
-#include "trivet/response/machinery/limit_line.h"
-#include "trivet/response/machinery/load_sharing.h"
 #include "trivet/response/machinery/run_up.h"
-#include "trivet/response/machinery/transmissibility.h"
 
 namespace {
 
@@ -27,33 +24,6 @@ constexpr double flat_maximum = 1e-8;    // the place of a maximum is known to t
 constexpr double golden_section = 1e-7;  // the same, of a maximum that values alone enclose
 constexpr double same_speed = 1e-12;     // round-off of two ways to a speed of the grid
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A system with its matrices, modes and roots.
-struct Solved {
-  explicit Solved(const model::Description& description)
-      : system(test::checked(description)),
-        assembled(assembly::assemble(system)),
-        modes(modal::modes(system, assembled)),
-        roots(modal::roots(system, assembled, modes)) {}
-
-  std::vector<assembly::Channel> channels(
-      const std::vector<std::string>& of,
-      assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement) const {
-    return assembly::channels(system, assembled, of, quantity);
-  }
-  response::RunUp run_up(const std::vector<std::string>& of, const response::Band& speed, int points = 101) const {
-    return response::run_up(assembled, channels(of), response::order_loadings(system, assembled), modes, roots,
-                            {speed, 1e-6, points});
-  }
-  response::Peaks peaks(const std::vector<assembly::Channel>& of, const assembly::Loading& loading) const {
-    return response::peaks(assembled, of, loading, modes, roots);
-  }
-
-  model::System system;
-  assembly::Assembled assembled;
-  modal::Modes modes;
-  modal::Roots roots;
-};
 
 double amplitude_at(const response::RunUp& run_up, std::size_t order, std::size_t curve, double speed) {
   for (std::size_t i = 0; i < run_up.speed.size(); ++i)
@@ -69,7 +39,7 @@ TEST(UnbalanceRunUp, PeaksAboveTheNaturalFrequency) {
   for (const double ratio : {1e-4, 0.02, 0.3, 0.6}) {
     model::Description d = test::guided_mass(mass, natural, ratio);
     d.excitations = {test::vertical_force("unbalance", 0, unbalance, 2)};
-    const response::RunUp found = Solved(d).run_up({"machine"}, {0, 200});
+    const response::RunUp found = test::SolvedSystem(d).run_up({"machine"}, {0, 200});
     ASSERT_EQ(found.critical.size(), 1u) << ratio;
     const response::CriticalSpeed& critical = found.critical[0];
     EXPECT_THAT(critical.speed, RelativelyNear(natural / std::sqrt(1 - 2 * ratio * ratio), flat_maximum)) << ratio;
@@ -91,7 +61,7 @@ TEST(UnbalanceRunUp, HasTheAmplitudesOfTheTextbookTable) {
   constexpr double mass = 3, natural = 50, unbalance = 0.02;
   model::Description d = test::guided_mass(mass, natural, 0.02);
   d.excitations = {test::vertical_force("unbalance", 0, unbalance, 2)};
-  const response::RunUp found = Solved(d).run_up({"machine"}, {25, 250}, 10);  // r = 0.5, 1.0, 1.5 …
+  const response::RunUp found = test::SolvedSystem(d).run_up({"machine"}, {25, 250}, 10);  // r = 0.5, 1.0, 1.5 …
   EXPECT_THAT(amplitude_at(found, 0, 0, 25) * mass / unbalance, RelativelyNear(0.33321487798725696, round_off));
   EXPECT_THAT(amplitude_at(found, 0, 0, 100) * mass / unbalance, RelativelyNear(1.3328595119490279, round_off));
   EXPECT_THAT(amplitude_at(found, 0, 0, 150) * mass / unbalance, RelativelyNear(1.1248734588534184, round_off));
@@ -101,7 +71,7 @@ TEST(UnbalanceRunUp, HasTheAmplitudesOfTheTextbookTable) {
 TEST(UnbalanceRunUp, HasNoBoundWithoutDamping) {
   model::Description d = test::guided_mass(2, 30, 0);
   d.excitations = {test::vertical_force("unbalance", 0, 0.01, 2)};
-  const response::RunUp found = Solved(d).run_up({"machine"}, {10, 70});
+  const response::RunUp found = test::SolvedSystem(d).run_up({"machine"}, {10, 70});
   ASSERT_EQ(found.critical.size(), 1u);
   EXPECT_THAT(found.critical[0].speed, RelativelyNear(30.0, round_off));
   EXPECT_EQ(found.critical[0].amplitude, infinity);
@@ -127,7 +97,7 @@ TEST(FourInLine, ShakesTheGroundWithItsSecondOrder) {
   model::Action on_block;
   on_block.body = 0;
   d.excitations = {{"engine", on_block, model::Orders{excitation::inertia_orders(four_in_line(), 2)}}};
-  const Solved solved(d);
+  const test::SolvedSystem solved(d);
   const response::RunUp found = solved.run_up({"ground.force.z"}, {20, 200}, 10);
   ASSERT_EQ(found.orders.size(), 1u);
   EXPECT_EQ(found.orders[0].order, 2);
@@ -157,7 +127,7 @@ TEST(RunUp, DistinguishesTallPeaksFromSmallOnes) {
     order.fixed(2) = force;
   }
   d.excitations = {{"shaft", action, model::Orders{orders}}};
-  const Solved solved(d);
+  const test::SolvedSystem solved(d);
   const response::RunUp found = solved.run_up({"machine"}, {10, 70}, 7);
   ASSERT_EQ(found.critical.size(), 4u);
   const double peak = natural * std::sqrt(1 - 2 * ratio * ratio);
@@ -174,7 +144,7 @@ TEST(RunUp, DistinguishesTallPeaksFromSmallOnes) {
   EXPECT_THROW(solved.run_up({"machine"}, {10, 70}, 1), foundation::InvalidInput);
   orders[0].order = 0;
   d.excitations[0].course = model::Orders{orders};
-  const Solved force_only(test::guided_mass(2, natural, ratio));
+  const test::SolvedSystem force_only(test::guided_mass(2, natural, ratio));
   EXPECT_THROW(force_only.run_up({"machine"}, {10, 70}), foundation::InvalidInput) << "nothing goes with a shaft";
   const model::System resting = test::checked(d);
   EXPECT_THROW((void)response::order_loadings(resting, assembly::assemble(resting)), foundation::InvalidInput)
@@ -190,7 +160,7 @@ TEST(Waterfall, HasALineForEveryOrderOfEverySpectrum) {
   half.fixed(2) = 3;
   twice.fixed(2) = 1;
   d.excitations.push_back({"gas", action, model::Orders{{half, twice}}});
-  const response::RunUp found = Solved(d).run_up({"machine"}, {10, 50}, 41);
+  const response::RunUp found = test::SolvedSystem(d).run_up({"machine"}, {10, 50}, 41);
   const auto lines = response::waterfall(found, 0, 5);
   ASSERT_EQ(lines.size(), 15u);
   EXPECT_EQ(lines[3].speed, 20);
@@ -230,7 +200,7 @@ TEST(CampbellDiagram, OrdersMeetDampedNaturalFrequencies) {
   one.per_speed_squared(2) = 0.1;
   three.fixed(2) = 5;
   d.excitations = {{"shaft", left, model::Orders{{one, three}}}};
-  const Solved solved(d);
+  const test::SolvedSystem solved(d);
   const response::Campbell found = response::campbell(response::order_loadings(solved.system, solved.assembled),
                                                       solved.modes, solved.roots, {10, 60});
   const double first = natural * std::sqrt(1 - ratio * ratio),
@@ -253,7 +223,7 @@ TEST(CampbellDiagram, OrdersMeetDampedNaturalFrequencies) {
 TEST(CampbellDiagram, ShowsWhichModeAnOrderDoesNotExcite) {
   model::Description d = two_masses(40, 0.02);
   d.excitations = {test::vertical_force("left rotor", 0, 0.1, 2), test::vertical_force("right rotor", 1, 0.1, 2)};
-  const Solved solved(d);
+  const test::SolvedSystem solved(d);
   const auto orders = response::order_loadings(solved.system, solved.assembled);
   ASSERT_EQ(orders.size(), 1u) << "equal orders act together";
   EXPECT_THAT(orders[0].excitations, testing::ElementsAre("left rotor", "right rotor"));
@@ -264,218 +234,6 @@ TEST(CampbellDiagram, ShowsWhichModeAnOrderDoesNotExcite) {
   EXPECT_FALSE(found.points[1].excited) << "pushed alike they do not swing against each other";
   EXPECT_EQ(response::order_loadings(solved.system, solved.assembled, {"left rotor"}).front().excitations.size(), 1u);
   EXPECT_THROW(response::order_loadings(solved.system, solved.assembled, {"left"}), foundation::InvalidInput);
-}
-
-/// |F_T/F| = |X/Y| of one degree of freedom.
-double textbook_transmissibility(double ratio, double r) {
-  const double c = 4 * ratio * ratio * r * r;
-  return std::sqrt((1 + c) / (std::pow(1 - r * r, 2) + c));
-}
-
-TEST(Transmissibility, OneMassHasTheTextbookCurve) {
-  constexpr double natural = 20;
-  for (const double ratio : {0.02, 0.1, 0.5, 1.5}) {
-    const Solved solved(test::guided_mass(7, natural, ratio));
-    const auto force = response::force_transmission(solved.system, solved.assembled, {0, Eigen::Vector3d::Zero(), {}});
-    const auto motion = response::displacement_transmission(solved.system, solved.assembled, {"machine"}, {});
-    for (const auto* way : {&force, &motion}) {
-      const auto curves = response::frequency_response(solved.assembled, way->channels, way->loading,
-                                                       {0.5 * natural, natural, 3 * natural});
-      for (const response::Curve& curve : curves.curves) {
-        EXPECT_EQ(curve.unit, "1");
-        EXPECT_THAT(std::abs(curve.value(0)), RelativelyNear(textbook_transmissibility(ratio, 0.5), round_off));
-        EXPECT_THAT(std::abs(curve.value(1)), RelativelyNear(textbook_transmissibility(ratio, 1), round_off));
-        EXPECT_THAT(std::abs(curve.value(2)), RelativelyNear(textbook_transmissibility(ratio, 3), round_off));
-      }
-      const response::Peaks peaks = solved.peaks(way->channels, way->loading);
-      const double r2 = (std::sqrt(1 + 8 * ratio * ratio) - 1) / (4 * ratio * ratio);
-      EXPECT_THAT(peaks.list[0].angular_frequency, RelativelyNear(natural * std::sqrt(r2), flat_maximum));
-      EXPECT_THAT(peaks.list[0].amplitude, RelativelyNear(textbook_transmissibility(ratio, std::sqrt(r2)), round_off));
-      for (const response::Crossover& crossover : response::crossovers(solved.assembled, *way, peaks)) {
-        EXPECT_THAT(crossover.angular_frequency.value(), RelativelyNear(std::numbers::sqrt2 * natural, round_off))
-            << "for any viscous damping";
-        EXPECT_EQ(crossover.proven_to, infinity);
-      }
-    }
-    EXPECT_THAT(force.channels,
-                testing::ElementsAre(testing::Field(&assembly::Channel::name, "ground"),
-                                     testing::Field(&assembly::Channel::name, "mount")));
-  }
-}
-
-TEST(Transmissibility, HasTheIsolationOfVdi2062) {
-  // Undamped: η = (n² − 2)/(n² − 1).
-  constexpr double efficiency[] = {0.6666666666666666, 0.875, 0.9333333333333333, 0.9583333333333334};
-  constexpr double isolation_db[] = {9.542425094393248, 18.06179973983887, 23.521825181113627, 27.604224834232124};
-  const Solved solved(test::guided_mass(4, 10, 0));
-  const auto force = response::force_transmission(solved.system, solved.assembled, {0, Eigen::Vector3d::Zero(), {}});
-  const auto curves = response::frequency_response(solved.assembled, force.channels, force.loading, {20, 30, 40, 50});
-  for (int i = 0; i < 4; ++i) {
-    const double ratio = std::abs(curves.curves[0].value(i));
-    EXPECT_THAT(response::isolation_efficiency(ratio), RelativelyNear(efficiency[i], round_off));
-    EXPECT_THAT(response::transmissibility_level(ratio), RelativelyNear(-isolation_db[i], round_off));
-  }
-  const response::Peaks peaks = solved.peaks(force.channels, force.loading);
-  EXPECT_THAT(response::crossovers(solved.assembled, force, peaks)[0].angular_frequency.value(),
-              RelativelyNear(10 * std::numbers::sqrt2, round_off));
-}
-
-TEST(Transmissibility, RelativeMotionHasNoCrossover) {
-  // The relative motion over a base motion tends to 1 from above: |r²/(1 − r²)|.
-  const Solved solved(test::guided_mass(4, 10, 0.05));
-  auto motion = response::displacement_transmission(solved.system, solved.assembled, {"machine"}, {});
-  motion.channels = {solved.channels({"machine.relative"})[2]};
-  const response::Peaks peaks = solved.peaks(motion.channels, motion.loading);
-  EXPECT_FALSE(response::crossovers(solved.assembled, motion, peaks)[0].angular_frequency.has_value());
-}
-
-TEST(Transmissibility, RejectsARatioOfDifferentUnits) {
-  const Solved solved(test::guided_mass(4, 10, 0.05));
-  const response::Direction up, turn{Eigen::Vector3d::UnitX(), true};
-  EXPECT_THAT(
-      [&] { (void)response::force_transmission(solved.system, solved.assembled, {0, {}, up}, turn); },
-      testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a moment over a force has the unit m")));
-  EXPECT_THAT(
-      [&] { (void)response::displacement_transmission(solved.system, solved.assembled, {"machine"}, turn, up); },
-      testing::ThrowsMessage<foundation::InvalidInput>(
-          testing::HasSubstr("a translation over a rotation has the unit m")));
-  EXPECT_THAT(
-      [&] {
-        (void)response::force_transmission(solved.system, solved.assembled, {0, {}, {Eigen::Vector3d::Zero(), false}});
-      },
-      testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("length > 0")));
-  EXPECT_THROW((void)response::displacement_transmission(solved.system, solved.assembled, {"mount"}, up),
-               foundation::InvalidInput);
-}
-
-TEST(Transmissibility, HasTheDirectionOfAForceOfTheModel) {
-  model::Description d = test::guided_mass(4, 10, 0.05);
-  d.bodies[0].pose.rotation << 0, 0, 1, 1, 0, 0, 0, 1, 0;  // body z along ground x
-  d.elements[0].k.axes = d.bodies[0].pose.rotation.transpose();
-  d.excitations = {test::vertical_force("push", 0, std::polar(3.0, 0.7)), test::vertical_force("both", 0, 1),
-                   test::vertical_force("round", 0, 1)};
-  d.excitations[1].action.amplitude(3) = 1;
-  d.excitations[2].action.amplitude(1) = {0, 1};
-  const model::System system = test::checked(d);
-  const response::AppliedForce push = response::applied_force(system, "push");
-  constexpr double last_digit = 4 * test::epsilon;  // a rotation and a root
-  EXPECT_NEAR((push.direction.axis.normalized() - Eigen::Vector3d::UnitX()).norm(), 0, last_digit);
-  EXPECT_FALSE(push.direction.rotation);
-  EXPECT_THAT([&] { (void)response::applied_force(system, "both"); },
-              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("a force and a moment")));
-  EXPECT_THAT([&] { (void)response::applied_force(system, "round"); },
-              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("differ in phase")));
-  EXPECT_THROW((void)response::applied_force(system, "none"), foundation::InvalidInput);
-}
-
-response::LimitComparison velocity_of_mass(const response::LimitLine& line, const response::Band& band,
-                                           double ratio = 0.05) {
-  model::Description d = test::guided_mass(2, 30, ratio);
-  d.excitations = {test::vertical_force("push", 0, 5)};
-  const Solved solved(d);
-  const auto channels = solved.channels({"machine"}, assembly::MotionQuantity::velocity);
-  const auto loading = assembly::harmonic_loading(solved.system, solved.assembled);
-  return response::compared_with_limit(solved.assembled, channels[0], loading, solved.roots.poles,
-                                       solved.peaks(channels, loading), line, band);
-}
-
-TEST(LimitLine, IsExceededBetweenTheRootsOfTheClosedForm) {
-  // |v| = F ω/|k − mω² + iωc| = L where k − mω² = ±ω√(F²/L² − c²).
-  constexpr double mass = 2, natural = 30, force = 5, limit = 0.2, dashpot = 2 * 0.05 * mass * natural,
-                   stiffness = mass * natural * natural;
-  const double s = std::sqrt(force * force / (limit * limit) - dashpot * dashpot),
-               root = std::sqrt(s * s + 4 * stiffness * mass);
-  for (const bool rms : {false, true}) {
-    const response::LimitLine line{
-        "flat",
-        "m/s",
-        rms,
-        {1, 1000},
-        {rms ? limit / std::numbers::sqrt2 : limit, rms ? limit / std::numbers::sqrt2 : limit}};
-    const auto found = velocity_of_mass(line, {2, 200});
-    ASSERT_EQ(found.exceeded.size(), 1u);
-    EXPECT_FALSE(found.met());
-    EXPECT_THAT(found.exceeded[0].from, RelativelyNear((root - s) / (2 * mass), round_off));
-    EXPECT_THAT(found.exceeded[0].to, RelativelyNear((root + s) / (2 * mass), round_off));
-    EXPECT_THAT(found.least_margin, RelativelyNear(limit * dashpot / force, round_off));
-    EXPECT_THAT(found.least_margin_at, RelativelyNear(natural, golden_section));
-    EXPECT_THAT(found.compared.from, 2);
-    EXPECT_THAT(found.compared.to, 200);
-  }
-}
-
-TEST(LimitLine, FallingWithFrequencyLimitsTheDisplacement) {
-  // v/(L ω0/ω) = ω² F/(L ω0 |Z|): least margin at the peak of acceleration ω0/√(1 − 2ζ²).
-  constexpr double mass = 2, natural = 30, force = 5, ratio = 0.3;
-  const response::LimitLine line{"falling", "m/s", false, {3, 300}, {10 * 1.0, 0.1 * 1.0}};  // 30/ω
-  const auto found = velocity_of_mass(line, {1, 1000}, ratio);
-  EXPECT_EQ(found.compared.from, 3);
-  EXPECT_EQ(found.compared.to, 300);
-  EXPECT_TRUE(found.met());
-  EXPECT_THAT(found.least_margin_at, RelativelyNear(natural / std::sqrt(1 - 2 * ratio * ratio), golden_section));
-  EXPECT_THAT(found.least_margin,
-              RelativelyNear(30 * mass * 2 * ratio * std::sqrt(1 - ratio * ratio) / force, round_off));
-  EXPECT_THAT(response::margin_level(found.least_margin),
-              RelativelyNear(20 * std::log10(found.least_margin), round_off));
-}
-
-TEST(LimitLine, HasItsLowerValueAtAStep) {
-  const response::LimitLine line{"step", "m/s", false, {1, 35, 35, 1000}, {10, 10, 0.1, 0.1}};
-  EXPECT_EQ(response::zero_to_peak_limit(line, 35), 0.1);
-  EXPECT_EQ(response::zero_to_peak_limit(line, 34), 10);
-  EXPECT_EQ(response::zero_to_peak_limit({"step up", "m/s", false, {1, 35, 35, 1000}, {0.1, 0.1, 10, 10}}, 35), 0.1);
-  EXPECT_THROW((void)response::zero_to_peak_limit(line, 0.5), foundation::InvalidInput);
-  const auto found = velocity_of_mass(line, {1, 1000});
-  ASSERT_EQ(found.exceeded.size(), 1u);
-  EXPECT_EQ(found.exceeded[0].from, 35);
-  EXPECT_GT(found.exceeded[0].to, 35);
-}
-
-TEST(LimitLine, ContinuesAcrossAPointBetweenTwoPieces) {
-  const response::LimitLine line{"kink", "m/s", false, {1, 30, 1000}, {0.2, 0.2, 0.2}};
-  EXPECT_EQ(velocity_of_mass(line, {2, 200}).exceeded.size(), 1u);
-}
-
-TEST(LimitLine, HasNoMarginAtAnUndampedResonance) {
-  const auto found = velocity_of_mass({"flat", "m/s", true, {1, 1000}, {100, 100}}, {2, 200}, 0);
-  EXPECT_EQ(found.least_margin, 0);
-  EXPECT_THAT(found.least_margin_at, RelativelyNear(30.0, round_off));
-  ASSERT_EQ(found.exceeded.size(), 1u);
-  EXPECT_LT(found.exceeded[0].from, 30);
-  EXPECT_GT(found.exceeded[0].to, 30);
-}
-
-TEST(LimitLine, ReportsAllErrorsOfItsTable) {
-  const response::LimitLine line{"bad", "m/s", true, {-1, 5, 4, 4, 4}, {1, 0, std::nan(""), 1, 1}};
-  EXPECT_EQ(response::check(line, "limits.bad").errors(), 5u);
-  EXPECT_EQ(response::check({"short", "m", true, {1}, {1}}, "limits").errors(), 1u);
-  EXPECT_EQ(response::check({"nowhere", "m", true, {1, 1}, {1, 2}}, "limits").errors(), 1u);
-  EXPECT_THROW(velocity_of_mass({"unlike", "m", true, {1, 1000}, {1, 1}}, {2, 200}), foundation::InvalidInput);
-  EXPECT_THROW(velocity_of_mass({"elsewhere", "m/s", true, {300, 1000}, {1, 1}}, {2, 200}), foundation::NotComputable);
-}
-
-TEST(LoadSharing, FollowsTheLever) {
-  // Centre of mass at a quarter of the span: three quarters on the near mount.
-  model::Description d;
-  d.bodies = {test::guided_body("beam", 100)};
-  d.bodies[0].has_inertia = true;
-  d.bodies[0].free = {false, false, true, false, true, false};
-  d.bodies[0].mass.centre = {0.25, 0, 0.1};
-  d.bodies[0].mass.inertia_about_centre = Eigen::Vector3d(3, 12, 12).asDiagonal();
-  d.elements = {test::vertical_spring("near", {}, 0, 2e5, 0, 0), test::vertical_spring("far", {}, 0, 1e5, 0, 1)};
-  d.gravity = Eigen::Vector3d(0, 0, -9.80665);
-  const model::System system = test::checked(d);
-  const response::LoadSharing found = response::load_sharing(system, assembly::assemble(system));
-  ASSERT_EQ(found.mounts.size(), 2u);
-  EXPECT_THAT(found.bearing_in_total, RelativelyNear(980.665, round_off));
-  EXPECT_THAT(found.mounts[0].share, RelativelyNear(0.75, round_off));
-  EXPECT_THAT(found.mounts[1].share, RelativelyNear(0.25, round_off));
-  EXPECT_THAT(found.mounts[0].force.z(), RelativelyNear(-735.49875, round_off));
-  EXPECT_THAT(found.mounts[0].deflection(2), RelativelyNear(-735.49875 / 2e5, round_off));
-  EXPECT_THAT(found.mounts[1].deflection(2), RelativelyNear(-245.16625 / 1e5, round_off));
-  d.gravity.reset();
-  const model::System weightless = test::checked(d);
-  EXPECT_THROW((void)response::load_sharing(weightless, assembly::assemble(weightless)), foundation::NotComputable);
 }
 
 }  // namespace
