@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What completes the parts of project files in the documents: a base project and files, by document and heading."""
+import os
+import pathlib
+
+SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
+STARTER = "what `trivet new` prints"
+
+FRAME = """trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.frame]
+mass = "400 kg"
+inertia = {about = "center_of_mass", xx = 30, yy = 40, zz = 50}
+points.seat = [0.3, 0.2, 0.4]
+"""
+
+
+def mount(name, on, at):
+    return f"""[elements."{name}"]
+type = "bushing"
+on = "{on}"
+at = {at}
+translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
+"""
+
+
+CORNERS = {"front left": [1.4, 0.55, 0], "front right": [1.4, -0.55, 0],
+           "rear left": [-1.4, 0.55, 0], "rear right": [-1.4, -0.55, 0]}
+
+
+def mounts(on, foundations=()):
+    """Four mounts, each on its foundation."""
+    lines = [f'foundation = "{foundation}"\n' for foundation in foundations] or [""] * len(CORNERS)
+    return "".join(mount(name, on, at) + line for (name, at), line in zip(CORNERS.items(), lines, strict=True))
+
+
+GENSET = FRAME.replace("frame", "genset")
+SHARED_MOUNT = """[element_types.mount]
+type = "bushing"
+translation = ["1.6 kN/mm", "1.2 kN/mm", "3.4 kN/mm"]
+"""
+MACHINE_AND_ENGINE = FRAME.replace("frame", "machine") + mounts("machine") + """[bodies.engine]
+mass = "200 kg"
+position = [5, 0, 0]
+inertia = {about = "center_of_mass", xx = 12, yy = 20, zz = 20}
+""" + mount("engine mount", "engine", [0, 0, -0.1])
+DRIVEN_FRAME = FRAME + mounts("frame") + mount("front spring", "frame", [0, 0, 0]) + """[excitations.push]
+type = "harmonic"
+on = "frame"
+at = [0, 0, 0]
+force = [0, 0, 100]
+[excitations.crank]
+type = "orders"
+on = "frame"
+at = [0, 0, 0]
+table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}]
+[excitations.road]
+type = "random"
+base = true
+translation = [0, 0, 1]
+psd = {road = "C", speed = "80 km/h"}
+[excitations.shock]
+type = "time"
+base = true
+quantity = "acceleration"
+translation = [0, 0, 1]
+history = {half_sine = {amplitude = "50 g", duration = "11 ms"}}
+[analyses]
+response = {band = ["2 Hz", "60 Hz"], excitations = ["push"]}
+"""
+ON_THE_FRAME = ("coil_spring", "rubber_disc, rubber_block, rubber_bush, sandwich", "solid_mount", "beam", "link, stay",
+                "imported", "measured", "table, air_spring, wire_rope", "catalogue:NAME")
+KEYS = "docs/project-file.md"
+
+BASES = {
+    ("README.md", "Elements that compute their own 12×12"): FRAME,
+    ("docs/elements/catalogue.md", "Catalogues of mounts"): FRAME + """[elements.mount]
+type = "catalogue:M 50/25 55 ShA"
+catalogue = "maker.toml"
+on = "frame"
+at = [0, 0, 0]
+axis = "z"
+""",
+    ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
+    ("docs/plausibility.md", "If the number is right"): STARTER,
+    (KEYS, "Element types"): GENSET,
+    (KEYS, "Tables of things"): GENSET + SHARED_MOUNT,
+    (KEYS, "Excitations"): MACHINE_AND_ENGINE,
+    (KEYS, "Flexible foundations"): FRAME + mounts("frame", ["hull", "hull", "deck", "measured"]),
+    (KEYS, "Further analyses"): DRIVEN_FRAME,
+    **{(KEYS, heading): FRAME for heading in ON_THE_FRAME},
+    (KEYS, "Solids of a body"): "trivet = 1\n" + mounts("frame"),
+}
+# A part that is not one of a project file is the file of this name, to which the base refers.
+NOT_A_PROJECT = {("docs/elements/catalogue.md", "Catalogues of mounts"): "maker.toml"}
+# Files that a part names: a text, or a path of a file with the contents.
+FILES = {
+    (KEYS, "Flexible foundations"): {"y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n"},
+    (KEYS, "solid_mount"): {"mount.step": SOURCE / "tests/samples/data/rubber_on_steel.step"},
+    (KEYS, "imported"): {"mount.mtx": SOURCE / "tests/data/matrices/beam_coordinate_symmetric.mtx"},
+    (KEYS, "measured"): {"rig.csv": SOURCE / "tests/samples/data/rig.csv"},
+    (KEYS, "table, air_spring, wire_rope"): {"bellows.csv": SOURCE / "tests/samples/data/air_spring.csv"},
+    (KEYS, "Solids of a body"): {"cover.stl": SOURCE / "tests/samples/data/box.stl"},
+}
+# What the check replaces, so that it takes a second.
+COARSER = {(KEYS, "solid_mount"): ('mesh_size = "5 mm"', 'mesh_size = "12 mm"\nrim_size = "6 mm"')}
+# Printed output: the command, and the change of the starter file that causes it.
+OUTPUTS = {("docs/plausibility.md", "Suspicions"): ("trivet check machine.toml", 'mass = "250 kg"', 'mass = "250 t"')}

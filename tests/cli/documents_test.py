@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The commands, project files, options and links in README, docs and the other documents are right: commands are run as
+printed, project files are checked. Each failure names the document and the line."""
+import dataclasses
+import json
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import subprocess
+import tempfile
+import tomllib
+import unittest
+
+from document_fragments import BASES, COARSER, FILES, NOT_A_PROJECT, OUTPUTS, STARTER
+
+TRIVET = os.environ["TRIVET"]
+SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
+DOCUMENTS = [SOURCE / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "benchmarks/README.md")]
+DOCUMENTS += sorted(path for folder in ("docs", "examples") for path in (SOURCE / folder).rglob("*.md"))
+EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
+LANGUAGES = {"sh": "commands", "toml": "project file or part of one", "csv": "data", "text": "output"}
+
+# Commands of the documents that this test cannot run: why not, the file in which CI runs them, and the words there.
+BUILDS = "it builds for minutes or hours"
+BUILT = "it needs a build of its own"
+IDLE = "it needs benchmarks and an idle machine; CI compiles them"
+COMPILED = "cmake --workflow --preset benchmark"
+FUZZER = "build/sanitize/tests/fuzz/project_fuzzer -max_total_time=1800"
+LONG_CAMPAIGN = "python3 tests/campaign/campaign.py --each 2000"
+RANDOM_MACHINES = "TRIVET_LONG_TESTS=1 build/release/tests/agreement_tests --gtest_filter='RelativeCoordinates.*'"
+ELSEWHERE = {
+    "scripts/start": ("it installs packages and builds", ".ci/run", "scripts/start"),
+    "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),
+    ".ci/run": ("it runs this test", ".ci/run", "scripts/test"),
+    ".ci/run long": ("it takes hours", ".ci/run", "long_stage; exit"),
+    "cmake --workflow --preset sanitize": (BUILDS, ".ci/run", "cmake --workflow --preset sanitize"),
+    "cmake --workflow --preset fuzz": (BUILDS, ".ci/run", "cmake --workflow --preset fuzz"),
+    "build/sanitize/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus":
+        ("it does not end", ".ci/run", FUZZER),
+    RANDOM_MACHINES: (BUILT, ".ci/run", RANDOM_MACHINES),
+    "export TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD":
+        ("for the next command", ".ci/run", "TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD"),
+    LONG_CAMPAIGN + " --keep /tmp/failed": ("it takes a quarter of an hour", ".ci/run", LONG_CAMPAIGN),
+    "scripts/benchmark": (IDLE, ".ci/run", "scripts/benchmark"),
+    "scripts/benchmark --write": (IDLE, ".ci/run", "scripts/benchmark"),
+    "scripts/benchmark QUESTION": (IDLE, ".ci/run", "scripts/benchmark"),
+    "build/release/benchmarks/coil_spring": (IDLE, ".ci/run", COMPILED),
+    "build/release/benchmarks/rubber_mount": (IDLE, ".ci/run", COMPILED),
+    "build/release/benchmarks/transient": (IDLE, ".ci/run", COMPILED),
+    "build/release/benchmarks/random_response": (IDLE, ".ci/run", COMPILED),
+}
+COMMAND_ELSEWHERE = re.compile(r"(scripts/|\.ci/|cmake |python3 |build/\w+/(tests|benchmarks)/)")
+
+
+@dataclasses.dataclass
+class Block:
+    document: str
+    line: int  # of its first line of text
+    heading: str
+    language: str
+    text: str
+
+    @property
+    def place(self):
+        return f"{self.document}:{self.line}"
+
+
+def blocks_and_prose(path):
+    """Fenced blocks of a document, and its text with empty lines in place of the blocks."""
+    blocks, prose, heading, fence = [], [], "", None
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        mark = re.match(r"(```+)(.*)$", line)
+        if fence is None and mark:
+            fence, block = mark[1], Block(str(path.relative_to(SOURCE)), number + 1, heading, mark[2], "")
+            blocks.append(block)
+        elif fence is not None and line.strip() == fence:
+            fence = None
+        elif fence is not None:
+            block.text += line + "\n"
+        else:
+            title = re.match(r"#+ (.*)", line)
+            heading = title[1] if title else heading
+            prose.append(line)
+            continue
+        prose.append("")
+    assert fence is None, f"{path}: a code block does not end"
+    return blocks, "\n".join(prose)
+
+
+READ = {path: blocks_and_prose(path) for path in DOCUMENTS}
+BLOCKS = [block for blocks, _ in READ.values() for block in blocks]
+
+
+def spans(path):
+    """Inline code of a document: line, text, and the whole line for what it is about."""
+    prose = READ[path][1]
+    lines = prose.splitlines()
+    for found in re.finditer(r"`((?:(?!\n\s*\n)[^`])+)`", prose):
+        line = prose.count("\n", 0, found.start()) + 1
+        yield line, " ".join(found[1].split()), lines[line - 1]
+
+
+def commands_of(block):
+    """Line, command and remark of each command of a block of commands."""
+    for offset, line in enumerate(block.text.splitlines()):
+        command, _, remark = re.sub(r"\s+#\s", "\0", line, count=1).partition("\0")
+        if command.strip():
+            yield block.line + offset, command.strip(), remark
+
+
+def toml(value):
+    """A value as TOML on one line."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{toml(key)} = {toml(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return json.dumps(value, ensure_ascii=False)
+
+
+def completed(base, part, path=()):
+    """A part of a project file on its base. Elements and excitations of the part replace those of the base."""
+    result = dict(base)
+    for key, value in part.items():
+        replaced = path in (("elements",), ("excitations",)) or not isinstance(value, dict)
+        result[key] = value if replaced else completed(result.get(key, {}), value, (*path, key))
+    return result
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin/trivet").symlink_to(pathlib.Path(TRIVET).resolve())
+        self.environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
+
+    def shell(self, command, folder):
+        return subprocess.run(["bash", "-c", command], cwd=folder, env=self.environment, capture_output=True, text=True,
+                              timeout=600)
+
+    def work_folder(self, name):
+        """A folder with copies of the examples, as at the top of the source tree."""
+        folder = self.folder / "work" / name.replace("/", "_")
+        if not folder.exists():
+            shutil.copytree(SOURCE / "examples", folder / "examples")
+        return folder
+
+    def expect_exit_code(self, place, command, remark, folder):
+        stated = re.search(r"exit code (\d+)", remark)
+        with self.subTest(place=place, command=command):
+            done = self.shell(command, folder)
+            self.assertEqual(done.returncode, int(stated[1]) if stated else 0, f"{place}: {command}\n{done.stderr}")
+
+    def test_every_block_names_its_language(self):
+        for block in BLOCKS:
+            with self.subTest(place=block.place):
+                self.assertIn(block.language, LANGUAGES, f"{block.place}: write one of {LANGUAGES} behind ```")
+                if block.language in ("csv", "text"):
+                    self.assertNotRegex(block.text, r"(?m)^\W*trivet \w", f"{block.place}: make it a block of sh")
+
+    def test_commands_in_blocks_do_what_they_say(self):
+        for block in BLOCKS:
+            for line, command, remark in commands_of(block) if block.language == "sh" else ():
+                if command.startswith("trivet "):
+                    folder = self.work_folder(block.document)
+                    self.expect_exit_code(f"{block.document}:{line}", command, remark, folder)
+                else:
+                    self.assertIn(command, ELSEWHERE, f"{block.document}:{line}: neither of trivet nor in ELSEWHERE")
+
+    def test_commands_in_remarks_of_examples_do_what_they_say(self):
+        for example in EXAMPLES:
+            for line, text in enumerate(example.read_text().splitlines(), 1):
+                if command := re.match(r"#\s+(trivet .*)", text):
+                    place = f"{example.relative_to(SOURCE)}:{line}"
+                    self.expect_exit_code(place, command[1], "", self.work_folder("examples"))
+
+    def test_commands_elsewhere_are_run_by_ci(self):
+        for command, (reason, file, words) in ELSEWHERE.items():
+            with self.subTest(command=command):
+                self.assertTrue(reason)
+                self.assertIn(words, (SOURCE / file).read_text(), f"{file} no longer runs {command}")
+
+    def test_every_listed_command_is_in_a_document(self):
+        written = {command for block in BLOCKS if block.language == "sh" for _, command, _ in commands_of(block)}
+        written |= {text for path in DOCUMENTS for _, text, _ in spans(path)}
+        self.assertEqual(set(ELSEWHERE) - written, set())
+
+    def test_commands_and_options_in_sentences_exist(self):
+        names = re.findall(r"(?m)^  (\w+) {2,}", self.shell("trivet --help", self.folder).stdout)
+        self.assertGreater(len(names), 20)
+        helps = {name: self.shell(f"trivet {name} --help", self.folder).stdout for name in names}
+        options = {name: set(re.findall(r"(?<![\w-])--?[a-z][\w-]*", text)) for name, text in helps.items()}
+        for path in DOCUMENTS:
+            title = re.search(r"(?m)^# .*`trivet (\w+)", READ[path][1])
+            for line, text, context in spans(path):
+                place = f"{path.relative_to(SOURCE)}:{line}"
+                if COMMAND_ELSEWHERE.match(text) and not (SOURCE / text).is_file() or text in ELSEWHERE:
+                    self.assertIn(text, ELSEWHERE, f"{place}: `{text}` is not listed in ELSEWHERE")
+                if not re.match(r"trivet \w|--?[a-z]", text) or text.startswith("trivet ="):
+                    continue
+                with self.subTest(place=place, command=text):
+                    words = shlex.split(text)
+                    if words[0] == "trivet":
+                        self.assertIn(words[1], names, f"{place}: `{text}`: no such command")
+                        about = words[1]
+                    else:  # an option alone: of the command in its line, in the title, or of any
+                        row = re.search(r"`trivet (\w+)", context)
+                        about = row[1] if row else title[1] if title else None
+                    known = options[about] if about in names else set().union(*options.values())
+                    for option in (word for word in words if re.match(r"--?[a-z]", word)):
+                        self.assertIn(option.partition("=")[0], known, f"{place}: `{text}`: no such option")
+                if any(word.endswith(".toml") and (SOURCE / word).is_file() for word in words):
+                    self.expect_exit_code(place, text, "", self.work_folder(str(path.relative_to(SOURCE))))
+
+    def project(self, block):
+        """Writes the project of a block, complete or on its base, with its files, and returns its path."""
+        folder = self.folder / block.place.replace("/", "_")
+        folder.mkdir()
+        where = (block.document, block.heading)
+        part = tomllib.loads(block.text.replace(*COARSER[where]) if where in COARSER else block.text)
+        project = folder / "project.toml"
+        if "trivet" in part:
+            project.write_text(block.text)
+            return project
+        self.assertIn(where, BASES, f"{block.place}: a part of a project file needs a base in document_fragments.py")
+        base = tomllib.loads(self.shell("trivet new", folder).stdout if BASES[where] is STARTER else BASES[where])
+        if where in NOT_A_PROJECT:
+            (folder / NOT_A_PROJECT[where]).write_text(block.text)
+            part = {}
+        for name, content in FILES.get(where, {}).items():
+            (folder / name).write_text(content.read_text() if isinstance(content, pathlib.Path) else content)
+        for other in BLOCKS:
+            if other.language == "csv" and (other.document, other.heading) == where:
+                (folder / re.search(r'file = "(.*?\.csv)"', block.text)[1]).write_text(other.text)
+        lines = [f"{key} = {toml(value)}\n" for key, value in completed(base, part).items()]
+        project.write_text("".join(lines))
+        return project
+
+    def test_project_files_pass_their_check(self):
+        for block in BLOCKS:
+            if block.language == "toml":
+                with self.subTest(place=block.place):
+                    done = self.shell("trivet check project.toml", self.project(block).parent)
+                    self.assertEqual(done.returncode, 0, f"{block.place}\n{done.stderr}")
+
+    def test_every_base_belongs_to_a_block(self):
+        written = {(block.document, block.heading) for block in BLOCKS if block.language == "toml"}
+        self.assertEqual((set(BASES) | set(COARSER) | set(FILES) | set(NOT_A_PROJECT)) - written, set())
+
+    def test_printed_output_is_that_of_the_program(self):
+        for block in BLOCKS:
+            if block.language == "text":
+                with self.subTest(place=block.place):
+                    where = (block.document, block.heading)
+                    self.assertIn(where, OUTPUTS, f"{block.place}: add the command that prints this")
+                    command, old, new = OUTPUTS[where]
+                    starter = self.shell("trivet new", self.folder).stdout
+                    self.assertIn(old, starter)
+                    (self.folder / "machine.toml").write_text(starter.replace(old, new))
+                    done = self.shell(command, self.folder)
+                    pieces = [" ".join(piece.split()) for piece in block.text.split("…")]
+                    pattern = ".*".join(re.escape(piece) for piece in pieces)
+                    self.assertRegex(" ".join((done.stdout + done.stderr).split()), pattern, block.place)
+
+    def test_links_lead_to_files_and_headings(self):
+        for path in [*DOCUMENTS, SOURCE / "CHANGELOG.md"]:
+            text = path.read_text()
+            for found in re.finditer(r"\]\(([^)\s]+)\)", text):
+                place = f"{path.relative_to(SOURCE)}:{text.count(chr(10), 0, found.start()) + 1}"
+                file, _, anchor = found[1].partition("#")
+                if "://" in found[1]:
+                    continue
+                target = (path.parent / file).resolve() if file else path
+                self.assertTrue(target.exists(), f"{place}: no file {file}")
+                if anchor:
+                    titles = re.findall(r"(?m)^#+ (.*)", target.read_text())
+                    anchors = {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+                    self.assertIn(anchor, anchors, f"{place}: {target.name} has no heading for #{anchor}")
+
+    def test_examples_named_in_documents_exist(self):
+        for path in DOCUMENTS:
+            for line, text, _ in spans(path):
+                if re.fullmatch(r"examples/[\w./]+", text):
+                    self.assertTrue((SOURCE / text).exists(), f"{path.relative_to(SOURCE)}:{line}: no {text}")
+
+
+if __name__ == "__main__":
+    unittest.main()
