@@ -55,7 +55,7 @@ void write_failure(const std::exception& failure) {
   else if (const auto* of_system = dynamic_cast<const std::system_error*>(&failure))
     words = of_system->code().message();
   else if (dynamic_cast<const std::bad_alloc*>(&failure) || dynamic_cast<const std::length_error*>(&failure))
-    words = "not enough memory; request fewer points, answers or cases at once";
+    words = "not enough memory; request fewer points, results or cases at once";
   write_error("error: " + foundation::on_one_line(words) + "\n");
 }
 

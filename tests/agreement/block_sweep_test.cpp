@@ -264,7 +264,7 @@ TEST(BlockSweep, SingularFrequenciesAreNotANumberAndTheRestIsRight) {
   numerics::SweepResult rest = found;
   rest.response = found.response.rightCols(2).eval();
   rest.backward_error = found.backward_error.tail(2).eval();
-  expect_solved(m, load, {5.0, 9.0}, rest, "beside a singular frequency");
+  expect_solved(m, load, {5.0, 9.0}, rest, "next to a singular frequency");
 }
 
 TEST(BlockSweep, AllInstructionSetsAgree) {

@@ -82,14 +82,14 @@ class MapWarnings(unittest.TestCase):
         self.assertNotIn("map: m.x:", done.stderr)
 
     def test_forces_that_move_nothing(self):
-        self.warned(BODY.replace("force = [100, 0, 0]", "force = [0, 0, 0]"), "all answers are 0")
+        self.warned(BODY.replace("force = [100, 0, 0]", "force = [0, 0, 0]"), "all results are 0")
 
     def test_warnings_of_the_model_itself(self):
         guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace('"m.x" = "1 mm"', '"ground.force.x" = "1 kN"')
         self.warned(guided, "without the forces that guides carry")
 
     def test_an_axis_that_changes_nothing(self):
-        self.warned(BODY.replace('x = {parameter = "elements.s.scale", from = 0.5, to = 1.5', 'x = {parameter = "excitations.p.phase", from = 0, to = 3'), "the axis changes no answer")
+        self.warned(BODY.replace('x = {parameter = "elements.s.scale", from = 0.5, to = 1.5', 'x = {parameter = "excitations.p.phase", from = 0, to = 3'), "no result changes along this axis")
 
     def test_a_moving_foundation_that_drifts_off_at_rest(self):
         moved = BODY.replace('type = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [100, 0, 0]', 'type = "base"\ntranslation = ["1 mm/s", 0, 0]\nquantity = "velocity"')

@@ -14,7 +14,7 @@ class Sizes(Refused):
     def test_twenty_thousand_answers(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))
         names = ", ".join(f'"b.p{i}.{c}"' for i in range(4000) for c in "xyzxy")
-        self.refused("20000 answers", "at most 2000 are named", text=BODY + points + mount("m") + FORCE + f"[analyses]\nresponse = {{of = [{names}]}}\n")
+        self.refused("20000 results", "one analysis has at most 2000", text=BODY + points + mount("m") + FORCE + f"[analyses]\nresponse = {{of = [{names}]}}\n")
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(400))
         names = ", ".join(f'"b.p{i}"' for i in range(400))
         self.refused("2400 curves", "at most 2000", text=BODY + points + mount("m") + FORCE + f"[analyses]\npeaks = {{of = [{names}]}}\n")
@@ -38,7 +38,7 @@ class Sizes(Refused):
     def test_peaks_of_a_large_system_are_rejected_before_the_search(self):
         text = "trivet = 1\n" + "".join(f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(60))
         text += "".join(mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)) + FORCE.replace('"b"', '"b0"')
-        self.refused("hours of search", "name fewer answers in `of`", text=text + "[analyses]\npeaks = {}\n")
+        self.refused("hours of search", "name fewer results in `of`", text=text + "[analyses]\npeaks = {}\n")
         done = trivet("peaks", self.file(text))  # requested only by the command line
         self.assertEqual(done.returncode, 1)
         self.assertIn("hours of search", done.stderr)

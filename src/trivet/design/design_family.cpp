@@ -67,8 +67,8 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
 std::string reason_for_separate_families(const PlainDesign& a, const PlainDesign& b) {
   if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
   if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
-    return "answers that are defined differently from design to design (a force of an element that the numbers change, "
-           "or a point that they move)";
+    return "results whose definition differs between designs (a force of an element that the numbers change, or a "
+           "point that they move)";
   return "";
 }
 

@@ -32,7 +32,7 @@ Problems problems_of(const StepMeshOptions& options) {
                      "give a length with its unit");
   };
   must_be("size", options.size, options.size > 0 && std::isfinite(options.size),
-          "the edge of the elements must be > 0");
+          "the size of the finite elements must be > 0");
   must_be("rim_size", options.rim_size, options.rim_size >= 0 && !(options.rim_size > options.size),
           "must be between 0 and size; 0 means size/4");
   must_be("rim_distance", options.rim_distance, options.rim_distance >= 0 && std::isfinite(options.rim_distance),

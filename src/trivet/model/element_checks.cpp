@@ -130,19 +130,18 @@ void check_matrix(const Subject& subject, const Description& description, const 
   const bool negative = lowest < -elements::rounding_of_data * std::max(1.0, verdict.highest_eigenvalue);
   if (symmetric_stiffness_or_damping && negative &&
       (preloaded || element.allow_residual || elements::is_semidefinite(verdict)))
-    problems.warning(
-        subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
-        preloaded ? std::string("with end N fixed, a stable preloaded element has no negative eigenvalue")
-                  : fmt::format("without preload, a {} matrix has no negative eigenvalue: {}", subject.quantity,
-                                subject.bad_energy),
-        preloaded ? "with end N fixed the element is unstable: other elements must hold its bodies, or it buckles"
-                  : "the residual may be the cause; check the frequencies that it affects");
+    problems.warning(subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", lowest),
+                     preloaded ? std::string("with end N fixed, a stable preloaded element has no negative eigenvalue")
+                               : fmt::format("without preload, a {} matrix has no negative eigenvalue: {}",
+                                             subject.quantity, subject.bad_energy),
+                     preloaded ? "the element is unstable: it buckles unless other elements hold its bodies"
+                               : "the residual may be the cause; check the natural frequencies that it affects");
   else if (symmetric_stiffness_or_damping && negative)
     problems.error(
         subject.path, fmt::format("the scaled matrix has the eigenvalue {:.4g}", verdict.lowest_eigenvalue),
         fmt::format("a {} matrix must not have a negative eigenvalue: {}", subject.quantity, subject.bad_energy),
         (given ? slip_behind(description, element, matrix) : "") +
-            "look for a wrong sign, a product entered with the wrong arm, or rows in another order");
+            "look for a wrong sign, a coupling term with a wrong lever arm, or rows in another order");
 }
 
 /// Checks of the law that do not depend on where the element is.
@@ -150,7 +149,7 @@ void check_laws(const Description& description, const Element& element, const st
                 foundation::Problems& problems) {
   if (std::holds_alternative<elements::Viscoelastic>(element.law.damping) && !element.symmetric)
     problems.error(subject + ".damping", "a viscoelastic law on an unsymmetric stiffness",
-                   "its strains follow from a symmetric stiffness", "use proportional damping or a loss factor");
+                   "a viscoelastic law needs a symmetric stiffness", "use proportional damping or a loss factor");
   if (!(element.law.scale > 0))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0",
                    "remove the element to switch it off");
@@ -163,7 +162,8 @@ void check_laws(const Description& description, const Element& element, const st
 
   if (element.law.preload && element.law.scale != 1)
     problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale),
-                   "its stiffness and its preload belong together", "change the element itself");
+                   "a scale would change the stiffness without the preload that belongs to it",
+                   "remove scale, and change the dimensions or the matrix of the element");
 
   const std::string path = element.type == "matrix" ? subject + ".stiffness" : subject;
   check_matrix({path, "stiffness", "it would release energy when deformed"}, description, element,

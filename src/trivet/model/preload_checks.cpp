@@ -41,10 +41,10 @@ void check_preloads(const Description& description, foundation::Problems& proble
     const auto sum = preload_wrench(description, b);
     if (!sum) continue;
     if (!description.gravity) {
-      problems.warning("bodies." + body.name,
-                       fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
-                       "at rest a body's preloads balance its weight, and both change its rotational stiffness",
-                       "give gravity = [0, 0, -9.80665]");
+      problems.warning(
+          "bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
+          "at rest the preloads of a body balance its weight, and both contribute to its geometric stiffness",
+          "give gravity = [0, 0, -9.80665]");
       continue;
     }
     const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *description.gravity);
@@ -56,10 +56,10 @@ void check_preloads(const Description& description, foundation::Problems& proble
         (body.free[3] && body.free[4] && tilting > silent_imbalance * weight.norm() * size))
       problems.warning(
           "bodies." + body.name,
-          fmt::format("its preloads sum to ({:.6g}, {:.6g}, {:.6g}) N, its weight is ({:.6g}, {:.6g}, {:.6g}) N; "
-                      "a moment of {:.4g} N m about its centre of mass remains",
+          fmt::format("the sum of its preloads is ({:.6g}, {:.6g}, {:.6g}) N, its weight ({:.6g}, {:.6g}, {:.6g}) N; a "
+                      "moment of {:.4g} N m about its centre of mass remains",
                       sum->force.x(), sum->force.y(), sum->force.z(), weight.x(), weight.y(), weight.z(), tilting),
-          "at rest a body's preloads balance its weight, also about its centre of mass",
+          "at rest the forces and moments of the preloads balance the weight of the body",
           "set the preload of every element that carries it; elements without a preload add no geometric stiffness "
           "here");
   }

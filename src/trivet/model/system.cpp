@@ -60,10 +60,10 @@ void check_damping(const Description& description, foundation::Problems& problem
   if (const auto* rayleigh = std::get_if<RayleighDamping>(&description.damping)) {
     if (rayleigh->mass > most_mass)
       problems.error("damping.rayleigh.mass", fmt::format("{:.6g} 1/s", rayleigh->mass), "it is at most 1e9 1/s",
-                     "check the number; it is 2ζω of slow vibrations");
+                     "check the number: alone it gives a mode at ω the damping ratio mass/(2ω)");
     if (rayleigh->stiffness > most_stiffness)
       problems.error("damping.rayleigh.stiffness", fmt::format("{:.6g} s", rayleigh->stiffness), "it is at most 1e6 s",
-                     "check the number; it is 2ζ/ω of fast vibrations");
+                     "check the number: alone it gives a mode at ω the damping ratio stiffness ω/2");
   }
   if (const auto* modal = std::get_if<ModalDamping>(&description.damping)) {
     std::size_t coordinates = 0;
@@ -88,12 +88,12 @@ void check_damping(const Description& description, foundation::Problems& problem
     for (const auto& body : description.bodies)
       if (body.allow_unphysical && !spatial::violated_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
-                       "modal ratios need undamped modes that all oscillate",
+                       "modal damping ratios need a model in which every undamped mode oscillates",
                        "define the damping of the elements instead");
     for (const auto& element : description.elements)
       if (!element.symmetric)
         problems.error("damping.modal", fmt::format("element \"{}\" is unsymmetric", element.name),
-                       "modal ratios need a symmetric system", "define the damping of the elements instead");
+                       "modal damping ratios need a symmetric stiffness", "define the damping of the elements instead");
   }
 }
 
@@ -158,7 +158,7 @@ void check_moving_ground(const Description& description, foundation::Problems& p
       problems.error(
           "excitations." + excitation.name,
           "the whole ground moves under \"" + *standing + "\", which is mounted on the modes of a foundation",
-          "modes do not state how they move with the ground",
+          "the modes of a foundation do not define how it moves with the ground",
           "describe the foundation by an impedance or a mobility (their fixed directions move with the "
           "ground), or model it as a body on its own elements");
 }

@@ -70,8 +70,7 @@ void judge_window(const Window& window, const std::vector<double>& natural, Susp
                                hertz(natural.front()), hertz(natural.back())),
                    std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s"
                                                : "a number without a unit is in rad/s") +
-                       "; change the band, "
-                       "or check masses and stiffnesses if you know where the resonances are" +
+                       "; change the band, or check masses and stiffnesses if the resonances should be in it" +
                        stiffness});
 }
 

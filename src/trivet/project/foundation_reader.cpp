@@ -47,7 +47,8 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
     else directions.push_back(j);
   }
   if (directions.empty())
-    reader.error("free", "no direction", "a compliant ground has at least one", "remove the foundation, or name one");
+    reader.error("free", "no direction", "a flexible foundation has at least one compliant direction",
+                 "remove the foundation, or name one");
   return directions;
 }
 
@@ -244,7 +245,7 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
       const auto shape = ground->second.shapes.find(element_name);
       if (shape == ground->second.shapes.end())
         root.problems()
-            .error(subject, "\"" + ground_name + "\"", "none of its modes states how the place of this element moves",
+            .error(subject, "\"" + ground_name + "\"", "no mode of this foundation has a shape for this element",
                    "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes")
             .origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};

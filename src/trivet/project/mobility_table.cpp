@@ -88,13 +88,13 @@ void check_passive(const CsvTable& csv, const MobilityTable& table, foundation::
     if (share < worst) worst = share, at = i;
   }
   if (worst >= -rounded) return;
-  const std::string finding = fmt::format("at {:.6g} Hz Re Y has an eigenvalue of {:.3g} of its largest entry",
+  const std::string finding = fmt::format("at {:.6g} Hz Re Y has the eigenvalue {:.3g}, relative to its largest entry",
                                           table.knots[at] / (2 * std::numbers::pi), worst);
   const char* rule = "a passive ground absorbs energy in every motion: Re Y is positive semidefinite";
   foundation::Problem& problem = worst < -noisy
       ? found.error("", finding, rule, "check sign and phase of velocity against force")
       : found.warning("", finding, rule,
-                      "noise of the measurement may explain it; it can feed energy into some motion");
+                      "measurement noise may be the cause; such a ground can feed energy into a motion");
   problem.origin = {csv.source, csv.lines[at]};
 }
 
@@ -137,7 +137,7 @@ void check_spacing(const CsvTable& csv, const MobilityTable& table, foundation::
       .warning("",
                fmt::format("the phase turns by {:.3g}° from {:.6g} to {:.6g} Hz", worst * 180 / std::numbers::pi,
                            table.knots[at - 1] / (2 * std::numbers::pi), table.knots[at] / (2 * std::numbers::pi)),
-               "the mobility is interpolated linearly: a resonance narrower than a few rows is cut short",
+               "the mobility is interpolated linearly: the peak of a resonance narrower than a few rows is cut off",
                "measure it at closer frequencies")
       .origin = {csv.source, csv.lines[at]};
 }

@@ -32,7 +32,7 @@ const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
       {"Map of designs", map_tables, {map_figures}},
       {"Random response", random_table, {random_figures}},
-      {"Motion in time", transient_table, {transient_figures}},
+      {"Time history", transient_table, {transient_figures}},
       {"Run-up", run_up_tables, {campbell_figures, waterfall_figures, run_up_figures}},
       {"Transmissibility", transmissibility_table, {transmissibility_figures}},
       {"Power into the ground", power_table, {power_figures}},

@@ -43,7 +43,7 @@ std::string random_table(const study::Answers& answers) {
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
   const bool has_remarks = std::any_of(random.response.answers.begin(), random.response.answers.end(),
                                        [](const auto& a) { return !remark(a).empty(); });
-  std::vector<Cell> headings = {{"answer"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
+  std::vector<Cell> headings = {{"result"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
   if (has_weights) headings.push_back(right("weighted rms"));
   if (has_shares)
     for (const std::string& input : random.inputs) headings.push_back(right("variance from " + input));
@@ -66,7 +66,7 @@ std::string random_table(const study::Answers& answers) {
   }
   const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-      hint(fmt::format("Root mean squares over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi,
+      hint(fmt::format("RMS values over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi,
                        random.response.to / two_pi,
                        by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
                        random.response.remark.empty() ? "" : " " + random.response.remark));
@@ -89,7 +89,7 @@ std::string transient_table(const study::Answers& answers) {
                     quantity_cell(c.rms, c.unit)});
   }
   return html_table(
-             {{"answer"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
+             {{"result"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
              rows) +
       hint("Relative to the position of rest. The extremes are those of the exact motion, also between the time "
            "points.");
@@ -120,7 +120,7 @@ std::string run_up_tables(const study::Answers& answers) {
                       hertz_cell(p.angular_frequency),
                       p.modal_force_share ? percent_cell(*p.modal_force_share) : right("–"),
                       {p.excited ? "yes" : "no"}});
-  return html_table({{"answer"},
+  return html_table({{"result"},
                      right("order"),
                      right("critical speed [rpm]"),
                      right("f [Hz]"),
@@ -128,7 +128,7 @@ std::string run_up_tables(const study::Answers& answers) {
                      right("of its highest"),
                      right("nearest mode")},
                     rows) +
-      hint("Peaks of single orders over the speed, except those below 1 % of the highest peak of the same answer.") +
+      hint("Peaks of single orders over the speed, except those below 1 % of the highest peak of the same result.") +
       folded("Interference points: intersections of orders and natural frequencies",
              html_table({right("mode"),
                          right("order"),
@@ -166,7 +166,7 @@ std::string transmissibility_table(const study::Answers& answers) {
       ? ""
       : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / two_pi);
   return "<p>" + escaped(t.words) + "</p>\n" +
-      html_table({{"answer"},
+      html_table({{"result"},
                   right("highest [dB]"),
                   right("at [Hz]"),
                   right("isolates above [Hz]"),

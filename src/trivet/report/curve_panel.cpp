@@ -12,7 +12,7 @@ namespace {
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
                  key_line = 15, title_height = 40;
 
-constexpr double widest_text = 36;  // characters that fit beside a panel
+constexpr double widest_text = 36;  // characters that fit next to a panel
 constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
 
 /// Has the value a position on the axis or beyond its ends?

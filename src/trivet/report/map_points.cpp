@@ -97,8 +97,8 @@ void explain_best(const MapPicture& picture, SvgCanvas& canvas, Key& key) {
                   ends == 0       ? ""
                       : ends == 1 ? ": an axis ends there"
                                   : ": both axes end there");
-  if (std::isinf(best.margin)) key.add_text("middle of the designs without bound", where);
-  else if (best.margin == 0) key.add_text("middle of equals: every margin is 0", where);
+  if (std::isinf(best.margin)) key.add_text("middle of the designs that no rule limits", where);
+  else if (best.margin == 0) key.add_text("middle design: every margin is 0", where);
   else
     key.add_text(fmt::format("{} {:.3g}", best.feasible() ? "largest margin:" : "nearest design: margin", best.margin),
                  where);

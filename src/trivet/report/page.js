@@ -734,7 +734,7 @@ function staticTable(c, kind) {
 }
 function staticSection(c) {
   if (!c.static) return null;
-  return section('static', 'Static answer', staticTable(c, 'motions'), html('p', {}), staticTable(c, 'forces'),
+  return section('static', 'Static results', staticTable(c, 'motions'), html('p', {}), staticTable(c, 'forces'),
     hint(`Under gravity and the constant forces. Grey values are round-off. Backward error of the solution: ${number(c.static.backward_error, 3)}.`));
 }
 
@@ -745,7 +745,7 @@ function solutionRows({worst_backward_error, at_angular_frequency, pivoted_fallb
     {mark: second.passed ? null : 'failed', cells: ['response', `second solver agrees at ${count(second.frequencies, 'frequency', 'frequencies')}`,
       `worst difference ${number(second.worst_difference, 3)} ${at(second.at_angular_frequency)}, allowed ${number(second.allowed, 3)}`, verdict(second.passed)]},
     ['response', 'frequencies that needed the pivoted solver', String(pivoted_fallbacks), ''],
-    ['response', 'frequencies at which the answer is not defined', undefined_at.length ? undefined_at.map(w => number(w)).join(', ') + ' rad/s' : 'none', '']];
+    ['response', 'frequencies at which the response is not defined', undefined_at.length ? undefined_at.map(w => number(w)).join(', ') + ' rad/s' : 'none', '']];
 }
 function checksSection(c) {
   const rows = c.checks.map(k => ({mark: k.passed ? null : 'failed', cells: [k.subject, k.what, k.value, verdict(k.passed)]}));
@@ -796,7 +796,7 @@ function inputsSection(c) {
   return section('inputs', 'Inputs', part('Bodies', bodies, bodiesTables), part('Elements', elements, elementsTables), part('Excitations', excitations, excitationsTable),
     foundations.length ? [html('h3', {}, 'Flexible foundations'), table(['foundation', 'coordinate', num('mass [kg, kg m²]'), num('stiffness [N/m, N m/rad]'), num('damping')],
       foundations.flatMap(f => f.mass.map((row, i) => [f.name, i + 1, number(row[i]), number(f.stiffness[i][i]), number(f.damping[i][i])])))] : null,
-    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it affects static answers, and the geometric stiffness if elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
+    html('p', {}, gravity ? `Gravity ${vector(gravity)} m/s², ground axes; it affects static results, and the geometric stiffness if elements are preloaded.` : 'No gravity.'), html('p', {}, `Damping of the system: ${damping}.`));
 }
 
 // ---------------------------------------------------------------- all cases together

@@ -59,7 +59,7 @@ std::string earthquake_tables(const study::Answers& answers) {
     modes.push_back({hertz_cell(m.angular_frequency), number_cell(m.damping_ratio), number_cell(m.effective_mass),
                      std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, "m/s²")
                                                             : right("beyond the spectrum")});
-  return html_table({{"answer"}, right("CQC"), right("SRSS")}, rows) +
+  return html_table({{"result"}, right("CQC"), right("SRSS")}, rows) +
       hint(fmt::format("Estimated largest values. The modes within the spectrum have {:.1f} % of the effective mass.",
                        100 * e.effective_mass_share)) +
       folded("Modes of the estimate",
@@ -86,7 +86,7 @@ std::string limit_line_table(const study::Answers& answers) {
                     {bands.empty() ? "–" : bands},
                     {c.met() ? "✓ met" : "✗ EXCEEDED", false, !c.met()}});
   }
-  return html_table({{"answer"},
+  return html_table({{"result"},
                      {"limit line"},
                      {"compared [Hz]"},
                      right("least margin [dB]"),

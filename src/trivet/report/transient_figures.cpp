@@ -83,7 +83,7 @@ std::vector<Figure> transient_figures(const study::Answers& answers) {
     std::vector<PanelRow> rows;
     for (const auto* series : {&group.upper, &group.lower})
       if (!series->empty()) rows.push_back(history_row(transient, *series));
-    const std::string title = case_title("Motion in time: " + group.name, answers);
+    const std::string title = case_title("Time history: " + group.name, answers);
     figures.push_back({title, "transient-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
   }
   return figures;

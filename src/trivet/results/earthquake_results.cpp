@@ -63,15 +63,15 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
   for (const response::ModalShare& m : e.modes)
     modes.add({number_text(hertz(m.angular_frequency), 5), number_text(m.damping_ratio, 3),
                number_text(m.effective_mass, 5), number_text(m.spectral_acceleration, 5)});
-  TextTable table({"answer", "CQC", "SRSS", "unit"});
+  TextTable table({"result", "CQC", "SRSS", "unit"});
   std::map<std::string, double> largest;  // by unit
   for (const response::CombinedAnswer& a : e.answers)
     largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
   for (const response::CombinedAnswer& a : e.answers)
     table.add({a.name, number_text(without_round_off(a.complete_quadratic, largest[a.unit])),
                number_text(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
-  return "Earthquake by its response spectrum (motions against the ground, accelerations absolute)\n" + modes.text() +
-      table.text() +
+  return "Earthquake response from the spectrum (motions relative to the ground, accelerations absolute)\n" +
+      modes.text() + table.text() +
       fmt::format("  the spectrum covers modes with {} of the effective mass\n", percent(e.effective_mass_share));
 }
 

@@ -33,7 +33,7 @@ Json limit_lines(const study::Answers& answers) {
 std::string limit_lines_text(const study::Answers& answers) {
   if (answers.limit_lines.empty()) return "";
   TextTable table(
-      {"limit line", "answer", "compared [Hz]", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
+      {"limit line", "result", "compared [Hz]", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
     for (const response::Band& band : l.comparison.exceeded)

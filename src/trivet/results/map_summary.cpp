@@ -66,10 +66,8 @@ std::string best_words(const study::DesignMap& map) {
   const std::string place =
       fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
   if (std::isinf(best.margin))
-    return fmt::format(
-        "Best design: {}; margin ∞ (no rule limits {} designs; this one is the farthest from all others and from the "
-        "frame)",
-        place, map.without_bound);
+    return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; this one is in the middle of them)",
+                       place, map.without_bound);
   const std::string& rule = map.rules[best.governing].words;
   if (best.margin == 0)
     return fmt::format("No design is feasible and all have margin 0 ({}); the middle one: {}", rule, place);

@@ -108,18 +108,18 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   for (const response::CriticalSpeed& c : run.critical)
     if (!(c.relative_height < worth_a_row)) tall.push_back(c);
   std::stable_sort(tall.begin(), tall.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
-  TextTable table({"speed [rpm]", "order", "f [Hz]", "answer", "amplitude", "unit", "of its highest", "nearest mode"});
+  TextTable table({"speed [rpm]", "order", "f [Hz]", "result", "amplitude", "unit", "of its highest", "nearest mode"});
   for (std::size_t i = 0; i < std::min(most_rows, tall.size()); ++i) {
     const response::CriticalSpeed& c = tall[i];
     table.add({number_text(rpm(c.speed)), number_text(c.order, 4), number_text(hertz(c.angular_frequency)),
                run.overall[c.curve].name, number_text(c.amplitude), run.overall[c.curve].unit,
                percent(c.relative_height), mode_words(c.nearest_mode)});
   }
-  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest peak of the same answer)\n" +
+  std::string text = "Critical speeds (peaks of single orders above 1 % of the highest peak of the same result)\n" +
       (tall.empty() ? std::string("  none in the range\n") : table.text());
   if (tall.size() > most_rows)
     text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
-  TextTable overall({"answer", "highest rms of all orders", "at [rpm]", "unit"});
+  TextTable overall({"result", "highest rms of all orders", "at [rpm]", "unit"});
   for (const response::Overall& o : run.overall)
     overall.add({o.name, number_text(o.highest_rms), number_text(rpm(o.highest_rms_at)), o.unit});
   TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});

@@ -46,13 +46,13 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
 
 std::string transient_text(const project::Case& variant, const study::Answers& answers) {
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
-  TextTable table({"answer", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
+  TextTable table({"result", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
   for (const response::TimeCurve& c : found.curves)
     table.add({c.name, number_text(c.largest.value), number_text(c.largest.time, 5), number_text(c.smallest.value),
                number_text(c.smallest.time, 5), number_text(c.rms), c.unit});
   const Eigen::Index n = found.time.size();
   return excited_at_once(variant, "transient") +
-      fmt::format("Motion in time, {} to {} s in {} points\n", number_text(found.time(0), 4),
+      fmt::format("Time history, {} to {} s, {} points\n", number_text(found.time(0), 4),
                   number_text(found.time(n - 1), 4), n) +
       table.text();
 }

@@ -65,7 +65,7 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
 
 std::string transmissibility_text(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
-  TextTable table({"answer", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band",
+  TextTable table({"result", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band",
                    "efficiency there"});
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::CurveSummary& summary = t.peaks.curves[i];

@@ -30,7 +30,7 @@ void require_excitation(const std::string& question, const Case& variant) {
   const project::Drive drive = project::drive_of(question);
   if (drive == project::Drive::none || project::is_driven(variant.system, drive)) return;
   const project::MissingExcitation missing = project::missing_excitation(drive);
-  throw foundation::InvalidInput(question + ": " + missing.finding + "; this answer needs one; " + missing.remedy);
+  throw foundation::InvalidInput(question + ": " + missing.finding + "; this analysis needs one; " + missing.remedy);
 }
 
 Analyses response_of(const Case& variant) {

@@ -24,7 +24,7 @@ response::EarthquakeResponse answer_earthquake(const CaseContext& c, const proje
 }  // namespace
 
 const QuestionAnswer earthquake_answer =
-    answered_by<answer_earthquake>("largest response to an earthquake by its response spectrum",
+    answered_by<answer_earthquake>("largest response to an earthquake, from its response spectrum",
                                    "earthquake: no spectrum given; add earthquake = {direction = \"x\", rows = "
                                    "[[0.02, 3], [0.1, 9], …]} to [analyses]");
 

@@ -58,8 +58,8 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   if (all_zero) return;
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes)
-      warnings.warning("map: " + axis->name, "the axis changes no answer",
-                       "amplitudes of all rules are the same along it", "choose a number that affects the answers");
+      warnings.warning("map: " + axis->name, "no result changes along this axis",
+                       "the amplitudes of all rules are constant along it", "choose a number that affects the results");
 }
 
 /// Warns of a range that may be in another unit than the number of the model.

@@ -73,6 +73,6 @@ RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& 
 
 }  // namespace
 
-const QuestionAnswer random_answer = answered_by<answer_random>("root mean squares under random excitations");
+const QuestionAnswer random_answer = answered_by<answer_random>("RMS values under random excitation");
 
 }  // namespace trivet::study

@@ -46,7 +46,7 @@ std::vector<ShockSpectrumResult> answer_shock_spectrum(const CaseContext& c,
 }  // namespace
 
 const QuestionAnswer shock_spectrum_answer = answered_by<answer_shock_spectrum>(
-    "shock response spectra of ground motions in time",
+    "shock response spectra of ground accelerations over time",
     "shock_spectrum: no range of natural frequencies given; add shock_spectrum = {band "
     "= [\"5 Hz\", \"2000 Hz\"]} to [analyses]");
 

@@ -54,6 +54,6 @@ TransientResult answer_transient(const CaseContext& c, const project::TransientQ
 
 }  // namespace
 
-const QuestionAnswer transient_answer = answered_by<answer_transient>("motion in time");
+const QuestionAnswer transient_answer = answered_by<answer_transient>("time history of the motion");
 
 }  // namespace trivet::study

@@ -75,7 +75,7 @@ TEST(DesignEvaluation, ReportsThatRowsOfAnswersChangeBetweenDesigns) {
       test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.assembled_separately, 20u);
-  EXPECT_THAT(map.report.summary(), testing::HasSubstr("defined differently from design to design"));
+  EXPECT_THAT(map.report.summary(), testing::HasSubstr("whose definition differs between designs"));
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {

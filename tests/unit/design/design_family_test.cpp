@@ -78,7 +78,7 @@ TEST(DesignFamily, RejectsRowsThatChange) {
   };
   const auto found = design::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
   EXPECT_FALSE(found.family);
-  EXPECT_THAT(found.reason, testing::HasSubstr("defined differently from design to design"));
+  EXPECT_THAT(found.reason, testing::HasSubstr("whose definition differs between designs"));
 }
 
 TEST(DesignFamily, ReportsWhyADesignInTheMiddleIsNotPlain) {

@@ -35,7 +35,7 @@ TEST_P(BadProject, IsRejectedWithTheExpectedMessages) {
     EXPECT_FALSE(problem.origin.source.empty()) << text;
   }
   std::ifstream expected(fs::path(GetParam()).replace_extension(".expected"));
-  ASSERT_TRUE(expected) << "no .expected file beside " << GetParam();
+  ASSERT_TRUE(expected) << "no .expected file next to " << GetParam();
   int lines = 0;
   for (std::string line; std::getline(expected, line);) {
     if (line.empty()) continue;

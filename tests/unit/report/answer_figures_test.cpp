@@ -138,7 +138,7 @@ TEST(AnswerSections, ContainTheFiguresAndTheKeyNumbers) {
   const std::string html = report::answer_sections(everything());
   EXPECT_EQ(xml_fault(html), "");
   EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::answer_figures(everything()).size()));
-  for (const char* title : {"Random response", "Motion in time", "Run-up", "Transmissibility", "Power into the ground",
+  for (const char* title : {"Random response", "Time history", "Run-up", "Transmissibility", "Power into the ground",
                             "Shock response spectrum", "Limit lines", "Operating shapes"})
     EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));
   EXPECT_THAT(html, HasSubstr("zero crossings"));

@@ -24,7 +24,7 @@ TEST(Transient, RejectsMorePointsTimesAnswersThanMemoryAllows) {
     static_cast<void>(test::transient(system, assembled, {"coordinates"}, {push}, options));
     FAIL() << "10,000,001 points of 30 answers are 2.5 GB";
   } catch (const foundation::NotComputable& refusal) {
-    EXPECT_THAT(refusal.what(), testing::HasSubstr("10000001 points × 30 answers and the time need 2.48 GB"));
+    EXPECT_THAT(refusal.what(), testing::HasSubstr("10000001 points × 30 results and the time need 2.48 GB"));
   }
 }
 

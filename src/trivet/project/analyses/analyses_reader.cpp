@@ -16,7 +16,7 @@ constexpr int most_points = 2'000'000;
 /// Reports a steady response without a harmonic excitation.
 void check_driven(TableReader& analyses, const std::string& key, const NamesInFile& in_file) {
   if (in_file.harmonic_excitations.empty())
-    analyses.error(key, "no harmonic excitation in the model", "a response needs a force that drives it",
+    analyses.error(key, "no harmonic excitation in the model", "a response needs an excitation",
                    "add [excitations.NAME] with type = \"harmonic\"");
 }
 
@@ -49,7 +49,7 @@ ResponseRequest read_response(const Node& node, const ResultNames& names, const 
     if (reader.has("band")) reader.error("at", "at and band", "only one of them sets the frequencies", "remove one");
     for (const char* key : {"spacing", "points"})
       if (reader.has(key))
-        reader.error(key, std::string(key) + " together with at", "single frequencies are not a grid",
+        reader.error(key, std::string(key) + " together with at", "single frequencies have no grid",
                      "remove it, or give a band in place of at");
     request.at = *at;
   }
@@ -75,7 +75,7 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
   const Node* table = root.table("limits");
   if (!table) return limits;
   if (!response && !mapped)
-    root.error("limits", "no response to compare with", "limits hold over the band of analyses.response",
+    root.error("limits", "no response to compare with", "limits apply to the band of analyses.response",
                "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
   for (const std::string& name : table->keys) {
@@ -88,8 +88,8 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
     }
     if (!quantity_is_clear) continue;  // its unit depends on what could not be read
     if (const Node* value = reader.node(name); value->kind == Node::Kind::array) {
-      reader.error(name, "a list", "[limits] holds one number for each answer",
-                   "several limits of one answer belong to [analyses.map.limits]");
+      reader.error(name, "a list", "[limits] has one number for each result",
+                   "several limits of one result belong to [analyses.map.limits]");
       continue;
     }
     const auto amplitude = reader.number(name, *measured);
@@ -136,7 +136,7 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
     }
     if (const Node* node = reader.table("static")) {
       if (!root.has("gravity") && in_file.constant_excitations.empty())
-        reader.error("static", "neither gravity nor a constant force", "a static answer needs a load",
+        reader.error("static", "neither gravity nor a constant force", "a static analysis needs a load",
                      "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
       analyses.static_of = read_static(*node, names, in_file, root.problems());
       analyses.load_sharing = root.has("gravity");

@@ -21,7 +21,7 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   for (const std::string& word : asked->selection.of)
     if (word == "base" || word.starts_with("base."))
       reader.error("of", "\"" + word + "\"",
-                   "an earthquake's answers are those of bodies and elements, relative to the ground", "remove it");
+                   "earthquake results are those of bodies and elements, relative to the ground", "remove it");
   if (!reader.has("direction"))
     reader.missing("direction", "give the direction of the ground motion: direction = \"x\"");
   asked->direction = reader.direction("direction").value_or(Eigen::Vector3d::UnitX());
@@ -35,8 +35,8 @@ std::unique_ptr<Question> read_earthquake(TableReader& reader, const ResultNames
   std::vector<double> places(rows->col(0).begin(), rows->col(0).end()),
       accelerations(rows->col(1).begin(), rows->col(1).end());
   if (std::any_of(places.begin(), places.end(), [](double x) { return !(x > 0); })) {
-    reader.error(source, "a period or frequency that is not > 0", "a spectrum over logarithmic axes begins above 0",
-                 "give a short period for the acceleration of the ground");
+    reader.error(source, "a period or frequency that is not > 0", "a spectrum on logarithmic axes begins above 0",
+                 "give the peak ground acceleration at a short period, 0.01 s for instance");
     return asked;
   }
   if (std::adjacent_find(places.begin(), places.end(), std::greater_equal<>()) != places.end()) {

@@ -14,7 +14,7 @@ void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& res
   const Node* table = root.table("limit_lines");
   if (!table) return;
   if (!result.response)
-    root.error("limit_lines", "no response to compare with", "limit lines hold over the band of analyses.response",
+    root.error("limit_lines", "no response to compare with", "limit lines apply to the band of analyses.response",
                "add response = {…} to [analyses]");
   TableReader all(*table, "limit_lines", root.problems());
   for (const std::string& name : table->keys) {

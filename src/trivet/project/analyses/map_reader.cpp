@@ -41,18 +41,18 @@ bool is_adjustment(const std::string& key) {
 void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
   const std::string shown = "\"" + path.substr(0, 80) + "\"";
   if (path.find('[') != std::string::npos)
-    return static_cast<void>(reader.error("parameter", shown, "parts are named, not counted",
+    return static_cast<void>(reader.error("parameter", shown, "a path names its parts and has no indices",
                                           "name a number: \"elements.mount.scale\", \"elements.mount.at.y\" of an "
                                           "array of three, \"bodies.machine.mass\""));
   if (has_stray_blank(path))
     return static_cast<void>(reader.error(
-        "parameter", shown, "only quoted names in a path have blanks",
+        "parameter", shown, "a name with blanks needs quotes in a path",
         R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
   const std::vector<std::string> parts = {"bodies",      "elements", "element_types",
                                           "excitations", "damping",  "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
-    reader.error("parameter", shown, "a design changes one number of the model, named by its path as in --set",
+    reader.error("parameter", shown, "an axis changes one number of the model, named by its path as in --set",
                  "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
     return;
   }
@@ -155,8 +155,8 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
       const std::string unit = si_unit(*names.component(name, quantity));
       if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
     }
-    reader.error(name, value_text(value), "its unit does not measure this answer",
-                 "a unit that converts to one of " + units);
+    reader.error(name, value_text(value), "this result has another unit",
+                 "use a unit that converts to one of " + units);
     return;
   }
   const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
@@ -173,7 +173,7 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
-                                              "of two limits of one quantity, the larger has no effect",
+                                              "the larger of two limits of one quantity has no effect",
                                               "keep the smaller"));
 }
 
@@ -212,7 +212,7 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
       continue;
     }
     map.error("no_peak", foundation::quoted(word),
-              "it names no result: coordinates, a body, BODY.POINT, an element or one component of these",
+              "no such result; known are coordinates, a body, BODY.POINT, an element or one component of these",
               names.remedy(word));
   }
   request.no_peak = *words;
@@ -281,13 +281,13 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
   const bool asks_for_peaks =
       no_peak && !(no_peak->kind == Node::Kind::array && no_peak->items.empty());  // readable or not
   if (!asks_for_peaks && (reader.has("limits") ? limits && limits->keys.empty() : !root.has("limits")))
-    reader.error("", "neither limits nor no_peak", "a map shows which designs meet the rules",
+    reader.error("", "neither limits nor no_peak", "a map needs rules that its designs must meet",
                  "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", or [limits]");
   request.limits_of_file = !reader.has("limits");
   const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty() : root.has("limits");
   if (!has_limits && reader.has("band"))
     warn_of_idle_key(reader, "band", "a band without limits",
-                     "it bounds the frequencies of limited amplitudes; resonance peaks count at all frequencies",
+                     "the band applies to limits of amplitudes; resonance peaks count at all frequencies",
                      "add limits, or remove it");
   for (const char* key : {"min_prominence", "peak_tolerance"})
     if (!asks_for_peaks && reader.has(key))

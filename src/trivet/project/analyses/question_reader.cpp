@@ -36,7 +36,7 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Names
     if (!table) continue;
     const bool driven = question.drive == Drive::none || (question.moves_by_itself && question.moves_by_itself(*table));
     if (!driven && excitations_for(question.drive, in_file).empty())
-      analyses.error(question.name, missing_excitation(question.drive).finding, "this answer needs one",
+      analyses.error(question.name, missing_excitation(question.drive).finding, "this analysis needs one",
                      missing_excitation(question.drive).remedy);
     TableReader reader(*table, std::string("analyses.") + question.name, analyses.problems());
     result.questions[question.name] = question.read(reader, names, in_file);

@@ -45,8 +45,8 @@ class Sizes {
   void check_curves(const std::string& question, double count) {
     if (count > static_cast<double>(most_curves))
       problems.error(question, fmt::format("{:.0f} curves", count),
-                     fmt::format("at most {} are computed for one question", most_curves),
-                     "name fewer answers in `of`");
+                     fmt::format("at most {} are computed for one analysis", most_curves),
+                     "name fewer results in `of`");
   }
 
   void check_search(const std::string& question, double count) {
@@ -59,7 +59,7 @@ class Sizes {
               "resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: about {:.2g} hours of search", count,
               all_, seconds / 3600),
           fmt::format("at most {:.0f} hour is allowed", longest_search / 3600),
-          "name fewer answers in `of`, guide bodies by `free`, or split the model");
+          "name fewer results in `of`, guide bodies by `free`, or split the model");
   }
 
   void check_values(const std::string& question, double points, double count) {
@@ -67,7 +67,7 @@ class Sizes {
       problems.error(question,
                      fmt::format("{:.0f} points × {:.0f} curves = {:.3g} values", points, count, points * count),
                      fmt::format("at most {:.0e} values are computed at once", most_values),
-                     "take fewer points or fewer answers; an automatic spacing needs a few hundred points");
+                     "take fewer points or fewer results; an automatic spacing needs a few hundred points");
   }
 
   foundation::Problems problems;
@@ -94,7 +94,7 @@ void check_inputs(Sizes& sizes, const model::Description& description) {
   if (together > most_inputs)
     sizes.problems.error("excitations", fmt::format("{} random excitations with a coherence", together),
                          fmt::format("at most {} may be correlated", most_inputs),
-                         "join neighbouring ones, or make them uncorrelated");
+                         "combine neighbouring ones, or make them uncorrelated");
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
   if (const std::size_t count = coordinates(description, true); count > most_with_laws) {
     sizes.problems.error(
         "elements", fmt::format("{} coordinates with those of their laws", count),
-        fmt::format("at most {} are computed; a fractional law takes 21 for each direction", most_with_laws),
+        fmt::format("at most {} are computed; a fractional law adds 21 for each direction", most_with_laws),
         "take kelvin_voigt, zener or maxwell laws for some elements, or split the model");
     return sizes.problems;
   }

@@ -87,16 +87,16 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
   const auto words = reader.texts("of", R"(["coordinates", "BODY.x", "ELEMENT.force.z"])");
   if (!words) return;
   if (words->size() > most_curves) {
-    reader.error("of", fmt::format("{} answers", words->size()),
-                 fmt::format("at most {} are named for one question", most_curves), "name fewer");
+    reader.error("of", fmt::format("{} results", words->size()),
+                 fmt::format("one analysis has at most {}", most_curves), "name fewer");
     return;
   }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::MotionQuantity::displacement)) continue;
     reader.error("of", foundation::quoted(word),
-                 "it names no result: coordinates, ground, base, a body, BODY.POINT, an element, one of these with "
-                 ".relative, .deflection or .foot, or one component (x … rz of a motion "
-                 "that is free, force.x … moment.z of an element or the ground)",
+                 "no such result; known are coordinates, ground, base, a body, BODY.POINT, an element, one of these "
+                 "with .relative, .deflection or .foot, or one component (x … rz of a motion that is free, force.x … "
+                 "moment.z of an element or the ground)",
                  names.remedy(word));
   }
   if (words->empty())
@@ -207,9 +207,10 @@ void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_
   }
   if (const auto share = reader.number("peak_tolerance", Quantity::pure)) {
     if (!(*share >= 0))
-      reader.error("peak_tolerance", fmt::format("{:.6g}", *share),
-                   "it is a share of the minimum beside a peak: 0 or more; 1 lets it rise to twice the minimum",
-                   "give 0.01 for 1 %");
+      reader.error(
+          "peak_tolerance", fmt::format("{:.6g}", *share),
+          "it is a share of the minimum next to a peak: 0 or more; with 1, a peak may rise to twice that minimum",
+          "give 0.01 for 1 %");
     peak_tolerance = *share;
   }
 }

@@ -45,7 +45,7 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
 void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
                     const std::string& kind, AnswerSelection& selection);
 
-/// Reads `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum beside a
+/// Reads `min_prominence`, a share of the whole curve's height, and `peak_tolerance`, a share of the minimum next to a
 /// peak, which may exceed 1.
 void read_peak_shares(TableReader& reader, double& min_prominence, double& peak_tolerance);
 

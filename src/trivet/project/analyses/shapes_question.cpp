@@ -18,7 +18,8 @@ std::unique_ptr<Question> read_shapes(TableReader& reader, const ResultNames&, c
   if (reader.has("at") && asked->at.empty())
     reader.error("at", "no frequency", "at least one is expected", "for instance at = [\"25 Hz\"]");
   for (const double omega : asked->at)
-    if (!(omega > 0)) reader.error("at", fmt::format("{:.6g} rad/s", omega), "a shape is drawn at ω > 0", "correct it");
+    if (!(omega > 0))
+      reader.error("at", fmt::format("{:.6g} rad/s", omega), "a deflection shape needs ω > 0", "correct it");
   if (asked->at.size() > most_shapes)
     reader.error("at", fmt::format("{} frequencies", asked->at.size()),
                  fmt::format("at most {} shapes are drawn", most_shapes), "name fewer frequencies");

@@ -40,7 +40,8 @@ std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames&
   asked->to = reader.number("to", Quantity::time);
   asked->step = reader.number("step", Quantity::time);
   if (asked->to && !(*asked->to > asked->from))
-    reader.error("to", fmt::format("{:.6g} s", *asked->to), "the end is after the start", "give `to` above `from`");
+    reader.error("to", fmt::format("{:.6g} s", *asked->to), "the end must be after the start",
+                 "give `to` above `from`");
   if (asked->step && !(*asked->step > 0))
     reader.error("step", fmt::format("{:.6g} s", *asked->step), "a step is > 0", "correct it");
   if (asked->step && asked->to && *asked->step > *asked->to - asked->from && *asked->to > asked->from)

@@ -40,7 +40,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
   for (const std::string& name : asked->selection.of)
     if (!in_file.bodies_unknown && std::find(places.begin(), places.end(), name) == places.end()) {
       const std::string guess = foundation::nearest_name(name, places);
-      reader.error("of", foundation::quoted(name), "a motion is that of a body or BODY.POINT",
+      reader.error("of", foundation::quoted(name), "`of` names bodies or BODY.POINT",
                    guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
     }
   asked->band = read_band(reader, "band");

@@ -56,8 +56,8 @@ void read_stiffness_factor(TableReader& reader, const model::Element& element, b
     const std::string key = model::coordinate_names[j];
     factors(to_index(j)) = read_factor(inside, key);
     if (inside.has(key) && !response::has_plain_stiffness(element))
-      inside.error(key, "a stiffness by direction of an element with inertia or frequency-dependent stiffness",
-                   "these scale with the whole stiffness only", "use `all`, or `scale` of the element");
+      inside.error(key, "a factor for one direction of an element with mass or frequency-dependent stiffness",
+                   "such an element has one factor for its whole stiffness", "use `all`, or `scale` of the element");
   }
   inside.finish();
   if (all != 1)

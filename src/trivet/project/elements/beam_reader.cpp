@@ -66,7 +66,7 @@ std::optional<Section> read_section(TableReader& reader, const elements::Metal& 
       if ((*d)[0] > (*d)[1]) result = elements::tube_section((*d)[0], (*d)[1], metal);
       else
         section.error("tube", fmt::format("outer {:.6g} m, inner {:.6g} m", (*d)[0], (*d)[1]),
-                      "the outer diameter exceeds the inner", "order: [outer, inner]");
+                      "the outer diameter must exceed the inner one", "order: [outer, inner]");
     }
   } else if (section.has("rectangle")) {
     if (const auto w = sides("rectangle"); w && positive("rectangle", (*w)[0]) && positive("rectangle", (*w)[1]))

@@ -77,7 +77,7 @@ std::optional<Compression> read_compression(TableReader& reader) {
   const auto by = preload.number("compression", Quantity::length), with = preload.number("force", Quantity::force);
   if (preload.has("compression") == preload.has("force"))
     preload.error("force", preload.has("force") ? "compression and force" : "neither compression nor force",
-                  "the preload is one of them, positive in compression", "give one");
+                  "a preload is one of them, positive in compression", "give one");
   preload.finish();
   if (with) return Compression{*with, true};
   if (by) return Compression{*by, false};
@@ -164,7 +164,7 @@ ElementLength condensed(TableReader& reader, const std::string& key, const std::
       reader.error(reader.has("step") ? "step" : "type", reason.what(), "the solid cannot be condensed",
                    "correct the solid, its plates or its mesh");
   } catch (const foundation::NotComputable& reason) {
-    reader.error(compression ? "preload" : "type", reason.what(), "the static state must exist",
+    reader.error(compression ? "preload" : "type", reason.what(), "a static equilibrium under the preload must exist",
                  "lower the preload, or check the solid and its plates");
   }
   return std::nullopt;

@@ -23,10 +23,10 @@ double read_center(TableReader& reader, Placement& ends) {
   const double center = reader.number("center", Quantity::pure).value_or(0.5);
   if (reader.has("center") && ends.known && ends.span.arm.isZero(0))
     warn_of_idle_key(reader, "center", "center of an element without length",
-                     "it is a fraction of the way from end N to end K, and both are at one place",
+                     "it is a fraction of the distance from end N to end K, and this distance is 0",
                      "give from_at, or remove it");
   if (!(center >= 0 && center <= 1))
-    reader.error("center", fmt::format("{:.6g}", center), "the elastic point lies between the ends: 0 (N) … 1 (K)",
+    reader.error("center", fmt::format("{:.6g}", center), "the elastic centre is between the ends: 0 (N) … 1 (K)",
                  "give a fraction of the length");
   ends.damping_at = center;
   return center;
@@ -78,20 +78,20 @@ const ElementLaw matrix_law = {.type = "matrix", .placed = read_matrix, .keys = 
   "required": ["stiffness"]})json"};
 
 const ElementLaw bushing_law = {.type = "bushing", .placed = read_bushing, .keys = R"json({"properties": {
-   "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1"},
+   "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1"},
    "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes"},
    "rotation": {"$ref": "#/$defs/vector", "description": "N m/rad"}},
   "required": ["translation"]})json"};
 
 const ElementLaw three_springs_law = {
     .type = "three_springs", .placed = read_three_springs, .keys = R"json({"properties": {
-   "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1"},
+   "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1"},
    "translation": {"$ref": "#/$defs/vector", "description": "N/m along the local axes"}},
   "required": ["translation"]})json"};
 
 const ElementLaw damper_law = {
     .type = "damper", .placed = read_damper, .takes_damping = false, .keys = R"json({"properties": {
-   "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1"},
+   "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1"},
    "coefficient": {"$ref": "#/$defs/number", "description": "N s/m along the line from N to K, or along `axis`"},
    "damping": false},
   "required": ["coefficient"]})json"};

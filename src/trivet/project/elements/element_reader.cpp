@@ -120,8 +120,8 @@ class ElementReader {
     const Eigen::Vector3d expected = *length_ * Eigen::Vector3d::UnitZ();
     if ((ends_.span.arm - expected).norm() <= rounding * std::max(*length_, smallest)) return;
     reader_.error("from_at",
-                  fmt::format("from N to K it is ({:.9g}, {:.9g}, {:.9g}) m in the local axes", ends_.span.arm.x(),
-                              ends_.span.arm.y(), ends_.span.arm.z()),
+                  fmt::format("the vector from N to K is ({:.9g}, {:.9g}, {:.9g}) m in the local axes",
+                              ends_.span.arm.x(), ends_.span.arm.y(), ends_.span.arm.z()),
                   fmt::format("this element is {:.9g} m long along its local e3", *length_),
                   "remove from_at, or correct the ends, the axis or the element");
   }

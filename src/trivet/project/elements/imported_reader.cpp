@@ -24,11 +24,11 @@ std::optional<std::vector<int>> whole_numbers(TableReader& reader, const char* k
   if (whole.size() == count && numbers->size() == count) return whole;
   if (numbers->size() == count) {
     reader.error(key, "a number that is negative or not whole", fmt::format("{} whole numbers are expected", count),
-                 "count nodes as the file does, rows from 1");
+                 "use the node numbers of the file; rows count from 1");
     return std::nullopt;
   }
   reader.error(key, fmt::format("{} values", numbers->size()), fmt::format("{} whole numbers are expected", count),
-               "count nodes as the file does, rows from 1");
+               "use the node numbers of the file; rows count from 1");
   return std::nullopt;
 }
 

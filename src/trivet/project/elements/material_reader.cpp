@@ -127,7 +127,7 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
   constexpr const char* remedy = "give the rubber: material = {G = \"0.7 MPa\"} or {hardness = 55}";
   if (const Node* given = reader.node("material"); given && given->kind == Node::Kind::text) {
     reader.error("material", foundation::quoted(given->text),
-                 "compounds of one name differ, so a rubber needs a modulus or a hardness", remedy);
+                 "rubbers of one name differ, so a modulus or a hardness is needed", remedy);
     return std::nullopt;
   }
   const Node* node = reader.table("material");

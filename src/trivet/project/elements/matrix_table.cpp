@@ -132,7 +132,7 @@ void check_passive(TableReader& reader, const MatrixTable& table, const model::S
     found.error("file", finding, rule, "check signs and phases of the loss columns, especially of couplings");
   else
     found.warning("file", finding, rule,
-                  "noise of the measurement may explain it; it can feed energy into some motion");
+                  "measurement noise may be the cause; such an element can feed energy into a motion");
   reader.add(found);
 }
 

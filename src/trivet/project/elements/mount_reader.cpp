@@ -15,7 +15,7 @@ int read_mesh_level(TableReader& reader) {
   const auto level = reader.number("mesh_level", Quantity::pure);
   if (level && !(*level >= 1 && *level <= finest && *level == std::floor(*level))) {
     reader.error("mesh_level", fmt::format("{:.6g}", *level),
-                 fmt::format("a whole number from 1 to {}; the number of elements grows with its cube", finest),
+                 fmt::format("a whole number from 1 to {}; the number of finite elements grows with its cube", finest),
                  "3 is the default");
     return fem::default_level;
   }
@@ -177,9 +177,9 @@ const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_m
  {"with": ["large_strain"],
   "properties": {
    "step": {"type": "string", "description": "STEP file, relative to the project file"},
-   "mesh_size": {"$ref": "#/$defs/number", "description": "size of the elements, m, > 0"},
-   "rim_size": {"$ref": "#/$defs/number", "description": "size of the elements at bonded rims, m (default: mesh_size/4)"},
-   "rim_distance": {"$ref": "#/$defs/number", "description": "from a rim to where the full size is reached, m (default: 2 mesh_size)"},
+   "mesh_size": {"$ref": "#/$defs/number", "description": "size of the finite elements, m, > 0"},
+   "rim_size": {"$ref": "#/$defs/number", "description": "size of the finite elements at bonded rims, m (default: mesh_size/4)"},
+   "rim_distance": {"$ref": "#/$defs/number", "description": "distance from a rim at which the full size is reached, m (default: 2 mesh_size)"},
    "plate_n": {"$ref": "#/$defs/plate", "description": "faces on the plate of end N (default: furthest along -z)"},
    "plate_k": {"$ref": "#/$defs/plate", "description": "faces on the plate of end K (default: furthest along z)"},
    "step_axis": {"$ref": "#/$defs/direction", "description": "e3 in the axes of the file (default: z)"},

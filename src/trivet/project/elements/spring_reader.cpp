@@ -136,7 +136,7 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
   const char* key = asked->is_force ? "force" : "compression";
   if (spring.seat_n == elements::Seat::pivoted || spring.seat_k == elements::Seat::pivoted) {
     reader.error("ends", "\"pivoted\" with a preload",
-                 "a pivot cannot carry the moment that keeps a compressed spring from turning",
+                 "a pivot cannot carry the moment that keeps a compressed spring from tilting",
                  "clamp both seats, or remove the preload");
     return std::nullopt;
   }
@@ -149,7 +149,7 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
     if (findings.has_errors()) return std::nullopt;
     return state;
   } catch (const foundation::InvalidInput& reason) {
-    preload.error(key, reason.what(), "the compressed spring must exist", "lower the preload");
+    preload.error(key, reason.what(), "this compression must be possible", "lower the preload");
   } catch (const foundation::NotComputable& reason) {
     preload.error(key, reason.what(), "the loaded spring must be in equilibrium",
                   "lower the preload, and check its sign and unit");

@@ -109,7 +109,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
   const std::size_t before_size = reader.errors();
   options.size = reader.required_number("mesh_size", Quantity::length);
   if (reader.errors() == before_size && !(options.size > 0))
-    reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the edge of the elements is > 0",
+    reader.error("mesh_size", fmt::format("{:.6g} m", options.size), "the size of the finite elements is > 0",
                  "correct the value or its unit");
   options.rim_size = reader.number("rim_size", Quantity::length).value_or(0);
   options.rim_distance = reader.number("rim_distance", Quantity::length).value_or(0);
@@ -161,7 +161,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
     if (!distance) static_cast<void>(make());  // only the stiffness was in the cache
   } catch (const foundation::InvalidInput& reason) {
     if (reader.errors() == before)
-      reader.error("step", reason.what(), "the distance of its plates follows from its mesh",
+      reader.error("step", reason.what(), "the mesh determines the distance of the plates",
                    "correct the solid, its plates or its mesh");
   }
   return distance;

@@ -33,7 +33,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
     reader.error("damping", "damping together with a table", "its table holds the loss", "remove it");
   static_cast<void>(reader.node("damping"));
   if (!(centre >= 0 && centre <= 1))
-    reader.error("center", fmt::format("{:.6g}", centre), "the elastic point lies between the ends: 0 (N) … 1 (K)",
+    reader.error("center", fmt::format("{:.6g}", centre), "the elastic centre is between the ends: 0 (N) … 1 (K)",
                  "give a fraction of the length");
   if (!file) return;
   const auto csv = read_csv_table(*file, most_rows_over_frequency);
@@ -112,7 +112,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
 constexpr const char* table_keys = R"json({"properties": {
    "file": {"type": "string", "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved end K) or 12 (N, then K)"},
    "interpolation": {"enum": ["monotone_cubic", "linear"], "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},
-   "center": {"$ref": "#/$defs/number", "description": "elastic point as a fraction of the length from N, 0 to 1 (default: 0.5)"},
+   "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
    "damping": false},
   "required": ["file"]})json";
 const ElementLaw table_law = {.type = "table", .placed = read_tabulated, .keys = table_keys};

@@ -135,7 +135,7 @@ std::optional<model::Action> read_ground_motion(TableReader& reader, const model
     reader.error("at", "a centre of rotation together with elements or a wave",
                  "then each ground end moves about its own reference point", "remove `at`");
   if (reader.has("on"))
-    reader.error("on", "a body under a moving ground", "the ground moves, not a body", "remove `on`");
+    reader.error("on", "a body under a moving ground", "a base excitation moves the ground, not a body", "remove `on`");
   static_cast<void>(reader.node("on"));
   // Elements on the modes of a foundation are on the ground too; the checks of the model report that modes cannot
   // follow it.

@@ -43,7 +43,7 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
     if (node->kind == Node::Kind::array && item.kind == Node::Kind::table) tables.push_back(&item);
   if (tables.empty() || (node->kind == Node::Kind::array && tables.size() < node->items.size()))
     reader.error("coherence", kind_name(node->kind),
-                 "a table, or a list of tables, is expected: {with = \"NAME\", value = 0.6}", "write it so");
+                 "a table, or a list of tables, is expected: {with = \"NAME\", value = 0.6}", "write it in this form");
   for (const Node* one : tables) {
     TableReader inside(*one, reader.path() + ".coherence", reader.problems());
     model::Random::Partner partner;

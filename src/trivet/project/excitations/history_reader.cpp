@@ -90,7 +90,8 @@ std::optional<excitation::Signal> read_pulse(TableReader& history, const Pulse& 
   }
   reader.finish();
   if (reader.errors() > before) return std::nullopt;  // a missing number counts as 0 above
-  if (!refusal.empty()) reader.error("", refusal, "a pulse has finite numbers and times above 0", "correct the number");
+  if (!refusal.empty())
+    reader.error("", refusal, "the numbers of a pulse are finite and its times > 0", "correct the number");
   return signal;
 }
 
@@ -116,8 +117,8 @@ std::optional<excitation::Signal> read_samples(TableReader& history, Quantity me
   double scale = history.number("scale", Quantity::pure).value_or(1);
   if (history.choice("unit", {"SI", "g"}) == "g") {
     if (measured != Quantity::acceleration)
-      history.error("unit", "g", "only translational accelerations are measured in it",
-                    "add quantity = \"acceleration\" to the excitation, or give SI");
+      history.error("unit", "g", "only a translational acceleration has this unit",
+                    "add quantity = \"acceleration\" to the excitation, or use SI units");
     scale *= standard_gravity;
   }
   const bool hold = history.choice("after", {"hold", "zero"}).value_or("hold") == "hold";
@@ -149,8 +150,8 @@ std::optional<excitation::Signal> read_history(TableReader& reader, const std::s
   if (given.size() + (sampled ? 1 : 0) != 1) {
     std::string names;
     for (const Pulse& pulse : pulses()) names += std::string(", ") + pulse.name;
-    history.error("", given.empty() && !sampled ? "no course" : "more than one course",
-                  "exactly one of file, rows" + names + " is expected", "for several use several excitations");
+    history.error("", given.empty() && !sampled ? "no signal" : "more than one signal",
+                  "exactly one of file, rows" + names + " is expected", "use one excitation for each signal");
     for (const Pulse* pulse : given) static_cast<void>(history.node(pulse->name));
     if (given.empty() && !sampled) return std::nullopt;
     for (const char* name : {"file", "rows", "unit", "scale", "after"}) static_cast<void>(history.node(name));

@@ -20,8 +20,8 @@ using foundation::standard_gravity;
 double density_unit(TableReader& psd, const model::Action& action) {
   if (psd.choice("unit", {"SI", "g^2/Hz"}).value_or("SI") == "SI") return 1;
   if (course_quantity(action) != Quantity::acceleration)
-    psd.error("unit", "g^2/Hz", "only a spectrum of translational accelerations is measured in it",
-              "add quantity = \"acceleration\" to the excitation, or give SI");
+    psd.error("unit", "g^2/Hz", "only the spectrum of a translational acceleration has this unit",
+              "add quantity = \"acceleration\" to the excitation, or use SI units");
   return standard_gravity * standard_gravity;
 }
 
@@ -35,8 +35,7 @@ std::optional<excitation::Spectrum> spectrum_from_rows(TableReader& reader, cons
   for (const double hertz : table.frequencies_hz)
     if ((hertz > 0 && hertz < slowest) || hertz > fastest) {
       reader.error(key, fmt::format("a frequency of {:.6g} Hz", hertz),
-                   "frequencies of a spectrum are 0 or lie between 1e-9 and 1e12 Hz",
-                   "check the unit and the power of ten");
+                   "frequencies of a spectrum are 0 or from 1e-9 to 1e12 Hz", "check the unit and the power of ten");
       return std::nullopt;
     }
   const foundation::Problems findings = excitation::check(table, key);
@@ -48,13 +47,14 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
   const auto letter = psd.choice("road", {"A", "B", "C", "D", "E", "F", "G", "H"});
   const double speed = psd.required_number("speed", Quantity::velocity);
   if (psd.has("speed") && !(speed > 0))
-    psd.error("speed", fmt::format("{:.6g} m/s", speed), "a road excites at a speed > 0", "for instance \"80 km/h\"");
+    psd.error("speed", fmt::format("{:.6g} m/s", speed), "excitation by a road needs a speed > 0",
+              "for instance \"80 km/h\"");
   if (!letter) return std::nullopt;
   excitation::RoadRoughness road = excitation::road_class((*letter)[0]);
   if (const auto waviness = psd.number("waviness", Quantity::pure)) road.waviness = *waviness;
   if (!(road.waviness > 0 && road.waviness <= 5))
     psd.error("waviness", fmt::format("{:.6g}", road.waviness),
-              "the waviness of roads is about 2, and between 0 and 5 here", "correct it");
+              "the waviness of a road is about 2; values above 0 and up to 5 are allowed", "correct it");
   if (const auto range = psd.numbers("wave_numbers", Quantity::pure)) {
     if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0])
       road.wave_number_from = (*range)[0], road.wave_number_to = (*range)[1];
@@ -63,8 +63,8 @@ std::optional<excitation::Spectrum> read_road(TableReader& psd, const model::Act
                 "[from, to] in cycles per metre with 0 < from < to", "for instance [0.011, 2.83]");
   }
   if (course_quantity(action) != Quantity::length)
-    psd.error("road", "a road for a quantity other than a displacement of the ground",
-              "a road class gives the height of the ground",
+    psd.error("road", "the excitation is not a displacement of the ground",
+              "a road class is a spectrum of the height of the ground",
               "use base = true, translation = [0, 0, 1] and no quantity");
   return speed > 0 && psd.errors() == 0 ? std::optional(excitation::road_spectrum(road, speed)) : std::nullopt;
 }

@@ -50,7 +50,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
     }
     if (reason.kind != Node::Kind::text || reason.text.find_first_not_of(" \t\n") == std::string::npos) {
       problems
-          .error(subject, fmt::format("\"{}\" = {}", kind, value_text(reason)), "an acceptance has a reason, in words",
+          .error(subject, fmt::format("\"{}\" = {}", kind, value_text(reason)), "an acceptance needs a reason in words",
                  example)
           .origin = reason.origin;
       continue;

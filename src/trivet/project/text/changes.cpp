@@ -24,7 +24,8 @@ void refuse_new_name(const Node& base, const Node& change, const std::string& pa
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems
       .error(
-          path + "." + key, "no such thing in the model", "a change can only alter what the model has",
+          path + "." + key, "the model has no such key or part",
+          "cases and --set change what the model has; they add nothing",
           guess.empty() ? "known here: " + foundation::comma_separated(base.keys) : "did you mean \"" + guess + "\"?")
       .origin = change.origin;
 }
@@ -62,13 +63,13 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     const std::string here = path.empty() ? key : path + "." + key;
     if (path.empty() && key == "tables") {
       problems
-          .error(here, "cannot be changed", "its rows are elements, bodies and points like all others",
-                 "change them by name: elements.\"NAME\".at.x")
+          .error(here, "cannot be changed", "change its rows as elements, bodies and points",
+                 "use their names: elements.\"NAME\".at.x")
           .origin = change.origin;
       continue;
     }
     if (path.empty() && (key == "cases" || key == "trivet")) {
-      problems.error(here, "cannot be changed", "a change alters numbers of the model", "remove it").origin =
+      problems.error(here, "cannot be changed", "a case or --set changes the model only", "remove it").origin =
           change.origin;
       continue;
     }

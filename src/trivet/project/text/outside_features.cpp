@@ -65,8 +65,8 @@ const OutsideFeature of_elements = {
     "remove the key"};
 const OutsideFeature of_designs = {"optimisation and the selection of mounts are outside this version",
                                    "a map of two numbers shows the feasible designs: analyses.map; or remove the key"};
-const OutsideFeature of_motions = {"answers of nonlinear elements are outside this version",
-                                   "every answer is that of the linear system; remove the key"};
+const OutsideFeature of_motions = {"results of nonlinear elements are outside this version",
+                                   "every result is that of the linear system; remove the key"};
 const OutsideFeature of_shafts = {
     "gyroscopic terms of turning shafts are outside this version",
     "bodies vibrate about rest; give the shaft as an excitation of type \"unbalance\" or \"orders\""};

@@ -189,7 +189,8 @@ class PartTable {
     if (kind_ == "points") {
       const Node* at = row.find("at");
       if (!at)
-        problems_.error(path + ".at", "missing", "a point has a place", "give at.x, at.y and at.z").origin = origin;
+        problems_.error(path + ".at", "missing", "a point needs its position", "give at.x, at.y and at.z").origin =
+            origin;
       for (const std::string& key : row.keys)
         if (key != "at")
           problems_

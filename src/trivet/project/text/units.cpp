@@ -191,7 +191,7 @@ Conversion new_conversion(const std::string& from, const std::string& to) {
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
   const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
   if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
-    return {nullptr, "\"" + from + "\" is not a plain unit"};
+    return {nullptr, "\"" + from + "\" has an offset or is logarithmic"};
   return {converter, ""};
 }
 

@@ -45,7 +45,7 @@ void sort_out_infinite(const RandomLoading& loading, const std::vector<RandomMom
         for (std::size_t i = 0; i < moments.size() && matters; ++i)
           if (2 * m + *of_spectrum + order_at_rest(moments[i]) <= -1 && reason[i].empty())
             reason[i] = "the spectrum of \"" + loading.inputs[part.load].name +
-                "\" begins at 0 Hz, where the answer is unbounded";
+                "\" begins at 0 Hz, where the result is unbounded";
       }
     }
   }

@@ -128,7 +128,7 @@ void mark_infinite(const assembly::Assembled& assembled, const std::vector<assem
     const double at = near_rest * std::min(slowest, input.spectrum.to());
     mark_growth(
         assembled, channels, input, at, 2 * at,
-        "the spectrum of \"" + input.name + "\" begins at 0 Hz, where the answer is unbounded",
+        "the spectrum of \"" + input.name + "\" begins at 0 Hz, where the result is unbounded",
         [&](double nearer, double farther, std::size_t m) {
           return nearer > 0 &&
               2 * std::round(std::log2(farther / nearer)) + *of_spectrum + order_at_rest(moments[m]) <= -1;

@@ -68,8 +68,8 @@ void require_quiet(const Eigen::MatrixXd& B, Eigen::Index first) {
   if (B.bottomRows(B.rows() - first).cwiseAbs().maxCoeff() > round_off * scale ||
       B.rightCols(B.cols() - first).cwiseAbs().maxCoeff() > round_off * scale)
     throw foundation::NotComputable(
-        "a coordinate without mass and without damping of its own is coupled to others by damping: "
-        "its motion in time is not determined; give it a mass or a dashpot");
+        "a coordinate without mass and without damping of its own is coupled to others by damping: its time history is "
+        "not determined; give it a mass or a dashpot");
 }
 
 }  // namespace

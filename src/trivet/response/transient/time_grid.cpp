@@ -64,13 +64,13 @@ void warn_of_coarse_step(const TimeGrid& grid, const std::vector<ExcitedMode>& m
                          foundation::Problems& warnings) {
   const double omega = fastest(modes, noticeable_share);
   if (omega == 0 || grid.step * omega * fewest_points_per_period <= two_pi * (1 + 1e-9)) return;
-  warnings.warning("transient.step",
-                   fmt::format("{:.4g} s, {:.3g} points in a period of the mode at {:.4g} Hz", grid.step,
-                               two_pi / omega / grid.step, omega / two_pi),
-                   "the answers are exact at their times, but it takes ten points in the period of the fastest excited "
-                   "mode to show its motion",
-                   fmt::format("a step of {:.3g} s shows it{}", two_pi / omega / points_per_period,
-                               limited ? "; allow more points, or take a shorter time" : ""));
+  warnings.warning(
+      "transient.step",
+      fmt::format("{:.4g} s, {:.3g} points in a period of the mode at {:.4g} Hz", grid.step, two_pi / omega / grid.step,
+                  omega / two_pi),
+      "results are exact at the points, but showing the motion of the fastest excited mode takes ten points per period",
+      fmt::format("a step of {:.3g} s shows it{}", two_pi / omega / points_per_period,
+                  limited ? "; allow more points, or take a shorter time" : ""));
 }
 
 void warn_of_coarse_samples(const InputCourse& course, const std::string& name, const std::vector<ExcitedMode>& modes,
@@ -138,8 +138,8 @@ TimeGrid time_grid(const TransientOptions& options, const std::vector<ExcitedMod
     for (const InputCourse& course : courses) grid.start = std::min(grid.start, course.start());
   if (options.step && *options.step > 0 && (options.from - grid.start) / *options.step > most_steps)
     throw foundation::NotComputable(
-        fmt::format("transient: an input begins {:.4g} s before the answers, as with delays below zero: more than "
-                    "{:.0e} steps in between",
+        fmt::format("transient: an input begins {:.4g} s before the results, as with negative delays: more than {:.0e} "
+                    "steps in between",
                     options.from - grid.start, most_steps));
   grid.resolution = 4 * std::numeric_limits<double>::epsilon() *
       std::max({std::abs(grid.start), std::abs(options.from), std::abs(to)});

@@ -112,7 +112,7 @@ void warn_of_growth(const StateSpace& space, double duration, foundation::Proble
   for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
   if (growth * duration <= visible) return;
   warnings.warning("transient", fmt::format("a free motion grows and doubles every {:.4g} s", std::log(2.0) / growth),
-                   "the system is unstable about its position of rest; the answers are those of the linear equations",
+                   "the system is unstable about its position of rest; the results are those of the linear equations",
                    "look for negative stiffness or damping; see the roots");
 }
 
@@ -134,8 +134,8 @@ void require_room(const TimeGrid& grid, std::size_t answers) {
   const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);
   if (bytes > most_bytes)
     throw foundation::NotComputable(
-        fmt::format("transient: {} points × {} answers and the time need {:.3g} GB; at most {:.3g} GB are allowed: "
-                    "take a longer step, a shorter time or fewer answers",
+        fmt::format("transient: {} points × {} results and the time need {:.3g} GB; at most {:.3g} GB are allowed: "
+                    "take a longer step, a shorter time or fewer results",
                     grid.points, answers, bytes / 1e9, most_bytes / 1e9));
 }
 

@@ -107,7 +107,7 @@ std::optional<foundation::Problem> without_motion_in_time(const model::System& s
         .subject = "transient",
         .finding = dependent,
         .rule =
-            "constant matrices cannot represent the frequency-dependent stiffness, so there is no exact motion in time",
+            "constant matrices cannot represent the frequency-dependent stiffness, so there is no exact time history",
         .remedy = "use the nearest linear system by nearest_linear_system = true in analyses.transient" + laws};
   return std::nullopt;
 }

@@ -70,8 +70,8 @@ void warn_of_impulses(const LinearRows& rows, const std::vector<assembly::Channe
         names[c],
         fmt::format("{} of the given motion while {}{} depend on its {}", first == 1 ? "jumps" : "corners", list,
                     found > 3 ? fmt::format(" and {} more", found - 3) : "", first == 1 ? "velocity" : "acceleration"),
-        "each of them gives these answers an impulse of zero duration; the motion afterwards includes it, but no curve "
-        "shows it",
+        "each jump gives these results an impulse of zero duration; the later motion includes it, but no curve can "
+        "show it",
         first == 1 ? "let the motion rise within a short time" : "give its acceleration, or a motion without corners");
   }
 }
