@@ -111,8 +111,8 @@ std::string explain_text(const project::Case& variant, const study::Explanation&
     text += "\n";
   }
   text +=
-      "Energy by direction: deformation at the elastic centre of each element, in its local axes. Changes are first "
-      "order with exact slopes; a moved element is not changed otherwise.\n";
+      "Energy by direction: deformation at the elastic centre of each element, in its local axes. Changes are to first "
+      "order, from exact slopes; a moved element keeps its stiffness.\n";
   if (explanation.left_out > 0)
     text += fmt::format("{} further {} not explained; --of NAME selects one result, --most N shows more\n",
                         explanation.left_out, explanation.left_out == 1 ? "peak" : "peaks");

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Guides are fixed in space: a ground that moves along a guided direction causes a warning, and the results agree with
-the warning."""
+"""Constraints are fixed in space: a ground that moves along a constrained direction causes a warning, and the results
+agree with the warning."""
 import json
 import os
 import pathlib
@@ -38,12 +38,12 @@ class GuidedGround(unittest.TestCase):
             done = subprocess.run([TRIVET, command, path, "--json"], capture_output=True, text=True, timeout=60)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.answer = json.loads(done.stdout)
-            return [w for w in self.answer.get("warnings", self.answer.get("problems")) if "guides are fixed in space" in json.dumps(w)]
+            return [w for w in self.answer.get("warnings", self.answer.get("problems")) if "constraints are fixed in space" in json.dumps(w)]
 
     def test_a_ground_that_moves_along_a_guide_has_a_warning(self):
         found = self.warnings('translation = ["1 mm", 0, "1 mm"]')
         self.assertEqual(len(found), 1)
-        self.assertIn("is guided in x", json.dumps(found))
+        self.assertIn("is constrained in x", json.dumps(found))
         self.assertIn("floor", json.dumps(found))
         force = {one["name"]: one["complex"][0] for one in self.answer["results"]}["mount.force.x"]
         self.assertAlmostEqual(abs(complex(*force)), 1e6 * 1e-3, delta=1e-3)  # the floor moves under the body
@@ -52,13 +52,13 @@ class GuidedGround(unittest.TestCase):
         self.assertEqual(self.warnings('translation = [0, 0, "1 mm"]'), [])
 
     def test_a_turning_floor_moves_the_body_at_its_place_too(self):
-        self.assertIn("is guided in x, ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]")))
-        self.assertIn("is guided in ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]\nat = [0, 0, 0.5]")))
+        self.assertIn("is constrained in x, ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]")))
+        self.assertIn("is constrained in ry", json.dumps(self.warnings("rotation = [0, 1e-3, 0]\nat = [0, 0, 0.5]")))
 
     def test_directions_are_those_of_the_body(self):
         turned = 'orientation = {axis = "y", angle = "90 deg"}'  # its z is the x of the ground
         self.assertEqual(self.warnings('translation = ["1 mm", 0, 0]', turned), [])
-        self.assertIn("is guided in x", json.dumps(self.warnings('translation = [0, 0, "1 mm"]', turned)))
+        self.assertIn("is constrained in x", json.dumps(self.warnings('translation = [0, 0, "1 mm"]', turned)))
 
     def test_single_supports_do_not_move_the_guides(self):
         self.assertEqual(self.warnings('elements = ["mount"]\ntranslation = ["1 mm", 0, 0]'), [])

@@ -86,7 +86,7 @@ class MapWarnings(unittest.TestCase):
 
     def test_warnings_of_the_model_itself(self):
         guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace('"m.x" = "1 mm"', '"ground.force.x" = "1 kN"')
-        self.warned(guided, "without the forces that guides carry")
+        self.warned(guided, "without the forces of constraints")
 
     def test_an_axis_that_changes_nothing(self):
         self.warned(BODY.replace('x = {parameter = "elements.s.scale", from = 0.5, to = 1.5', 'x = {parameter = "excitations.p.phase", from = 0, to = 3'), "no result changes along this axis")

@@ -152,7 +152,7 @@ TEST(Suspension, AStaticMomentTurnsTheBodyAboutTheElasticRollAxis) {
 TEST(Suspension, ReportsWhatItCannotDetermine) {
   const auto guided = test::project(test::chain({2}, {1800}, {}));
   EXPECT_FALSE(of_body(guided.base().system).elastic.has_value());
-  EXPECT_THAT(of_body(guided.base().system).notes, testing::ElementsAre(testing::HasSubstr("guided")));
+  EXPECT_THAT(of_body(guided.base().system).notes, testing::ElementsAre(testing::HasSubstr("constrained")));
   const auto sliding = test::project(
       "trivet = 1\n[bodies.b]\nmass = 2\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}\n"
       "[elements.e]\ntype = \"bushing\"\non = \"b\"\nat = [0, 0, 0]\ntranslation = [1e5, 1e5, 0]\nrotation = [1e3, "

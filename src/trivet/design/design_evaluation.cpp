@@ -70,7 +70,7 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
         {DesignRule::Kind::no_peak, channel_of(channel.name, request.quantity), request.peak_tolerance});
   if (set_.rules.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(
-        fmt::format("map: {} rules; a map judges at most {}", set_.rules.size(), DesignOutcome::most_rules));
+        fmt::format("map: {} rules; a map has at most {}", set_.rules.size(), DesignOutcome::most_rules));
   set_.band = request.band.value_or(response::Band{0, std::numeric_limits<double>::infinity()});
   counts_modes_ = !request.limits.empty() && set_.band.from > 0 && std::isfinite(set_.band.to);
   set_.min_prominence = request.min_prominence;

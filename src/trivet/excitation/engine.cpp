@@ -28,7 +28,7 @@ std::vector<int> usual_firing_order(const EngineLayout& layout) {
   if (layout.kind != EngineLayout::Kind::in_line || layout.strokes != 4 || usual == in_line.end())
     throw foundation::InvalidInput(
         fmt::format("engine: {} cylinders without a firing order; only in-line engines of 1 … 6 or 8 cylinders with "
-                    "four strokes have a usual one",
+                    "four strokes have a default one",
                     layout.cylinders));
   return usual->second;
 }

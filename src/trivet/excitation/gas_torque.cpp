@@ -66,10 +66,9 @@ foundation::Problems check(const PressureTrace& trace, double cycle, const std::
     problems.error(subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
                    fmt::format("a cycle has {:.6g}°", cycle * 180 / pi), "cut the trace to one cycle");
   if (gap > largest_gap)
-    problems.error(
-        subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
-        fmt::format("a cycle has {:.6g}°, and more than 30° would be closed by a straight line", cycle * 180 / pi),
-        "complete the trace, or set the strokes of the engine");
+    problems.error(subject, fmt::format("{:.6g}° from first to last", (phi.back() - phi.front()) * 180 / pi),
+                   fmt::format("a cycle has {:.6g}°; a straight line closes gaps of up to 30° only", cycle * 180 / pi),
+                   "complete the trace, or set the strokes of the engine");
   if (std::abs(gap) <= accepted_overlap && p.back() != p.front())
     problems.warning(subject,
                      fmt::format("{:.6g} Pa at the start of the cycle and {:.6g} Pa at its end", p.front(), p.back()),

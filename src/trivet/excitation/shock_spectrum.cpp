@@ -118,7 +118,8 @@ std::vector<ShockResponse> shock_spectrum(const Signal& base, const std::vector<
   for (const double omega : angular_frequencies) require_positive(omega, "natural frequency", "rad/s");
   if (!base.pieces.empty() && (base.pieces.back().rate != 0 || base.pieces.back().curvature != 0))
     throw foundation::InvalidInput(
-        "the last piece of the base acceleration never becomes constant, nor does the response: let it end constant");
+        "the base acceleration does not end with a constant value, so the response never settles; end it with a "
+        "constant");
   std::vector<ShockResponse> spectrum;
   for (const double omega : angular_frequencies) {
     Oscillator oscillator(omega, zeta);

@@ -145,7 +145,7 @@ foundation::Problems check(const SpectrumTable& table, const std::string& subjec
   for (std::size_t i = 1; i < s.size(); ++i)
     if ((s[i] == 0) != (s[i - 1] == 0))
       problems.warning(subject, fmt::format("density 0 at {:.6g} Hz", s[i] == 0 ? f[i] : f[i - 1]),
-                       "0 has no logarithm: from its neighbour to it the density is interpolated linearly",
+                       "0 has no logarithm: between it and its neighbour the density is interpolated linearly",
                        "give a small density if that is not intended");
   return problems;
 }

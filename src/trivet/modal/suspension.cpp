@@ -151,8 +151,7 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
   note_elements(system, index, result.notes);
   if (rows.body.size() < 6) {
     result.notes.push_back(fmt::format(
-        "\"{}\" is guided: its guides hold it too, so its elements alone define no elastic centre and no roll axes",
-        body.name));
+        "\"{}\" is constrained by `free`, so its elements alone define no elastic centre and no roll axes", body.name));
     return result;
   }
   result.elastic = properties_at_pole(result.stiffness);

@@ -158,7 +158,7 @@ void check_laws(const Description& description, const Element& element, const st
   if (element.law.scale > 0 && (element.law.scale < weakest || element.law.scale > strongest))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale),
                    "it must be between 1e-12 and 1e12",
-                   "remove the element to switch it off, or guide the body by `free`");
+                   "remove the element to switch it off, or constrain the body by `free`");
 
   if (element.law.preload && element.law.scale != 1)
     problems.error(subject + ".scale", fmt::format("scale = {:.6g} of a preloaded element", element.law.scale),

@@ -25,11 +25,11 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
 void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause,
                     foundation::Problems& problems) {
   problems.warning("bodies." + body.name + ".free",
-                   fmt::format("the body is guided in {}, and {} moves the ground there", coordinates, cause),
-                   "guides are fixed in space: the ground moves away under the body, and only its free coordinates "
-                   "respond to the motion of its mounts",
-                   "if the guides move with the ground, add these coordinates to free and hold them by an element that "
-                   "is stiff there; otherwise change nothing");
+                   fmt::format("the body is constrained in {}, and {} moves the ground there", coordinates, cause),
+                   "constraints are fixed in space: the ground moves away under the body, and only its free "
+                   "coordinates respond to the motion of its mounts",
+                   "if the constraints move with the ground, add these coordinates to free and hold them by an element "
+                   "that is stiff there; otherwise change nothing");
 }
 
 void check_guides(const Description& description, foundation::Problems& problems) {

@@ -174,7 +174,7 @@ void find_tipping(const model::System& system, Suspicions& found) {
   if (const auto outside = outside_of(places, flat(centre)); outside && *outside > outside_by) {
     found.push_back({"tipping", "bodies." + heaviest.name + ".center_of_mass",
                      fmt::format("the centre of mass is outside the mounts by {:.3g} % of their size", 100 * *outside),
-                     "a machine that stands on mounts has its weight between them",
+                     "the centre of mass of a machine on mounts is usually between them",
                      "check the centre of mass and the positions of the mounts, their signs and pole"});
     return;
   }
@@ -190,7 +190,7 @@ void find_tipping(const model::System& system, Suspicions& found) {
   if (worst)
     found.push_back({"lift-off", "elements." + worst->element,
                      fmt::format("under the static load it pulls down with {:.4g} N", -worst->bearing),
-                     fmt::format("a mount below a machine is compressed, by {:.4g} N on average", mean),
+                     fmt::format("mounts below a machine are compressed, here by {:.4g} N on average", mean),
                      "check the centre of mass, constant forces and moments, and the stiffnesses"});
 }
 

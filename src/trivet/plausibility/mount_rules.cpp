@@ -281,8 +281,8 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
       radius >= least_share_of_load_radius * load_radius)
     return;
   const std::string small = fmt::format(
-      "√(rotational / translational stiffness) is {:.2g} mm, but it should be some part of the "
-      "radius of a mount, {:.2g} mm for this load",
+      "√(rotational / translational stiffness) is {:.2g} mm; usual is a fraction of the radius of the mount, {:.2g} mm "
+      "for this load",
       1e3 * radius, 1e3 * load_radius);
   // Too much translational stiffness has the same effect.
   if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {

@@ -154,7 +154,7 @@ void judge_limits(const model::System& system, const std::vector<AllowedMotion>&
     };
     if (limit.is_velocity && limit.amplitude > fastest_allowed)
       found.push_back({"limit", limit.subject, fmt::format("{:.6g} m/s allowed for {}", limit.amplitude, limit.answer),
-                       fmt::format("limits of vibration are below {:.1g} m/s", fastest_allowed), remedy("mm/s")});
+                       fmt::format("vibration limits are below {:.1g} m/s", fastest_allowed), remedy("mm/s")});
     const double size = 2 * mass_radius(picture->mass);
     if (limit.is_velocity || !(size > 0) || limit.amplitude <= size) continue;
     found.push_back({"limit", limit.subject, fmt::format("{:.6g} m allowed for {}", limit.amplitude, limit.answer),

@@ -23,17 +23,27 @@ struct Range {
   static constexpr double open = 1e9;
 };
 constexpr Range density_range{"mass / size³", "kg/m³", 3, 15000, 0.8, "density", "density"};
-constexpr Range spread_range{"distance of the mounts / that of the mass from the centre",
+constexpr Range spread_range{"RMS distance of the mounts from the centre of mass / that of the mass",
                              "",
                              0.15,
                              8,
                              0.6,
                              "spread of mounts",
                              "spread of mounts"};
-constexpr Range lever_range{
-    "lever arm of the stiffness / that of the mass", "", 0.1, 8, 0.6, "spread of mounts", "spread of mounts"};
-constexpr Range reach_range{
-    "distance of points and forces / that of the mass from the centre", "", 0, 10, 0.6, "points", "points"};
+constexpr Range lever_range{"√(rotational / translational stiffness) / RMS distance of the mass from its centre",
+                            "",
+                            0.1,
+                            8,
+                            0.6,
+                            "spread of mounts",
+                            "spread of mounts"};
+constexpr Range reach_range{"distance of points and forces from the centre of mass / RMS distance of the mass",
+                            "",
+                            0,
+                            10,
+                            0.6,
+                            "points",
+                            "points"};
 constexpr Range frequency_range{
     "natural frequency of translation", "Hz", 0.8, 120, 0.45, "natural frequency", "natural frequency"};
 constexpr Range lowest_range{"lowest natural frequency", "Hz", 0.2, Range::open, 0.45, "natural frequency",

@@ -49,8 +49,9 @@ std::string feasible_words(const study::DesignMap& map) {
                                  map.feasible_designs, map.outcomes.size());
   if (map.steep > 0)
     text += fmt::format(
-        "; between {} of neighbours governed by amplitude limits the margin changes more than tenfold: a design "
-        "between them, at a lightly damped resonance for instance, may violate a rule unnoticed; use more points there",
+        "; the margin changes more than tenfold within {} of neighbouring designs governed by amplitude limits: a "
+        "design between them, at a lightly damped resonance for instance, may violate a rule unnoticed; use more "
+        "points there",
         map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
   if (std::any_of(map.marks.begin(), map.marks.end(),
                   [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))

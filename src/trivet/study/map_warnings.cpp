@@ -51,7 +51,7 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   const AxisEffects found = axis_effects(variant, map.request, map.rules);
   for (const std::string& name : found.zero_answers)
     warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
-                     "check the directions of forces and guides, or remove the rules");
+                     "check the directions of forces and constraints, or remove the rules");
   const bool all_zero = std::all_of(map.rules.begin(), map.rules.end(), [&](const design::MapRule& rule) {
     return std::find(found.zero_answers.begin(), found.zero_answers.end(), rule.answer) != found.zero_answers.end();
   });

@@ -59,7 +59,7 @@ class Sizes {
               "resonance peaks of {:.0f} curves of a system of {:.0f} coordinates: about {:.2g} hours of search", count,
               all_, seconds / 3600),
           fmt::format("at most {:.0f} hour is allowed", longest_search / 3600),
-          "name fewer results in `of`, guide bodies by `free`, or split the model");
+          "name fewer results in `of`, constrain bodies by `free`, or split the model");
   }
 
   void check_values(const std::string& question, double points, double count) {
@@ -116,7 +116,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
     sizes.problems.error(
         "bodies", fmt::format("{} free coordinates", count),
         fmt::format("at most {} are computed: a hundred free bodies", most_coordinates),
-        "guide bodies by `free` where they cannot move, join bodies that move together, or split the model");
+        "constrain bodies by `free` where they cannot move, join bodies that move together, or split the model");
     return sizes.problems;
   }
   if (const std::size_t count = coordinates(description, true); count > most_with_laws) {

@@ -134,7 +134,7 @@ std::vector<std::string> read_selected(TableReader& reader, const std::vector<st
 void refuse_limit(TableReader& reader, const ResultNames& names, const std::string& name) {
   const std::string guess = foundation::nearest_name(name, names.components());
   if (names.is_guided(name))
-    reader.error(name, "guided", "this coordinate is not in `free` of its body, so it does not move",
+    reader.error(name, "constrained", "this coordinate is not in `free` of its body, so it does not move",
                  "limit a free coordinate or the force of an element, or add it to `free`");
   else
     reader.error(name, "no such result",
