@@ -84,7 +84,7 @@ axis = "z"
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     (KEYS, "Element types"): GENSET,
-    (KEYS, "Tables of things"): GENSET + SHARED_MOUNT,
+    (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,
     (KEYS, "Flexible foundations"): FRAME + mounts("frame", ["hull", "hull", "deck", "measured"]),
     (KEYS, "Further analyses"): DRIVEN_FRAME,

@@ -4,7 +4,7 @@
 #include "trivet/project/text/document.h"
 
 /// `[tables.elements]`, `[tables.bodies]`, `[tables.points]`: many parts at once, one per row (docs/project-file.md,
-/// "Tables of things").
+/// "Tables of bodies and elements").
 namespace trivet::project {
 
 /// Inserts the rows of these tables into the elements, bodies and points of the document, as if each had a separate
