@@ -16,7 +16,7 @@ bool holds(const Row& row, const Eigen::VectorXcd& motion, Eigen::Index first) {
   return false;
 }
 
-/// True if the answer does not contain the followed motions, except through the inertia of elements.
+/// True if the result does not contain the followed motions, except through the inertia of elements.
 bool is_relative(const Ground& ground, const Channel& channel, const numerics::Load& followed) {
   return channel.ground.empty() ||
       std::none_of(followed.terms().begin(), followed.terms().end(), [&](const numerics::LoadTerm& term) {

@@ -6,7 +6,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/assembly/loads.h"
 
-/// Chooses the coordinates in which an answer is computed: q, or r = q − R g relative to the ground (Ground). Far below
+/// Chooses the coordinates in which a result is computed: q, or r = q − R g relative to the ground (Ground). Far below
 /// the lowest natural frequency everything moves with a rigid foundation: there a relative motion is a small difference
 /// of q and g, but r itself. Far above, where machines do not move in space, an absolute motion is q, but a small
 /// difference in r. Both are valid at all frequencies: docs/decisions/ground-as-driven-coordinates.md.

@@ -59,11 +59,11 @@ struct GroundEnd {
   Eigen::Index first_row = 0;
 };
 
-/// The driven coordinates g: six of one rigid foundation about the ground origin, then six of each ground end about its
-/// own reference point (all in ground axes; they add up), and last, for all that moves together, six again for relative
-/// free coordinates: driven by those, the free coordinates are relative to R g. All of them enter the rows of the free
-/// coordinates: Z q = Q − (K + iωB − ω²A) g. In the last columns the stiffness of a part that moves freely with the
-/// ground is zero, not the difference of equal terms (following.h).
+/// The driven coordinates g, all in ground axes: (1) six of the rigid foundation about the ground origin; (2) six of
+/// each ground end about its own reference point, in addition to (1); (3) six for each group of ends that moves
+/// together. A load that drives (3) has free coordinates relative to R g. All enter the rows of the free coordinates:
+/// Z q = Q − (K + iωB − ω²A) g. In the columns of (3), the stiffness of a part that moves freely with the ground is
+/// zero, not the difference of equal terms (following.h).
 struct Ground {
   std::vector<GroundEnd> ends;
   /// First rows of coordinates that move together: the rigid foundation, then, per excitation given by velocity or

@@ -30,9 +30,9 @@ struct SystemDampingMatrices {
 };
 
 /// Fills R, `followed_ends` and the last columns of the ground's matrices, after all else is assembled. Bodies and
-/// foundations move rigidly with the ground, internal coordinates as in statics. If something resists (guided bodies,
-/// weights that do not turn with the ground, supports that do not move) and an excitation is given by velocity or
-/// acceleration, R is −K⁻¹K_g instead, provided that K is regular.
+/// foundations move rigidly with the ground, internal coordinates as in statics. If something resists (constrained
+/// bodies, weights that do not turn with the ground, supports that do not move) and an excitation is given by velocity
+/// or acceleration, R is −K⁻¹K_g instead, provided that K is regular.
 void follow_ground(const model::System& system, const SystemDampingMatrices& damping, Assembled& assembled);
 
 }  // namespace trivet::assembly

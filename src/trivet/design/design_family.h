@@ -13,13 +13,13 @@
 
 namespace trivet::design {
 
-/// A design that can be judged by poles and residues in lanes: real symmetric constant matrices, one real constant
-/// load, answers that are real combinations of displacements and velocities.
+/// A design that the fast method (poles and residues, several designs at once) can evaluate: real symmetric constant
+/// matrices, one real constant load, results that are real combinations of displacements and velocities.
 struct PlainDesign {
   Eigen::MatrixXd A, B, K;                 ///< n × n
   Eigen::VectorXd load;                    ///< n
-  Eigen::MatrixXd rows, rows_on_velocity;  ///< answers × n
-  std::vector<int> derivative;             ///< order of the time derivative of each answer
+  Eigen::MatrixXd rows, rows_on_velocity;  ///< results × n
+  std::vector<int> derivative;             ///< order of the time derivative of each result
 };
 
 /// The design in that form, or the reason why it has no such form: "loss factors", "a moving ground" …
@@ -56,7 +56,7 @@ class DesignFamily {
 
   /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25
   /// points of a lattice up to the ends of the ranges and 16 points between them must be reproduced. Returns a reason
-  /// instead of a family if this fails or the rows of the answers change.
+  /// instead of a family if this fails or the rows of the results change.
   [[nodiscard]] static FamilyOrReason fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
 
   /// Matrices and loads at the points.

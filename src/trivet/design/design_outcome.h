@@ -13,7 +13,7 @@ namespace trivet::design {
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
   std::string answer;  ///< "aggregate.rz"
-  std::string unit;    ///< SI unit of the answer
+  std::string unit;    ///< SI unit of the result
   double allowed = 0;  ///< amplitude [SI], or relative prominence
   std::string words;   ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
 };
@@ -48,7 +48,7 @@ struct MissingReason {
 struct JudgedDesign {
   RuleValues rules;
   Governing governing;
-  response::Peaks peaks;                            ///< peaks of the answers that have rules
+  response::Peaks peaks;                            ///< peaks of the results that have rules
   std::vector<double> natural_frequencies_squared;  ///< undamped [rad²/s²]; negative for an unstable motion
 };
 

@@ -20,11 +20,12 @@ struct RectangularWire {
 using Wire = std::variant<RoundWire, RectangularWire>;
 
 enum class Hand { right, left };
-/// Constraint of a spring end by its seat: all six motions, or no moment about e1 and e2 (torsion is still held).
+/// Constraint of the end of the wire by its seat: clamped in all six motions, or pivoted: no moment about e1 and e2,
+/// but torsion is held.
 enum class Seat { clamped, pivoted };
 
 /// A cylindrical coil spring between two seats. End N is at the origin, K at (0, 0, seat_distance); the wire starts at
-/// N at +e1 turned by `start_angle` about e3. NaN means not given.
+/// end N, at the angle `start_angle` from e1 about e3. NaN means not given.
 struct CoilSpring {
   Wire wire;
   double mean_diameter = std::numeric_limits<double>::quiet_NaN();  ///< D, of the wire's centre line [m]

@@ -49,8 +49,8 @@ struct RationalForm {
 [[nodiscard]] std::complex<double> relative_modulus(const RationalForm& form, std::complex<double> angular_frequency);
 
 /// The law as a rational function: exact except for the fractional law, which is fitted over [from, to] [rad/s], 0 <
-/// from < to, with as few terms per decade as bring worst_error below `accuracy`; worst_error shows if even the densest
-/// series is not accurate enough.
+/// from < to, with the fewest terms per decade that bring worst_error below `accuracy`. If even the densest series is
+/// not accurate enough, worst_error exceeds `accuracy`.
 /// @throws InvalidInput for an empty band or a law that check() rejects
 [[nodiscard]] RationalForm rational_form(const Viscoelastic& law, double from, double to, double accuracy = 1e-3);
 

@@ -26,10 +26,10 @@ struct ShockResponse {
   [[nodiscard]] double pseudo_velocity() const { return angular_frequency * relative_displacement; }  ///< [unit s]
 };
 
-/// Shock response spectrum of a base acceleration u that ends constant (usually 0): z̈ + 2ζωż + ω²z = −u, acceleration
-/// of the mass −2ζωż − ω²z. The motion is a Taylor series, exact to round-off, on steps of at most one radian, and
-/// every extremum within a step is found from the roots of its derivative; the extrema are accurate to about 1e-12 of
-/// the largest. [Terms: ISO 18431-4]
+/// Shock response spectrum of a base acceleration u that ends with a constant value (usually 0): z̈ + 2ζωż + ω²z = −u,
+/// acceleration of the mass −2ζωż − ω²z. The motion is a Taylor series, exact to round-off, on steps of at most one
+/// radian, and every extremum within a step is found from the roots of its derivative; the extrema are accurate to
+/// about 1e-12 of the largest. [Terms: ISO 18431-4]
 /// @param angular_frequencies  [rad/s] > 0
 /// @param damping_ratio        0 ≤ ζ < 1; a quality factor Q is 1/(2ζ)
 /// @throws foundation::InvalidInput for numbers out of range, and for a last piece that is not constant: its response

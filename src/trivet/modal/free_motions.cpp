@@ -34,7 +34,8 @@ Eigen::MatrixXd whole_motions(const model::System& system, const Eigen::Vector3d
   return g;
 }
 
-/// Rigid motions of the whole system that neither guides nor elements resist, one per column (reduced echelon form).
+/// Rigid motions of the whole system that neither constraints nor elements resist, one per column (reduced echelon
+/// form).
 Matrix6x unresisted_motions(const model::System& system, const assembly::Assembled& assembled,
                             const Eigen::MatrixXd& motions) {
   spatial::Matrix6 resistance = spatial::Matrix6::Zero();

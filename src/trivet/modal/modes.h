@@ -13,8 +13,8 @@
 
 namespace trivet::modal {
 
-/// One undamped mode K φ = ω² A φ. Vectors over all bodies have 6 entries each (zeros for guided coordinates), body
-/// axes.
+/// One undamped mode K φ = ω² A φ. Vectors over all bodies have 6 entries each (zeros for constrained coordinates),
+/// body axes.
 struct Mode {
   int number = 0;                           ///< from 1, ascending ω²
   double eigenvalue_squared = 0;            ///< ω² [rad²/s²]; negative: the motion grows
@@ -43,7 +43,7 @@ struct Modes {
   foundation::Problems warnings;
 };
 
-/// Undamped natural modes. A guided system has fewer than six per body; an unsymmetric one may lack modes (with a
+/// Undamped natural modes. A constrained system has fewer than six per body; an unsymmetric one may lack modes (with a
 /// warning).
 [[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
 [[nodiscard]] Modes modes(const model::System& system);

@@ -42,7 +42,7 @@ Rows rows_of(const model::System& system, const assembly::Assembled& assembled, 
   return rows;
 }
 
-/// K_bb − K_bi K_ii⁻¹ K_ib, as 6×6, zero for guided coordinates.
+/// K_bb − K_bi K_ii⁻¹ K_ib, as 6×6, zero for constrained coordinates.
 Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
   Eigen::MatrixXd free = stiffness(rows.body, rows.body);
   if (!rows.inner.empty()) {

@@ -45,12 +45,12 @@ struct BodySuspension {
   std::size_t body = 0;
   spatial::Matrix6 stiffness =
       spatial::Matrix6::Zero();  ///< at the pole, body frame; internal coordinates of elements are condensed statically
-  /// Elastic centre from the pole, principal stiffnesses and axes, remaining coupling; empty for a guided body, because
-  /// its guides hold it too.
+  /// Elastic centre from the pole, principal stiffnesses and axes, remaining coupling; empty for a constrained body,
+  /// because its constraints hold it too.
   std::optional<elements::StiffnessProperties> elastic;
   double centre_distance = 0;  ///< from the elastic centre to the centre of mass [m]; with `elastic`
   std::vector<RollAxes>
-      roll_axes;  ///< one per torque; empty if some rotation or translation is unrestrained, or the body is guided
+      roll_axes;  ///< one per torque; empty if some rotation or translation is unrestrained, or the body is constrained
   std::vector<BodyMode> modes;     ///< ascending
   std::vector<std::string> notes;  ///< what was omitted or replaced, and why
 };

@@ -8,7 +8,7 @@ namespace trivet::model {
 void check_body(const Body& body, foundation::Problems& problems);
 /// Checks that the preloads of elements balance the weight of the bodies.
 void check_preloads(const Description& description, foundation::Problems& problems);
-/// Warns if the ground moves in directions in which guides hold a body in space.
+/// Warns if the ground moves in directions in which constraints hold a body in space.
 void check_guides(const Description& description, foundation::Problems& problems);
 void check_element(const Description& description, const Element& element, foundation::Problems& problems);
 

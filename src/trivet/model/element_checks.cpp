@@ -154,7 +154,7 @@ void check_laws(const Description& description, const Element& element, const st
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale), "it must be > 0",
                    "remove the element to switch it off");
   constexpr double weakest = 1e-12,
-                   strongest = 1e12;  // beyond these an element is absent or a guide, and the others lose digits
+                   strongest = 1e12;  // beyond these an element is absent or a constraint, and the others lose digits
   if (element.law.scale > 0 && (element.law.scale < weakest || element.law.scale > strongest))
     problems.error(subject + ".scale", fmt::format("scale = {:.6g}", element.law.scale),
                    "it must be between 1e-12 and 1e12",

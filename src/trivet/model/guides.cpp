@@ -36,7 +36,8 @@ void check_guides(const Description& description, foundation::Problems& problems
   for (const Body& body : description.bodies)
     for (const Excitation& excitation : description.excitations) {
       const Action& action = excitation.action;
-      if (action.body || !action.elements.empty()) continue;  // single supports move relative to the guides in any case
+      if (action.body || !action.elements.empty())
+        continue;  // single supports move relative to the constraints in any case
       if (const std::string names = coordinates_left_behind(body, action.amplitude, action.at); !names.empty()) {
         warn_of_guides(body, names, "\"" + excitation.name + "\"", problems);
         break;

@@ -32,8 +32,8 @@ struct Body {
   bool allow_unphysical = false;
 };
 
-/// A flexible foundation with its own coordinates p: A p̈ + B ṗ + K p = forces on its ends. Either one place with its
-/// impedance, or the modes of a deck.
+/// A flexible foundation with its own coordinates p: A p̈ + B ṗ + K p = forces on its ends. Either one ground point
+/// with its impedance, or the modes of a deck.
 struct Foundation {
   std::string name;
   Eigen::MatrixXd mass, damping, stiffness;  ///< all r × r
@@ -44,8 +44,8 @@ struct OnFoundation {
   std::size_t foundation = 0;
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
   /// Projector on the fixed directions, in which the end moves with the rigid ground at this place, ground axes: all
-  /// directions that `shape` does not move. Zero for the modes of a deck: the data do not state how they move with the
-  /// ground.
+  /// directions that `shape` does not move. Zero for the modes of a deck: the data do not define how a deck moves with
+  /// the ground.
   spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
 

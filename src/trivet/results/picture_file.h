@@ -9,8 +9,8 @@
 
 namespace trivet::results {
 
-/// A picture file, prepared before the answer is computed: it is written to a temporary folder next to the target and
-/// then replaces it as a whole, or not at all.
+/// A picture file, checked before the results are computed. The picture is written to a temporary folder next to the
+/// target and then replaces the target as a whole, or not at all.
 class PictureFile {
  public:
   /// An existing target may be an earlier SVG picture or an empty file.

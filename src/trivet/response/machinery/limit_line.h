@@ -14,7 +14,7 @@ namespace trivet::response {
 /// equal frequency form a step; there the lower limit applies.
 struct LimitLine {
   std::string name;
-  std::string unit;                       ///< SI, of the answer it limits: "m", "m/s", "m/s²", "N" …
+  std::string unit;                       ///< SI, of the result it limits: "m", "m/s", "m/s²", "N" …
   bool rms = true;                        ///< root mean square; otherwise zero-to-peak
   std::vector<double> angular_frequency;  ///< [rad/s] > 0, ascending
   std::vector<double> limit;              ///< > 0
@@ -26,7 +26,7 @@ struct LimitLine {
 /// Zero-to-peak limit at ω within the line.
 [[nodiscard]] double zero_to_peak_limit(const LimitLine& line, double angular_frequency);
 
-/// Comparison of an answer with a limit line in the band where both are defined.
+/// Comparison of a result with a limit line in the band where both are defined.
 struct LimitComparison {
   Band compared;                          ///< [rad/s]: the part of the band that the line covers
   std::vector<double> angular_frequency;  ///< frequencies of `margin` [rad/s]
@@ -37,7 +37,7 @@ struct LimitComparison {
   [[nodiscard]] bool met() const { return exceeded.empty(); }
 };
 
-/// Evaluates the margin on the automatic grid with all extrema of the answer and all points of the line, then refines
+/// Evaluates the margin on the automatic grid with all extrema of the result and all points of the line, then refines
 /// by root and minimum search.
 /// @param peaks  peaks of `channel` alone under this loading
 /// @throws foundation::InvalidInput if the units differ or the line has errors; NotComputable if line and band do not

@@ -17,16 +17,16 @@ struct RunUpOptions {
   double min_prominence = 1e-6;  ///< see PeakOptions
   int points = 501;  ///< equally spaced speeds, at least 2, in addition to critical speeds and points around them
   double tall_from =
-      0.01;  ///< least height of a peak, relative to the highest of its answer, at which the speed grid includes it
+      0.01;  ///< least height of a peak, relative to the highest of its result, at which the speed grid includes it
 };
 
-/// Answers to one order over the speeds of the run-up, at ω = order · Ω.
+/// Responses to one order over the speeds of the run-up, at ω = order · Ω.
 struct OrderCurves {
   double order = 0;
   std::vector<Curve> curves;
 };
 
-/// A speed at which an answer to one order has a resonance peak.
+/// A speed at which the response to one order has a resonance peak.
 struct CriticalSpeed {
   std::size_t curve = 0;
   double order = 0;
@@ -34,12 +34,12 @@ struct CriticalSpeed {
   double angular_frequency = 0;  ///< ω = order · Ω [rad/s]
   double amplitude = 0;          ///< of this order alone; infinite at an undamped natural frequency
   double prominence = 0;
-  double relative_height = 0;  ///< amplitude / highest critical amplitude of this answer over all orders; 0 for a
+  double relative_height = 0;  ///< amplitude / highest critical amplitude of this result over all orders; 0 for a
                                ///< finite one if that is infinite
   std::optional<int> nearest_mode;
 };
 
-/// One answer to all orders together.
+/// One result under all orders together.
 struct Overall {
   std::string name;
   std::string unit;

@@ -24,8 +24,8 @@ struct AppliedForce {
 };
 
 /// Point and direction of a harmonic force excitation of the model.
-/// @throws foundation::InvalidInput if the name is not one, or if it moves the ground, has both force and moment, or
-/// components of different phase (a rotating force)
+/// @throws foundation::InvalidInput if there is no such excitation, or if it moves the ground, has both force and
+/// moment, or components of different phase (a rotating force)
 [[nodiscard]] AppliedForce applied_force(const model::System& system, const std::string& excitation);
 
 /// Transmissibilities: a unit load and the channels to compute, unit "1".
@@ -56,7 +56,7 @@ struct Transmission {
 struct Crossover {
   std::string name;
   /// Above it |T| < 1 always [rad/s]: root of the exact response, not of a grid.
-  /// 0 if |T| ≤ 1 everywhere; empty if |T| does not end below 1.
+  /// 0 if |T| ≤ 1 everywhere; empty if |T| does not tend to less than 1 at high frequency.
   std::optional<double> angular_frequency;
   double proven_to = 0;  ///< frequency up to which this is proven [rad/s]; infinite if the whole axis was searched
 };

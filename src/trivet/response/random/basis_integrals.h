@@ -13,7 +13,7 @@ namespace trivet::response {
 /// Accuracy of every integral of a product, relative to √(I_jj I_kk).
 inline constexpr double fraction_accuracy = 1e-14;
 
-/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. An answer is a sum of real coefficients
+/// Integrals of products of 1/(iω − λ_k) and of powers of iω, on given nodes. A result is a sum of real coefficients
 /// times basis functions: for a conjugate pair 1/(s − λ) + 1/(s − λ̄) and i/(s − λ) − i/(s − λ̄), the powers themselves;
 /// with complex residues each function and i times it.
 class BasisIntegrals {

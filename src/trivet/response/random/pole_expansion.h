@@ -14,7 +14,8 @@ namespace trivet::response {
 /// rigid-body mode. Highest: acceleration of forces of elements with mass, driven through elements with mass.
 inline constexpr int lowest_power = -4, highest_power = 8;
 
-/// Answers to one part of a load: H_c(s) = e^{−s delay} (Σ_k residue_ck/(s − λ_k) + Σ_m power_cm s^m).
+/// Frequency responses of all channels to one part of a load: H_c(s) = e^{−s delay} (Σ_k residue_ck/(s − λ_k) + Σ_m
+/// power_cm s^m).
 struct PoleExpansion {
   std::size_t load = 0;
   double delay = 0;                  ///< [s]
@@ -30,7 +31,7 @@ struct PoleExpansions {
   std::vector<PoleExpansion> parts;  ///< one for each load and delay
 };
 
-/// Pole expansions of all answers, for constant matrices. Residues may be infinite or NaN if poles are defective.
+/// Pole expansions of all channels, for constant matrices. Residues may be infinite or NaN if poles are defective.
 [[nodiscard]] PoleExpansions pole_expansions(const assembly::Assembled& assembled,
                                              const std::vector<assembly::Channel>& channels,
                                              const std::vector<const assembly::Loading*>& loads);

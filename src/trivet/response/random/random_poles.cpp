@@ -153,7 +153,7 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
   }
 }
 
-/// Parts of the answers and of their derivatives: [derivative][part].
+/// Parts of the results and of their derivatives: [derivative][part].
 using Parts = std::vector<std::vector<PoleExpansion>>;
 
 /// Adds one pair of parts to a moment, and the magnitudes of its terms to `possible`.

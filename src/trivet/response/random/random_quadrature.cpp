@@ -44,7 +44,7 @@ class Solver {
         possible_(Eigen::VectorXd::Zero(to_index(channels.size()))) {}
 
   [[nodiscard]] int solutions() const { return solutions_; }
-  /// Bound of the mean squares: all terms of an answer added by magnitude.
+  /// Bound of the mean squares: all terms of a result added by magnitude.
   [[nodiscard]] const Eigen::VectorXd& possible() const { return possible_; }
 
   void integrate(Panel& panel) {

@@ -53,7 +53,7 @@ struct RandomOptions {
   int most_solutions = 200000;  ///< of the quadrature, over all inputs
 };
 
-/// The mean square of one answer y over the band of the spectra, and what follows from it.
+/// The mean square of one result y over the band of the spectra, and what follows from it.
 struct RandomAnswer {
   std::string name;
   std::string unit;

@@ -55,7 +55,7 @@ struct RandomMoment {
 [[nodiscard]] std::vector<Eigen::Index> undamped_poles_in_band(const Eigen::VectorXcd& poles,
                                                                const RandomLoading& loading);
 
-/// Below this share of the magnitudes of its terms, an answer is only round-off.
+/// Below this share of the magnitudes of its terms, a result is only round-off.
 inline constexpr double vanishing_answer = 1e-12;
 
 struct RandomVariances {

@@ -17,7 +17,7 @@ namespace trivet::response {
 /// Returns the load of a model; called again for a changed model.
 using LoadOf = std::function<assembly::Loading(const model::System&, const assembly::Assembled&)>;
 
-/// The answers and the load to examine.
+/// The results and the load to examine.
 struct Question {
   std::vector<std::string> channels;  ///< full channel names
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;

@@ -9,7 +9,7 @@
 
 namespace trivet::response {
 
-/// Contribution of one undamped mode to an answer: q = Σ φ_k a_k, y_k = cᵀφ_k a_k.
+/// Contribution of one undamped mode to a result: q = Σ φ_k a_k, y_k = cᵀφ_k a_k.
 struct ModeShare {
   int mode = 0;               ///< number, from 1
   std::complex<double> part;  ///< y_k, in the unit of the channel
@@ -46,7 +46,7 @@ struct PeakShares {
                                      const Question& question, const PeakPlace& place);
 
 /// |y| divided by the largest |y| that a motion of this size can cause in this channel, both weighted with the masses
-/// of the coordinates: 0 … 1. Far below 1e-9, symmetry prevents the answer, and the computed value is round-off.
+/// of the coordinates: 0 … 1. Far below 1e-9, the result vanishes by symmetry, and the computed value is round-off.
 [[nodiscard]] double alignment(const model::System& system, const assembly::Assembled& assembled,
                                const Question& question, const PeakPlace& place);
 

@@ -20,7 +20,7 @@ using ElementJets = std::vector<std::optional<Jet<elements::Matrix12c>>>;
 [[nodiscard]] Jet<elements::Matrix12c> element_jet(const assembly::ElementMap& map, double omega);
 [[nodiscard]] ElementJets element_jets(const assembly::Assembled& assembled, double omega);
 
-/// Equations of one answer at ω: Z q = h, y = cᵀq + direct, including the time derivatives of the channel. A moving
+/// Equations of one result at ω: Z q = h, y = cᵀq + direct, including the time derivatives of the channel. A moving
 /// ground is part of h and of `direct`.
 struct Dynamics {
   Jet<Eigen::MatrixXcd> stiffness;  ///< Z

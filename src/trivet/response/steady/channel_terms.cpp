@@ -13,7 +13,7 @@ namespace trivet::response {
 namespace {
 
 using Complex = std::complex<double>;
-/// Callers treat an answer below 1e-12 of `possible` as 0. The round-off of a solution is 1e-14 of its largest
+/// Callers treat a result below 1e-12 of `possible` as 0. The round-off of a solution is 1e-14 of its largest
 /// coordinate.
 constexpr double round_off_share = 1e-2;
 
@@ -27,7 +27,7 @@ std::vector<ChannelTerm> nonzero_terms(const Eigen::VectorXcd& on_displacement, 
 }
 
 /// Round-off of each answer: this share of its value if all coordinates moved as much as the largest. Needed because an
-/// answer that vanishes by symmetry is as small as its own terms.
+/// result that vanishes by symmetry is as small as its own terms.
 Eigen::MatrixXd round_off(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                           const Eigen::MatrixXcd& q, const Eigen::RowVectorXd& omega) {
   const Eigen::VectorXd unit =

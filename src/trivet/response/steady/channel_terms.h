@@ -11,7 +11,7 @@
 
 namespace trivet::response {
 
-/// Contribution of one coordinate to an answer: (displacement + s velocity + s² acceleration) · coordinate.
+/// Contribution of one coordinate to a result: (displacement + s velocity + s² acceleration) · coordinate.
 struct ChannelTerm {
   Eigen::Index row = 0;
   std::array<std::complex<double>, 3> by_power;  ///< of s⁰, s¹, s²
@@ -25,7 +25,7 @@ struct ChannelTerms {
 
 [[nodiscard]] std::vector<ChannelTerms> channel_terms(const std::vector<assembly::Channel>& channels);
 
-/// All answers at some frequencies, from direct solutions.
+/// All results at some frequencies, from direct solutions.
 struct AnswerSamples {
   Eigen::MatrixXcd value;    ///< channels × frequencies; NaN if Z is singular
   Eigen::MatrixXd possible;  ///< sums of the magnitudes of the terms: a value far below is round-off

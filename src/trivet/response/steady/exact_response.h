@@ -27,7 +27,7 @@ struct ExactValues {
   return exact_values(assembled, channels, loading, coordinates, omega, omega);
 }
 
-/// All answers at one ω, from the exact Z(ω).
+/// All results at one ω, from the exact Z(ω).
 struct ExactSample : ExactValues {
   Eigen::VectorXcd coordinates;  ///< first rows of the layout
   double condition = 0;          ///< of the scaled Z, estimated

@@ -9,7 +9,7 @@
 
 namespace trivet::response {
 
-/// Complex amplitude of one answer over the frequencies of its response, SI.
+/// Complex amplitude of one result over the frequencies of its response, SI.
 struct Curve {
   std::string name;
   std::string unit;
@@ -34,7 +34,7 @@ struct FrequencyResponse {
 };
 
 /// Steady amplitudes at the given ω ≥ 0 [rad/s]; at 0 the limit 0⁺, undefined if an absolute motion is given by its
-/// velocity or acceleration. Answers relative to such a ground are computed in coordinates that move with it
+/// velocity or acceleration. Results relative to such a ground are computed in coordinates that move with it
 /// (assembly::by_coordinates).
 [[nodiscard]] FrequencyResponse frequency_response(const assembly::Assembled& assembled,
                                                    const std::vector<assembly::Channel>& channels,

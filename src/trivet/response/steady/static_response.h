@@ -8,7 +8,7 @@
 
 namespace trivet::response {
 
-/// One static answer, SI.
+/// One static result, SI.
 struct StaticValue {
   std::string name;
   std::string unit;

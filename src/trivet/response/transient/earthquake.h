@@ -23,7 +23,7 @@ struct ModalShare {
   double spectral_acceleration = 0;  ///< S_a(ω) [m/s²]; NaN outside the spectrum: the mode is excluded
 };
 
-/// Largest value of one answer over time, estimated from its modal maxima.
+/// Largest value of one result over time, estimated from its modal maxima.
 struct CombinedAnswer {
   std::string name;
   std::string unit;
@@ -39,12 +39,12 @@ struct EarthquakeResponse {
   foundation::Problems warnings;
 };
 
-/// Largest answers to an acceleration of the whole ground along `direction` (translation and rotation about the ground
-/// origin, ground axes, of length 1 if the spectrum is that of this motion). The motion relative to the ground is Γ
-/// S_a/ω² φ in each mode: displacements are relative to the ground, velocities are ω times them, accelerations ω² times
-/// them and so absolute; forces are those of stiffness and mass.
+/// Largest responses to an acceleration of the whole ground along `direction` (translation and rotation about the
+/// ground origin, ground axes, of length 1 if the spectrum is that of this motion). The motion relative to the ground
+/// is Γ S_a/ω² φ in each mode: displacements are relative to the ground, velocities are ω times them, accelerations ω²
+/// times them and so absolute; forces are those of stiffness and mass.
 /// @throws foundation::NotComputable for unsymmetric matrices or indefinite masses, modes that do not oscillate, and
-/// answers that are motions of the ground alone
+/// results that are motions of the ground alone
 [[nodiscard]] EarthquakeResponse earthquake_response(const assembly::Assembled& assembled,
                                                      const std::vector<assembly::Channel>& channels,
                                                      const excitation::ResponseSpectrum& spectrum,

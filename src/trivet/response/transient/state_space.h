@@ -17,13 +17,13 @@ struct Drive {
   InputMatrix ground;
 };
 
-/// Number of derivatives of u that an answer may contain, from the −2nd on.
+/// Number of derivatives of u that a result may contain, from the −2nd on.
 inline constexpr Eigen::Index input_derivatives = 10;
 using InputDerivatives = Eigen::Matrix<double, input_derivatives, 1>;
 /// ∬u … u^(7), the higher ones from u‴ = −κ²u′.
 [[nodiscard]] InputDerivatives all_derivatives(const InputVector& w, double kappa);
 
-/// Answers as linear functions of the state and of the inputs' derivatives (input_derivatives columns per course).
+/// Results as linear functions of the state and of the inputs' derivatives (input_derivatives columns per course).
 struct LinearRows {
   Eigen::MatrixXd on_state;
   Eigen::MatrixXd on_input;

@@ -27,7 +27,7 @@ inline constexpr double noticeable_share = 1e-4;
 [[nodiscard]] std::vector<ExcitedMode> excited_modes(const StateSpace& space, const std::vector<InputCourse>& courses,
                                                      const Eigen::VectorXd& initial);
 
-/// Uniform times of the answers.
+/// Uniform times of the results.
 struct TimeGrid {
   double start = 0;  ///< of the computation, at or before `from` [s]
   double from = 0, step = 0;

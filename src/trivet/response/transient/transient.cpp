@@ -128,7 +128,7 @@ double root_mean_square(const TimeCurve& curve) {
   return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
 }
 
-/// The stored values grow with points × answers, and their file is about three times as large.
+/// The stored values grow with points × results, and their file is about three times as large.
 void require_room(const TimeGrid& grid, std::size_t answers) {
   constexpr double most_bytes = 2e9;
   const double bytes = static_cast<double>(grid.points) * static_cast<double>(answers + 1) * sizeof(double);

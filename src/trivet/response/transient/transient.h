@@ -38,7 +38,7 @@ struct TransientOptions {
   std::optional<double>
       to;  ///< [s]; by default ten periods of the slowest excited mode after the last corner of an input
   std::optional<double>
-      step;  ///< of the answers [s]; by default 1/20 of the period of the fastest excited mode, and of each sine
+      step;  ///< of the output [s]; by default 1/20 of the period of the fastest excited mode, and of each sine
   Eigen::Index most_points =
       100'000;  ///< limit if the step is not given: the step is then made coarser (with a warning)
   std::optional<InitialState>
@@ -52,7 +52,7 @@ struct Extreme {
   double time = 0;  ///< [s]
 };
 
-/// One answer over time, SI, relative to the position of rest.
+/// One result over time, SI, relative to the position of rest.
 struct TimeCurve {
   std::string name;
   std::string unit;
@@ -71,7 +71,7 @@ struct TransientResponse {
 /// Transient response of A q̈ + B q̇ + K q = Q(t) − (K_fg g + B_fg ġ + A_fg g̈), exact at every point of time: the matrix
 /// exponential of the state equations together with the equations of the inputs, each piece of which obeys u‴ = −κ²u′.
 /// Corners and jumps act at their own times, and a jump of the ground acts through its dampers as an impulse. If a
-/// rigid motion of the ground is given by its velocity or acceleration, the coordinates move with it, so that answers
+/// rigid motion of the ground is given by its velocity or acceleration, the coordinates move with it, so that results
 /// relative to it keep their digits however far it drifts. Method and limits: docs/transient.md.
 /// @throws foundation::NotComputable with the reason: loss factors, frequency-dependent elements, a motion beyond the
 /// range of numbers

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_searches = 32;
 constexpr int most_halvings = 60;
 
-/// Largest value of one answer (of −answer for the smallest) near a point.
+/// Largest value of one result (of −result for the smallest) near a point.
 class Search {
  public:
   Search(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, double sign)

@@ -19,7 +19,7 @@ struct Checkpoints {
 /// Raises the extremes at the points and corners to those of the motion between the points: steps around the highest
 /// points are repeated, and zeros of the derivative are searched in them. Exact to about 1e-9 if the fastest excited
 /// motion has at least four points per period; a coarser grid may miss an extreme (with a warning).
-/// @param row  of one answer
+/// @param row  of one result
 void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
                            const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve);
 

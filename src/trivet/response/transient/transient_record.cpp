@@ -14,7 +14,7 @@ namespace trivet::response {
 namespace {
 
 using foundation::infinity;
-/// Bit m if answers jump with the mth derivative of u (or, with κ > 0, with derivatives that follow from it).
+/// Bit m if results jump with the mth derivative of u (or, with κ > 0, with derivatives that follow from it).
 int held_derivatives(const Eigen::Ref<const Eigen::MatrixXd>& on_input, bool state_jumps) {
   int held = state_jumps ? 3 : 0;
   for (Eigen::Index m = 0; m < 3; ++m) {

@@ -24,7 +24,7 @@ class TransientRecord {
   void run(StepperState state, const foundation::Progress& progress);
 
   [[nodiscard]] const Checkpoints& checkpoints() const { return checkpoints_; }
-  /// Values and extremes of the answers, without names.
+  /// Values and extremes of the results, without names.
   [[nodiscard]] std::vector<TimeCurve> release_curves() { return std::move(curves_); }
 
  private:
@@ -37,7 +37,7 @@ class TransientRecord {
   const std::vector<InputCourse>& courses_;
   LinearRows rows_;
   const TimeGrid& grid_;
-  std::vector<int> held_;  ///< per course: bit m if answers jump with the mth derivative of its signal
+  std::vector<int> held_;  ///< per course: bit m if results jump with the mth derivative of its signal
   std::vector<TimeCurve> curves_;
   Checkpoints checkpoints_;
   Eigen::VectorXd inputs_;
