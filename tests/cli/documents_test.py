@@ -161,7 +161,7 @@ class Documents(unittest.TestCase):
                 if block.language in ("csv", "text"):
                     self.assertNotRegex(block.text, r"(?m)^\W*trivet \w", f"{block.place}: make it a block of sh")
 
-    def test_commands_in_blocks_do_what_they_say(self):
+    def test_commands_in_blocks_run(self):
         for block in BLOCKS:
             for line, command, remark in commands_of(block) if block.language == "sh" else ():
                 if command.startswith("trivet "):
@@ -170,7 +170,7 @@ class Documents(unittest.TestCase):
                 else:
                     self.assertIn(command, ELSEWHERE, f"{block.document}:{line}: neither of trivet nor in ELSEWHERE")
 
-    def test_commands_in_remarks_of_examples_do_what_they_say(self):
+    def test_commands_in_comments_of_examples_run(self):
         for example in EXAMPLES:
             for line, text in enumerate(example.read_text().splitlines(), 1):
                 if command := re.match(r"#\s+(trivet .*)", text):
