@@ -123,7 +123,8 @@ for _ in range(5):
     begin = time.perf_counter()
     _, y, _ = lsim((F, G, np.hstack([I, O]), np.zeros((6, 1))), u, t)
     best = min(best, time.perf_counter() - begin)
-print("scipy.signal.lsim, coordinates only: %.1f ms, largest relative difference %.1e" % (1e3 * best, np.max(np.abs(y - q).max(0) / np.abs(q).max(0))))
+difference = np.max(np.abs(y - q).max(0) / np.abs(q).max(0))
+print("scipy.signal.lsim, coordinates only: %.1f ms, largest relative difference %.1e" % (1e3 * best, difference))
 )";
 
 void compare_with_scipy(const Eigen::MatrixXd& q) {

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# add_floor(NAME [WORDS] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library trivet::NAME = namespace trivet::NAME.
-# All .cpp files of the folder are its sources. All headers are public and installed, except kernels (-inl.h) and those that its
-# CMakeLists.txt lists as private. The permitted includes between floors and between the rooms of a floor, and the private headers, are
+# add_floor(NAME [WORDS] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library
+# trivet::NAME = namespace trivet::NAME.
+# All .cpp files of the folder are its sources. All headers are public and installed, except kernels (-inl.h) and
+# those that its
+# CMakeLists.txt lists as private. The permitted includes between floors and between the rooms of a floor, and the
+# private headers, are
 # written to floors.txt for the test that checks all #include lines against them.
 file(WRITE ${PROJECT_BINARY_DIR}/floors.txt "")
 set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
@@ -9,13 +12,16 @@ set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
 set(TRIVET_BATCH_SIZE 16)  # files; the largest batch takes 2.2 GB of memory
 set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
   -Wno-missing-field-initializers  # named initialisers leave the other fields at their defaults
-  # In a batch, a constant of one file is global to the next; so only the build without batches checks for shadowed ones.
+  # In a batch, a constant of one file is global to the next; so only the build without batches checks for shadowed
+  # ones.
   $<IF:$<BOOL:${TRIVET_BATCHES}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
   # False alarms of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-free-nonheap-object;-Wno-psabi>)
 
-# One precompiled header for all floors, except those that are OPTIMIZED (-O3) in this type of build, because it stores the optimisation
-# options. In debug builds, which have sanitizers, floors of WORDS (reading, writing) are not optimised and have another header.
+# One precompiled header for all floors, except those that are OPTIMIZED (-O3) in this type of build, because it
+# stores the optimisation
+# options. In debug builds, which have sanitizers, floors of WORDS (reading, writing) are not optimised and have
+# another header.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
@@ -84,7 +90,8 @@ function(floor_files name)
   file(APPEND ${PROJECT_BINARY_DIR}/floors.txt "private ${name}: ${listed}\n")
 endfunction()
 
-# add_room(FLOOR/ROOM [USES ROOM...]): a sub-folder of a floor. It may include itself and the rooms listed here. Files of the floor
+# add_room(FLOOR/ROOM [USES ROOM...]): a sub-folder of a floor. It may include itself and the rooms listed here.
+# Files of the floor
 # outside its rooms may include all rooms; no room may include these files.
 function(add_room name)
   cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})

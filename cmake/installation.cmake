@@ -7,7 +7,8 @@ install(TARGETS ${floor_targets} EXPORT trivet FILE_SET HEADERS)
 install(TARGETS trivet_cli)
 install(FILES ${PROJECT_SOURCE_DIR}/catalogues/generic.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/catalogues)
 install(EXPORT trivet NAMESPACE trivet:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet FILE trivet-targets.cmake)
-configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in ${PROJECT_BINARY_DIR}/trivet-config.cmake
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in
+  ${PROJECT_BINARY_DIR}/trivet-config.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trivet-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trivet-config.cmake ${PROJECT_BINARY_DIR}/trivet-config-version.cmake

@@ -113,7 +113,7 @@ void add_explain(CLI::App& app, Options& options) {
       add_answer(app, "explain", "causes of each resonance peak, and the parameters that change it", options);
   explain
       ->add_option("--of", options.of,
-                   "answer with the peaks to explain (repeatable); default: the answers of `peaks` in the file")
+                   "result whose peaks are explained (repeatable); default: the results of `peaks` in the file")
       ->allow_extra_args(false);
   explain->add_option("--most", options.most, "number of peaks explained, the highest relative to their curve")
       ->capture_default_str()

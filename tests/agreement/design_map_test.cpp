@@ -78,8 +78,16 @@ TEST(DesignMap, AccelerationsFarBelowTheHighestAreTheSameDesignByDesign) {
   };
   const project::Project project =
       test::project(R"(trivet = 1
-bodies.light = {mass = 1, center_of_mass = [0, 0, 0.2], inertia = {about = "center_of_mass", xx = 0.2, yy = 0.2, zz = 0.2}, free = ["z", "rx", "ry"]}
-bodies.heavy = {mass = 2000, center_of_mass = [0, 0, 0], inertia = {about = "center_of_mass", xx = 500, yy = 600, zz = 700}, free = ["z", "rx", "ry"]}
+[bodies.light]
+mass = 1
+center_of_mass = [0, 0, 0.2]
+inertia = {about = "center_of_mass", xx = 0.2, yy = 0.2, zz = 0.2}
+free = ["z", "rx", "ry"]
+[bodies.heavy]
+mass = 2000
+center_of_mass = [0, 0, 0]
+inertia = {about = "center_of_mass", xx = 500, yy = 600, zz = 700}
+free = ["z", "rx", "ry"]
 )" + bushing("a", "on = \"light\"", "[0, 0.6, 0]", "[1e3, 1e3, 1e3]") +
                     bushing("b", "on = \"light\"", "[0, 0, 0]", "[3e3, 3e3, 5e3]") +
                     bushing("c", "on = \"light\"", "[0.5, -0.9, 0]", "[2e3, 2e3, 4e3]") +
@@ -105,7 +113,10 @@ quantity = "acceleration"
 /// coordinates is not a peak.
 TEST(DesignMap, SymmetricMachineHasNoPeaksOfRoundOff) {
   std::string text = R"(trivet = 1
-bodies.machine = {mass = 250, center_of_mass = [0, 0, 0.1], inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}}
+[bodies.machine]
+mass = 250
+center_of_mass = [0, 0, 0.1]
+inertia = {about = "center_of_mass", xx = 8.1, yy = 12.4, zz = 13.0}
 )";
   for (const double degrees : {0.0, 120.0, 240.0}) {
     const double angle = degrees / 180 * 3.14159265358979323846;

@@ -163,7 +163,7 @@ TEST(GasTorque, FindingsNameTheError) {
   const auto first = [](const PressureTrace& t) { return foundation::message(check(t, 4 * pi, "p.csv").list().at(0)); };
   EXPECT_THAT(first({{0, 2, 1}, {1, 1, 1}}), HasSubstr("angles must increase"));
   EXPECT_THAT(first({{0, 1, not_a_number}, {1, 1, 1}}), HasSubstr("row 3: nan"));
-  EXPECT_THAT(first({{0, 1, 2 * pi}, {1, 1, 1}}), HasSubstr("more than 30°"));
+  EXPECT_THAT(first({{0, 1, 2 * pi}, {1, 1, 1}}), HasSubstr("gaps of up to 30°"));
   EXPECT_THAT(first({{0, 1, 5 * pi}, {1, 1, 1}}), HasSubstr("cut the trace to one cycle"));
   EXPECT_THAT(first({{0, 1, 4 * pi}, {1, 1, 2}}), HasSubstr("here it jumps"));
   EXPECT_THAT(first({{0, 1}, {1, 1}}), HasSubstr("2 points"));

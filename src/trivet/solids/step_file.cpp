@@ -25,7 +25,8 @@ For k In {0 : #solids() - 1}
   centre() = CenterOfMass Volume{solids(k)};
   inertia() = MatrixOfInertia Volume{solids(k)};
   Printf("%.17g %.17g %.17g %.17g", volume, centre(0), centre(1), centre(2)) >> "volumes.txt";
-  Printf("%.17g %.17g %.17g %.17g %.17g %.17g", inertia(0), inertia(4), inertia(8), inertia(1), inertia(2), inertia(5)) >> "volumes.txt";
+  Printf("%.17g %.17g %.17g %.17g %.17g %.17g", inertia(0), inertia(4), inertia(8), inertia(1),
+    inertia(2), inertia(5)) >> "volumes.txt";
 EndFor
 )";
 

@@ -14,8 +14,8 @@
 namespace trivet::study {
 namespace {
 
-/// Warns of excitations without effect: a force along a guide, an unbalance that turns about the only free direction
-/// …
+/// Warns of excitations without effect: a force along a constraint, an unbalance that turns about the only free
+/// direction …
 void warn_of_vanishing_load(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
   for (const std::vector<std::string>* selected :
        {analyses.response ? &analyses.response->selection.excitations : nullptr,
@@ -23,13 +23,13 @@ void warn_of_vanishing_load(const CaseContext& c, const project::Analyses& analy
         analyses.map ? &analyses.map->excitations : nullptr})
     if (selected && project::is_driven(c.system, project::Drive::harmonic) &&
         assembly::harmonic_loading(c.system, c.assembled, *selected).vanishes()) {
-      warnings.warning("excitations", "they act on no free coordinate", "all answers are 0",
-                       "check the directions of forces and guides");
+      warnings.warning("excitations", "they act on no free coordinate", "all results are 0",
+                       "check the directions of forces and constraints");
       return;
     }
 }
 
-/// Warns that totals on the ground are forces of elements, without the forces that guides carry.
+/// Warns that totals on the ground are forces of elements, without the forces of constraints.
 void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
   std::vector<std::string> of = analyses.static_of.value_or(std::vector<std::string>{});
   if (analyses.response)
@@ -44,12 +44,12 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
   if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
     if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
-      warnings.warning("ground", "body \"" + body.name + "\" is guided",
-                       "totals on the ground are the forces of elements, without the forces that guides carry",
+      warnings.warning("ground", "body \"" + body.name + "\" is constrained",
+                       "totals on the ground are the forces of elements, without the forces of constraints",
                        "add these if they matter");
 }
 
-/// Warns of ground motions implied by a question that the guides of a body do not follow.
+/// Warns of ground motions implied by a question that the constraints of a body do not follow.
 void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analyses, foundation::Problems& warnings) {
   const auto warn = [&](const char* question, const response::Direction& direction) {
     model::Action::Amplitude motion = model::Action::Amplitude::Zero();
@@ -97,7 +97,7 @@ void warn_of_stiffening(const CaseContext& c, const project::Analyses& analyses,
   for (const model::Element& element : c.system.elements())
     if (element.stiffening != 1)
       warnings.warning("elements." + element.name, fmt::format("stiffening = {:.4g}", element.stiffening),
-                       "static answers use the dynamic stiffness; under static load the element is softer",
+                       "static results use the dynamic stiffness; under a static load the element is softer",
                        "run static with stiffening = 1");
 }
 

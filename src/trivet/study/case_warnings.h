@@ -6,7 +6,7 @@
 namespace trivet::study {
 
 /// Warnings about answers of a case that a user may misread: frequency-dependent elements in undamped modes, forces
-/// that guides carry, loads without effect, massless springs above their own first natural frequency.
+/// of constraints, loads without effect, massless springs above their own first natural frequency.
 /// @param search_to  upper end of the searched band [rad/s]; 0: the highest natural frequency
 [[nodiscard]] foundation::Problems case_warnings(const CaseContext& context, const project::Analyses& analyses,
                                                  double search_to);

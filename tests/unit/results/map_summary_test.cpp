@@ -43,8 +43,10 @@ TEST(FeasibleWords, StateHowManySteepNeighboursThereAre) {
   EXPECT_THAT(
       results::feasible_words(nearly_all_feasible(1)),
       testing::HasSubstr(
-          "; between one pair of neighbours governed by amplitude limits the margin changes more than tenfold: "));
-  EXPECT_THAT(results::feasible_words(nearly_all_feasible(7)), testing::HasSubstr("between 7 pairs of neighbours"));
+          "; the margin changes more than tenfold within one pair of neighbouring designs governed by amplitude "
+          "limits: "));
+  EXPECT_THAT(results::feasible_words(nearly_all_feasible(7)),
+              testing::HasSubstr("within 7 pairs of neighbouring designs"));
 }
 
 TEST(AskedWords, StateTheBandAndWhatCountsAsAPeak) {

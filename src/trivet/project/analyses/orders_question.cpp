@@ -24,7 +24,8 @@ const QuestionReader orders_question = {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "speed": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "shaft speeds, rad/s or with a unit"}},
+   "speed": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2,
+     "description": "shaft speeds, rad/s or with a unit"}},
   "required": ["speed"]})json"};
 
 }  // namespace trivet::project

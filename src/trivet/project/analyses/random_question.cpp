@@ -49,6 +49,7 @@ const QuestionReader random_question = {.drive = Drive::random, .read = read_ran
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
-   "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet", "standing"]}}})json"};
+   "weighting": {"enum": ["Wb", "Wc", "Wd", "We", "Wf", "Wj", "Wk", "Wm", "seat", "backrest", "feet",
+     "standing"]}}})json"};
 
 }  // namespace trivet::project

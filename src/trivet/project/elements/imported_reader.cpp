@@ -102,13 +102,17 @@ void read_imported(TableReader& reader, Placement& placement, model::Element& el
 
 const ElementLaw imported_law = {.type = "imported", .placed = read_imported, .keys = R"json({"properties": {
    "file": {"type": "string", "description": "relative to the project file"},
-   "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"], "description": "default: determined from the file"},
+   "format": {"enum": ["matrix_market", "numpy", "csv", "nastran", "abaqus", "calculix"],
+     "description": "default: determined from the file"},
    "name": {"type": "string", "description": "of one of several matrices in the file"},
    "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
    "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},
-   "nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2, "description": "nodes of ends N and K; the others are condensed"},
-   "rotation_nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2, "description": "nodes that hold the rotations of the ends as components 1 to 3"},
-   "rows": {"type": "array", "items": {"type": "integer", "minimum": 1}, "minItems": 12, "maxItems": 12, "description": "rows of ends N and K, from 1; instead of nodes"}},
+   "nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2,
+     "description": "nodes of ends N and K; the others are condensed"},
+   "rotation_nodes": {"type": "array", "items": {"type": "integer", "minimum": 0}, "minItems": 2, "maxItems": 2,
+     "description": "nodes that hold the rotations of the ends as components 1 to 3"},
+   "rows": {"type": "array", "items": {"type": "integer", "minimum": 1}, "minItems": 12, "maxItems": 12,
+     "description": "rows of ends N and K, from 1; instead of nodes"}},
   "required": ["file"],
   "not": {"required": ["nodes", "rows"]},
   "dependentRequired": {"rotation_nodes": ["nodes"]}})json"};

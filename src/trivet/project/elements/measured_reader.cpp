@@ -155,12 +155,18 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
 
 }  // namespace
 
-const ElementLaw measured_law = {.type = "measured", .placed = read_measured, .keys = R"json({"properties": {
-   "load_cases": {"type": "string", "description": "CSV relative to the project file: name, x y z rx ry rz, fx fy fz mx my mz of end K; the same with n_ of end N"},
-   "unknowns": {"enum": ["self_balanced", "full_symmetric"], "description": "21 or 78 constants (default: self_balanced)"},
+const ElementLaw measured_law = {.type = "measured",
+                                 .placed = read_measured,
+                                 .keys = R"json({"properties": {
+   "load_cases": {"type": "string",
+     "description": "CSV relative to the project file: name, x y z rx ry rz, fx fy fz mx my mz of end K; the )json"
+                                         R"json(same with n_ of end N"},
+   "unknowns": {"enum": ["self_balanced", "full_symmetric"],
+     "description": "21 or 78 constants (default: self_balanced)"},
    "confidence": {"$ref": "#/$defs/number", "description": "of the intervals, above 0, below 1 (default: 0.95)"},
    "zero_offsets": {"type": "boolean", "description": "also fit the zero of each channel (default: false)"},
-   "nearest_semidefinite": {"type": "boolean", "description": "take the nearest positive semidefinite matrix (default: false)"},
+   "nearest_semidefinite": {"type": "boolean",
+     "description": "take the nearest positive semidefinite matrix (default: false)"},
    "length_unit": {"$ref": "#/$defs/number", "description": "length of 1 in the file, m (default: 1)"},
    "force_unit": {"$ref": "#/$defs/number", "description": "force of 1 in the file, N (default: 1)"},
    "angle_unit": {"$ref": "#/$defs/number", "description": "angle of 1 in the file, rad (default: 1)"}},

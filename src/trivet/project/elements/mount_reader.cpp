@@ -178,19 +178,26 @@ const ElementLaw solid_mount_law = {.type = "solid_mount", .sized = read_solid_m
   "properties": {
    "step": {"type": "string", "description": "STEP file, relative to the project file"},
    "mesh_size": {"$ref": "#/$defs/number", "description": "size of the finite elements, m, > 0"},
-   "rim_size": {"$ref": "#/$defs/number", "description": "size of the finite elements at bonded rims, m (default: mesh_size/4)"},
-   "rim_distance": {"$ref": "#/$defs/number", "description": "distance from a rim at which the full size is reached, m (default: 2 mesh_size)"},
+   "rim_size": {"$ref": "#/$defs/number",
+     "description": "size of the finite elements at bonded rims, m (default: mesh_size/4)"},
+   "rim_distance": {"$ref": "#/$defs/number",
+     "description": "distance from a rim at which the full size is reached, m (default: 2 mesh_size)"},
    "plate_n": {"$ref": "#/$defs/plate", "description": "faces on the plate of end N (default: furthest along -z)"},
    "plate_k": {"$ref": "#/$defs/plate", "description": "faces on the plate of end K (default: furthest along z)"},
    "step_axis": {"$ref": "#/$defs/direction", "description": "e3 in the axes of the file (default: z)"},
    "material": {"$ref": "#/$defs/rubber"},
-   "materials": {"type": "array", "items": {"anyOf": [{"$ref": "#/$defs/rubber"}, {"$ref": "#/$defs/metal"}]}, "minItems": 1, "description": "one per solid, in the order of the file"}},
+   "materials": {"type": "array", "items": {"anyOf": [{"$ref": "#/$defs/rubber"}, {"$ref": "#/$defs/metal"}]},
+     "minItems": 1, "description": "one per solid, in the order of the file"}},
   "required": ["step", "mesh_size"],
   "oneOf": [{"required": ["material"]}, {"required": ["materials"]}]},
- {"properties": {"shape": {"const": "disc"}}, "required": ["shape"], "with": ["disc", "layer", "rubber", "large_strain"]},
- {"properties": {"shape": {"const": "block"}}, "required": ["shape"], "with": ["block", "layer", "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "disc"}}, "required": ["shape"], "with": ["disc", "layer", "rubber",
+   "large_strain"]},
+ {"properties": {"shape": {"const": "block"}}, "required": ["shape"], "with": ["block", "layer", "rubber",
+   "large_strain"]},
  {"properties": {"shape": {"const": "bush"}}, "required": ["shape"], "with": ["bush", "rubber", "large_strain"]},
- {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["disc", "layer", "layers", "rubber", "large_strain"]},
- {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["block", "layer", "layers", "rubber", "large_strain"]}])json"};
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["disc", "layer", "layers",
+   "rubber", "large_strain"]},
+ {"properties": {"shape": {"const": "sandwich"}}, "required": ["shape"], "with": ["block", "layer", "layers",
+   "rubber", "large_strain"]}])json"};
 
 }  // namespace trivet::project

@@ -223,24 +223,36 @@ ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
 
 }  // namespace
 
-const ElementLaw coil_spring_law = {.type = "coil_spring", .sized = read_coil_spring, .keys = R"json({"properties": {
+const ElementLaw coil_spring_law = {
+    .type = "coil_spring",
+    .sized = read_coil_spring,
+    .keys = R"json({"properties": {
    "wire_diameter": {"$ref": "#/$defs/number", "description": "round wire, m, > 0"},
    "wire_width": {"$ref": "#/$defs/number", "description": "rectangular wire, radial side, m, > 0"},
    "wire_height": {"$ref": "#/$defs/number", "description": "rectangular wire, axial side, m, > 0"},
-   "mean_diameter": {"$ref": "#/$defs/number", "description": "of the coils, m; at least 3 times the radial size of the wire"},
+   "mean_diameter": {"$ref": "#/$defs/number",
+     "description": "of the coils, m; at least 3 times the radial size of the wire"},
    "active_coils": {"$ref": "#/$defs/number", "description": "number of turns, >= 0.25"},
-   "free_length": {"$ref": "#/$defs/number", "description": "of the active coils, wire centre to wire centre, m; or pitch"},
+   "free_length": {"$ref": "#/$defs/number",
+     "description": "of the active coils, wire centre to wire centre, m; or pitch"},
    "pitch": {"$ref": "#/$defs/number", "description": "m per turn; or free_length"},
-   "dead_coils": {"description": "closed turns at each end (default: 0), or [N, K]", "anyOf": [{"$ref": "#/$defs/number"}, {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1, "maxItems": 2}]},
-   "ends": {"description": "seats (default: clamped), or [N, K]; a pivoted one carries no moment about the lateral axes", "anyOf": [{"enum": ["clamped", "pivoted"]}, {"type": "array", "items": {"enum": ["clamped", "pivoted"]}, "minItems": 1, "maxItems": 2}]},
+   "dead_coils": {"description": "closed turns at each end (default: 0), or [N, K]",
+     "anyOf": [{"$ref": "#/$defs/number"}, {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 1,
+     "maxItems": 2}]},
+   "ends": {"description": "seats (default: clamped), or [N, K]; a pivoted one carries no moment about the )json"
+            R"json(lateral axes", "anyOf": [{"enum": ["clamped", "pivoted"]}, {"type": "array", "items": {"enum": )json"
+            R"json(["clamped", "pivoted"]}, "minItems": 1, "maxItems": 2}]},
    "hand": {"enum": ["right", "left"], "description": "default: right"},
    "start_angle": {"$ref": "#/$defs/number", "description": "of the wire at end N, about e3 from e1, rad (default: 0)"},
    "shear_factor": {"$ref": "#/$defs/number", "description": "of the wire's section, > 0 (default: Cowper's)"},
-   "level": {"enum": ["quasi_static", "with_mass", "exact"], "description": "stiffness alone; with mass and internal modes; frequency-dependent (default: quasi_static)"},
+   "level": {"enum": ["quasi_static", "with_mass", "exact"],
+     "description": "stiffness alone; with mass and internal modes; frequency-dependent (default: quasi_static)"},
    "internal_modes": {"type": "integer", "minimum": 0, "maximum": 60, "description": "with mass (default: 6)"},
    "material": {"$ref": "#/$defs/metal"},
    "preload": {"$ref": "#/$defs/preload"}},
   "required": ["mean_diameter", "active_coils", "material"],
-  "allOf": [{"oneOf": [{"required": ["free_length"]}, {"required": ["pitch"]}]}, {"anyOf": [{"required": ["wire_diameter"], "properties": {"wire_width": false, "wire_height": false}}, {"required": ["wire_width", "wire_height"], "properties": {"wire_diameter": false}}]}]})json"};
+  "allOf": [{"oneOf": [{"required": ["free_length"]}, {"required": ["pitch"]}]}, {"anyOf": [{"required": )json"
+            R"json(["wire_diameter"], "properties": {"wire_width": false, "wire_height": false}}, {"required": )json"
+            R"json(["wire_width", "wire_height"], "properties": {"wire_diameter": false}}]}]})json"};
 
 }  // namespace trivet::project

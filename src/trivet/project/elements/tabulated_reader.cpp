@@ -109,10 +109,16 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
 }  // namespace
 
 /// Three names of one law.
-constexpr const char* table_keys = R"json({"properties": {
-   "file": {"type": "string", "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved end K) or 12 (N, then K)"},
-   "interpolation": {"enum": ["monotone_cubic", "linear"], "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},
-   "center": {"$ref": "#/$defs/number", "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
+constexpr const char* table_keys =
+    R"json({"properties": {
+   "file": {"type": "string",
+     "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x )json"
+    R"json(and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved )json"
+    R"json(end K) or 12 (N, then K)"},
+   "interpolation": {"enum": ["monotone_cubic", "linear"],
+     "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},
+   "center": {"$ref": "#/$defs/number",
+     "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
    "damping": false},
   "required": ["file"]})json";
 const ElementLaw table_law = {.type = "table", .placed = read_tabulated, .keys = table_keys};

@@ -27,7 +27,8 @@ Matrix projection_off(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
 PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<std::string>& excitations)
     : description_(system.description()) {
   for (const model::Excitation& excitation : description_.excitations) {
-    if (model::is_selected(excitation, excitations) && !excitation.action.body && std::holds_alternative<model::Harmonic>(excitation.course))
+    if (model::is_selected(excitation, excitations) && !excitation.action.body &&
+        std::holds_alternative<model::Harmonic>(excitation.course))
       moving_.push_back(&excitation);
   }
   impedance_of_.assign(description_.foundations.size(), -1);
