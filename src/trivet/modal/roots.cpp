@@ -89,10 +89,17 @@ void make_exact(const assembly::Assembled& assembled, double at_rest, numerics::
                      "if these roots matter, use the frequency response, which is exact");
 }
 
-std::optional<int> mode_like(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::VectorXcd& shape, double size,
-                             Eigen::Index massive) {
+/// Contributions |φᵀAv|² of every mode (rows) to every root (columns).
+Eigen::MatrixXd contributions(const Modes& modes, const Eigen::MatrixXd& A, const Eigen::MatrixXcd& vectors) {
+  Eigen::MatrixXd shapes(A.rows(), to_index(modes.list.size()));
+  for (std::size_t m = 0; m < modes.list.size(); ++m) shapes.col(to_index(m)) = modes.list[m].coordinates;
+  const Eigen::MatrixXd momentum = A.transpose() * shapes, real = vectors.real(), imaginary = vectors.imag();
+  return (momentum.transpose() * real).cwiseAbs2() + (momentum.transpose() * imaginary).cwiseAbs2();
+}
+
+/// @param parts  contributions of the modes to the root, whose |λ| is `size`
+std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, double size, Eigen::Index massive) {
   if (modes.list.empty()) return std::nullopt;
-  const Eigen::VectorXd parts = modal_forces(modes, A * shape).cwiseAbs2();
   Eigen::Index largest = 0;
   if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[to_size(largest)].number;
   return nearest_mode(modes, size, massive);
@@ -124,6 +131,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   Roots result;
   if (assembled.frequency_dependent()) make_exact(assembled, all.at_rest, raw, result.remarks, inexact);
   result.poles = numerics::poles(all);
+  const Eigen::MatrixXd parts = contributions(modes, m.A, raw.vectors);
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, all.at_rest);
     // With a loss factor only the half plane of ω > 0 has a meaning.
@@ -132,7 +140,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     root.shape.resize(6 * to_index(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * to_index(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
-    root.nearest_mode = mode_like(modes, m.A, raw.vectors.col(k), std::abs(raw.lambda(k)), massive);
+    root.nearest_mode = mode_like(modes, parts.col(k), std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {

@@ -42,10 +42,9 @@ double lowest_defined(const assembly::Assembled& assembled) {
   return lowest;
 }
 
-std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const DrivenChannels& driven,
-                                    const response::FrequencyResponse& response, const modal::Roots& roots,
-                                    const response::Peaks& peaks, bool continuous,
-                                    const foundation::Progress& progress) {
+std::vector<Eigen::VectorXd> phases(const CaseContext& c, const DrivenChannels& driven,
+                                    const response::FrequencyResponse& response, const response::Peaks& peaks,
+                                    bool continuous) {
   std::vector<Eigen::VectorXd> result;
   if (!continuous) {
     for (const response::Curve& curve : response.curves)
@@ -55,19 +54,19 @@ std::vector<Eigen::VectorXd> phases(const assembly::Assembled& assembled, const 
   // Whole turns are counted from ω = 0 along a grid fine enough to miss none, for any requested points.
   const auto& asked_at = response.angular_frequency;
   const double top = *std::max_element(asked_at.begin(), asked_at.end());
-  const response::CurveModel model = response::curve_model(assembled, driven.channels, driven.load, roots.poles, peaks,
-                                                           {lowest_defined(assembled), top}, {}, progress);
+  const response::CurveModel model = response::curve_model(c.assembled, driven.channels, driven.load, c.roots().poles,
+                                                           peaks, {lowest_defined(c.assembled), top}, {}, c.progress);
   std::vector<double> grid = response::drawing_grid(model, peaks);
   grid.insert(grid.end(), asked_at.begin(), asked_at.end());
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   const Eigen::MatrixXcd dense = model.at(grid);
-  for (std::size_t c = 0; c < response.curves.size(); ++c) {
-    const Eigen::VectorXd along = response::continuous_phase(dense.row(to_index(c)).transpose());
+  for (std::size_t curve = 0; curve < response.curves.size(); ++curve) {
+    const Eigen::VectorXd along = response::continuous_phase(dense.row(to_index(curve)).transpose());
     Eigen::VectorXd at(to_index(asked_at.size()));
     for (std::size_t i = 0; i < asked_at.size(); ++i) {
       const auto row = to_index(i);
-      const double own = response::phase(response.curves[c].value(row));
+      const double own = response::phase(response.curves[curve].value(row));
       const double followed = along(std::lower_bound(grid.begin(), grid.end(), asked_at[i]) - grid.begin());
       at(row) = std::isfinite(followed)
           ? own + 2 * std::numbers::pi * std::round((followed - own) / (2 * std::numbers::pi))
@@ -213,8 +212,7 @@ class CaseStudy {
         ? response::interpolated(*result.model, driven.channels, peaks, grid)
         : response::frequency_response(c_.assembled, driven.channels, driven.load, grid);
     result.continuous_phase = request.continuous_phase;
-    result.phase =
-        phases(c_.assembled, driven, result.curves, c_.roots(), peaks, request.continuous_phase, c_.progress);
+    result.phase = phases(c_, driven, result.curves, peaks, request.continuous_phase);
     foundation::report_progress(c_.progress, "check by a second solver", 0.8);
     const int checked = project::deep_check_frequencies(c_.assembled.matrices.A.rows());
     const std::vector<double> samples = request.at.empty()
