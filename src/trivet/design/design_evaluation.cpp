@@ -144,7 +144,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   const numerics::Designs designs = family_->designs(places);
   numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
   const numerics::DesignModes modes =
-      counts_modes_ ? numerics::design_modes(designs, {false, 1, {}}) : numerics::DesignModes();
+      counts_modes_ ? numerics::design_modes(designs, {.shapes = false, .threads = 1}) : numerics::DesignModes();
   const auto good = [](numerics::DesignStatus status) {
     return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
   };
@@ -238,7 +238,8 @@ JudgedDesign DesignEvaluation::judged_design(const model::System& system) const 
   const assembly::Loading loading = assembly::harmonic_loading(system, assembled, request_.excitations);
   const double search_to = std::isfinite(set_.band.to) ? set_.band.to : 0;
   JudgedDesign result;
-  result.peaks = response::peaks(assembled, asked, loading, modes, roots, {set_.min_prominence, search_to});
+  result.peaks = response::peaks(assembled, asked, loading, modes, roots,
+                                 {.min_prominence = set_.min_prominence, .search_to = search_to});
   result.rules = rule_values(assembled, asked, loading, result.peaks, set_);
   result.governing = governing(set_, result.rules.values);
   for (const modal::Mode& mode : modes.list) result.natural_frequencies_squared.push_back(mode.eigenvalue_squared);
@@ -294,7 +295,11 @@ std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count,
                                                       const std::function<DesignPoint(std::size_t)>& point,
                                                       const foundation::Progress& progress) {
   std::vector<DesignOutcome> outcomes(count);
-  foundation::parallel_for(count, {family_ ? lane_piece : assembled_piece, options_.threads, progress, "designs"},
+  foundation::parallel_for(count,
+                           {.size = family_ ? lane_piece : assembled_piece,
+                            .threads = options_.threads,
+                            .progress = progress,
+                            .task = "designs"},
                            [&](std::size_t first, std::size_t last) {
                              std::vector<DesignPoint> points;
                              for (std::size_t i = first; i < last; ++i) points.push_back(point(i));

@@ -166,7 +166,7 @@ class CaseStudy {
     const DrivenChannels driven = driven_channels(c_.system, c_.assembled, selection);
     searched_.push_back({selection, min_prominence,
                          response::peaks(c_.assembled, driven.channels, driven.load, c_.modes, c_.roots(),
-                                         {min_prominence, search_to_}, c_.progress)});
+                                         {.min_prominence = min_prominence, .search_to = search_to_}, c_.progress)});
     return searched_.back().peaks;
   }
 

@@ -15,8 +15,8 @@ std::vector<LimitLineResult> limit_line_answer(const CaseContext& c,
         : unit == "m/s²" || unit == "rad/s²"               ? assembly::MotionQuantity::acceleration
                                                            : assembly::MotionQuantity::displacement;
     const std::vector<assembly::Channel> channel = assembly::channels(c.system, c.assembled, {request.of}, quantity);
-    const response::Peaks peaks = response::peaks(c.assembled, channel, loading, c.modes, c.roots(),
-                                                  {response::PeakOptions{}.min_prominence, band.to}, c.progress);
+    const response::Peaks peaks =
+        response::peaks(c.assembled, channel, loading, c.modes, c.roots(), {.search_to = band.to}, c.progress);
     results.push_back({request.of, request.line,
                        response::compared_with_limit(c.assembled, channel.front(), loading, c.roots().poles, peaks,
                                                      request.line, band, c.progress)});

@@ -58,7 +58,7 @@ std::vector<MapMark> map_marks(const project::Project& project, const project::M
     all.push_back(std::move(mark));
     cases.push_back(&c);
   }
-  foundation::parallel_for(all.size(), {1, threads, progress, "cases"},
+  foundation::parallel_for(all.size(), {.size = 1, .threads = threads, .progress = progress, .task = "cases"},
                            [&](std::size_t k, std::size_t) { judge(*cases[k], evaluation, all[k]); });
   return all;
 }

@@ -34,7 +34,7 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
     throw foundation::NotComputable(
         "transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
   result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots(),
-                                 {response::PeakOptions{}.min_prominence, result.band.to}, c.progress);
+                                 {.search_to = result.band.to}, c.progress);
   response::set_nearest_modes(c.assembled, transmission.channels, transmission.loading, c.modes, result.peaks);
   result.curves = response::frequency_response(
       c.assembled, transmission.channels, transmission.loading,

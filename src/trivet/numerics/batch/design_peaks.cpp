@@ -153,7 +153,8 @@ class Piece {
     const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
     AxisSearch search;
     try {
-      search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {question_.from, question_.to});
+      search =
+          search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {.from = question_.from, .to = question_.to});
     } catch (const foundation::NotComputable&) {  // one failed design must not stop the others
       status(d) = DesignStatus::undecided;
       return;
@@ -189,10 +190,12 @@ DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& option
     result.peaks.setZero(count, channels);
     result.largest_rise.setZero(count, channels);
   }
-  foundation::parallel_for(to_size(count), {designs_per_piece, options.threads, options.progress, "peaks of designs"},
-                           [&](std::size_t first, std::size_t last) {
-                             Piece(designs, question, result).work_through(to_index(first), to_index(last));
-                           });
+  foundation::parallel_for(
+      to_size(count),
+      {.size = designs_per_piece, .threads = options.threads, .progress = options.progress, .task = "peaks of designs"},
+      [&](std::size_t first, std::size_t last) {
+        Piece(designs, question, result).work_through(to_index(first), to_index(last));
+      });
   return result;
 }
 

@@ -101,7 +101,8 @@ SweepMaxima sweep_maxima(const Designs& designs, const std::vector<double>& omeg
   std::mutex adding;
   const int threads = sweep_threads(count * omega.size(), options.threads);
   foundation::parallel_for(
-      count, {designs_together, threads, options.progress, "designs"}, [&](std::size_t first, std::size_t last) {
+      count, {.size = designs_together, .threads = threads, .progress = options.progress, .task = "designs"},
+      [&](std::size_t first, std::size_t last) {
         SweepWorkspace workspace;
         std::vector<Eigen::Index> open;
         const auto from = to_index(first), to = to_index(last);

@@ -104,7 +104,8 @@ AxisSearch search_by_discs(const DrivenSystem& system, const std::vector<Observe
                            const Eigen::VectorXcd& poles, const DiscSearchOptions& options) {
   const double delay = std::max(system.load.longest_delay(), system.given.longest_delay());
   const bool unbounded_at_rest = std::min(system.load.lowest_power(), system.given.lowest_power()) < 0;
-  const PanelCover cover = cover_axis(poles, {unbounded_at_rest, delay, options.to});
+  const PanelCover cover =
+      cover_axis(poles, {.unbounded_at_rest = unbounded_at_rest, .longest_delay = delay, .highest = options.to});
   AxisSearch result{std::vector<SearchedCurve>(curves.size()), std::max(options.from, cover.lowest), options.to,
                     static_cast<int>(cover.panels.size())};
   if (system.load.vanishes() && system.given.vanishes()) return result;

@@ -136,7 +136,11 @@ void design_modes(const Designs& designs, DesignModes& result, const DesignModes
   result.shapes.resize(count, options.shapes ? n * n : 0);
   result.definite.resize(to_size(count));
   constexpr std::size_t designs_a_piece = 256;
-  foundation::parallel_for(to_size(count), {designs_a_piece, options.threads, options.progress, "modes of the designs"},
+  foundation::parallel_for(to_size(count),
+                           {.size = designs_a_piece,
+                            .threads = options.threads,
+                            .progress = options.progress,
+                            .task = "modes of the designs"},
                            [&](std::size_t first, std::size_t last) {
                              const auto from = to_index(first), to = to_index(last);
                              if (n > 12) return modes_without_lanes(designs, from, to, result);

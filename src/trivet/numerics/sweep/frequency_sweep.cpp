@@ -23,19 +23,23 @@ SweepCounts for_each_chunk(const SweepPlan& plan, const std::vector<double>& ome
   SweepCounts counts;
   std::mutex adding;
   const int threads = sweep_threads(plan.weight() * omega.size(), options.threads);
-  foundation::parallel_for(
-      omega.size(), {plan.weight() > 1 ? piece / 4 : piece, threads, options.progress, "frequencies"},
-      [&](std::size_t first, std::size_t last) {
-        SweepWorkspace workspace(plan);
-        for (std::size_t at = first; at < last; at += to_size(SweepWorkspace::chunk)) {
-          const auto count = static_cast<long>(std::min(last - at, to_size(SweepWorkspace::chunk)));
-          const Planes q =
-              workspace.solve(&omega[at], count, options.every_backward_error, target(static_cast<long>(at)));
-          consume(static_cast<long>(at), count, q, workspace.backward_errors());
-        }
-        const std::lock_guard lock(adding);
-        counts.add(workspace.counts());
-      });
+  foundation::parallel_for(omega.size(),
+                           {.size = plan.weight() > 1 ? piece / 4 : piece,
+                            .threads = threads,
+                            .progress = options.progress,
+                            .task = "frequencies"},
+                           [&](std::size_t first, std::size_t last) {
+                             SweepWorkspace workspace(plan);
+                             for (std::size_t at = first; at < last; at += to_size(SweepWorkspace::chunk)) {
+                               const auto count =
+                                   static_cast<long>(std::min(last - at, to_size(SweepWorkspace::chunk)));
+                               const Planes q = workspace.solve(&omega[at], count, options.every_backward_error,
+                                                                target(static_cast<long>(at)));
+                               consume(static_cast<long>(at), count, q, workspace.backward_errors());
+                             }
+                             const std::lock_guard lock(adding);
+                             counts.add(workspace.counts());
+                           });
   return counts;
 }
 

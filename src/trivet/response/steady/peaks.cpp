@@ -76,7 +76,12 @@ numerics::AxisSearch search_exact(const assembly::Assembled& assembled, const st
                                      sample.condition};
       },
       curves,
-      {from, end, std::move(seams), near_poles, progress, [&](Eigen::Index c) { return channels[to_size(c)].name; }});
+      {.from = from,
+       .to = end,
+       .seams = std::move(seams),
+       .near_poles = near_poles,
+       .progress = progress,
+       .name = [&](Eigen::Index c) { return channels[to_size(c)].name; }});
 }
 
 /// Peaks of channels in the coordinates of the loading.
@@ -94,7 +99,7 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
   numerics::AxisSearch found = exact
       ? search_exact(assembled, channels, loading, roots.poles, end, first_half)
       : numerics::search_by_discs(system, given.curves, roots.poles,
-                                  {0, loading.longest_delay() > 0 ? end : infinity, first_half});
+                                  {.to = loading.longest_delay() > 0 ? end : infinity, .progress = first_half});
   const numerics::PeakRefinement refinement(system);
   Peaks result;
   result.searched_from = found.from;
