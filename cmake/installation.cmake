@@ -6,6 +6,7 @@ list(TRANSFORM floors PREPEND trivet_ OUTPUT_VARIABLE floor_targets)
 install(TARGETS ${floor_targets} EXPORT trivet FILE_SET HEADERS)
 install(TARGETS trivet_cli)
 install(FILES ${PROJECT_SOURCE_DIR}/catalogues/generic.toml DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/catalogues)
+install(FILES ${PROJECT_SOURCE_DIR}/third_party/uplot/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/trivet/licences RENAME uplot)  # in every report
 install(EXPORT trivet NAMESPACE trivet:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/trivet FILE trivet-targets.cmake)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trivet-config.cmake.in
   ${PROJECT_BINARY_DIR}/trivet-config.cmake
