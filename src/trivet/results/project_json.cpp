@@ -11,6 +11,7 @@
 #include "trivet/foundation/version.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/json_parts.h"
+#include "trivet/results/model_words.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::results {
@@ -18,61 +19,23 @@ namespace {
 
 using json::Json;
 
-std::string damping_words(const elements::Damping& damping) {
-  if (const auto* p = std::get_if<elements::ProportionalDamping>(&damping))
-    return fmt::format("B = {:.6g} s × {} K", p->factor, p->of_nominal ? "nominal" : "scaled");
-  if (const auto* l = std::get_if<elements::LossFactor>(&damping)) return fmt::format("loss factor {:.6g}", l->value);
-  if (const auto* v = std::get_if<elements::Viscoelastic>(&damping)) return elements::law_description(*v);
-  return std::holds_alternative<elements::DampingMatrix>(damping) ? "viscous matrix" : "none";
-}
-
-std::string damping_words(const model::SystemDamping& damping) {
-  if (const auto* r = std::get_if<model::RayleighDamping>(&damping))
-    return fmt::format("B += {:.6g} 1/s × A + {:.6g} s × K", r->mass, r->stiffness);
-  if (const auto* m = std::get_if<model::ModalDamping>(&damping)) {
-    std::string ratios;
-    for (const double ratio : m->ratios) ratios += fmt::format("{}{:.6g}", ratios.empty() ? "" : ", ", ratio);
-    return "modal damping ratios " + ratios;
-  }
-  return "only that of the elements";
-}
-
 Json facts_json(const model::Element& element) {
   Json list = Json::array();
   for (const model::Fact& fact : element.facts) list.push_back({{"what", fact.what}, {"value", fact.value}});
   return list;
 }
 
-/// JSON of an excitation: a real amplitude keeps its sign, a complex one is split into magnitude and phase.
 Json excitation_json(const model::Description& d, const model::Excitation& excitation) {
   const model::Action& action = excitation.action;
-  const bool real = action.amplitude.imag().isZero(0);
-  const Eigen::VectorXd size =
-      real ? Eigen::VectorXd(action.amplitude.real()) : Eigen::VectorXd(action.amplitude.cwiseAbs());
-  const Eigen::VectorXd phase =
-      real ? Eigen::VectorXd(Eigen::VectorXd::Zero(6)) : Eigen::VectorXd(action.amplitude.cwiseArg());
-  const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
-  const bool orders = std::holds_alternative<model::Orders>(excitation.course),
-             random = std::holds_alternative<model::Random>(excitation.course);
-  const char* type = !harmonic            ? (orders       ? "orders"
-                                                 : random ? "random"
-                                                          : "time")
-      : harmonic->power_of_frequency == 2 ? "unbalance"
-      : action.body                       ? "harmonic"
-                                          : "base";
-  Json result{{"name", excitation.name}, {"type", type}, {"at", json::list(action.at)}, {"phase", json::list(phase)}};
-  if (!action.body) {
-    static constexpr const char* translation[] = {"m", "m/s", "m/s²"};
-    static constexpr const char* rotation[] = {"rad", "rad/s", "rad/s²"};
-    result["units"] = {translation[action.derivative], rotation[action.derivative]};
-  } else if (harmonic && harmonic->power_of_frequency == 2) {
-    result["units"] = {"kg m", "kg m²"};
-  } else if (!harmonic) {
-    result["units"] = {"1", "m"};
-  }
+  const ExcitationNumbers numbers = excitation_numbers(excitation);
+  Json result{{"name", excitation.name},
+              {"type", numbers.type},
+              {"at", json::list(action.at)},
+              {"phase", json::list(numbers.phase)}};
+  if (!action.body || numbers.linear_unit != "N") result["units"] = {numbers.linear_unit, numbers.angular_unit};
   result["on"] = action.body ? Json(d.bodies[*action.body].name) : Json(nullptr);
-  result[action.body ? "force" : "translation"] = json::list(size.head(3));
-  result[action.body ? "moment" : "rotation"] = json::list(size.tail(3));
+  result[action.body ? "force" : "translation"] = json::list(numbers.linear);
+  result[action.body ? "moment" : "rotation"] = json::list(numbers.angular);
   return result;
 }
 

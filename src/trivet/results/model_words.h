@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/model/system.h"
+
+namespace trivet::results {
+
+/// "loss factor 0.1", "viscous matrix", "none" …
+[[nodiscard]] std::string damping_words(const elements::Damping& damping);
+[[nodiscard]] std::string damping_words(const model::SystemDamping& damping);
+
+/// An excitation in plain numbers: real amplitudes keep their signs, complex ones are split into magnitude and phase.
+struct ExcitationNumbers {
+  std::string type;                 ///< "harmonic", "unbalance", "base", "orders", "random", "time"
+  Eigen::Vector3d linear, angular;  ///< force and moment, or translation and rotation
+  std::string linear_unit, angular_unit;
+  Eigen::VectorXd phase;  ///< [rad], of the six components
+};
+[[nodiscard]] ExcitationNumbers excitation_numbers(const model::Excitation& excitation);
+
+}  // namespace trivet::results
