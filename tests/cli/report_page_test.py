@@ -9,7 +9,8 @@ import tempfile
 import unittest
 
 TRIVET = os.environ["TRIVET"]
-BROWSER = shutil.which("chromium") or shutil.which("google-chrome")
+SOURCE = pathlib.Path(os.environ.get("TRIVET_SOURCE", pathlib.Path(__file__).parents[2]))
+BROWSER = os.environ.get("TRIVET_BROWSER") or shutil.which("chromium") or shutil.which("google-chrome")
 
 MACHINE = """
 trivet = 1
@@ -42,31 +43,82 @@ elements.spring.scale = 3
 elements.spring.scale = 2
 analyses.map.limits = {"mass.z" = "1 mm"}
 """
+WITH_FORCES = MACHINE.replace("band = [0, 40]", 'band = [0, 40], of = ["coordinates", "ground"]')
+# What a reader does not see.
+SCRIPTS = re.compile("<script.*?</script>", re.DOTALL)
 
 
-@unittest.skipUnless(BROWSER, "no browser")
-class ReportPage(unittest.TestCase):
-    def page(self, limit):
-        with tempfile.TemporaryDirectory() as folder:
-            project, out = pathlib.Path(folder) / "machine.toml", pathlib.Path(folder) / "out"
-            project.write_text(MACHINE.replace("LIMIT", limit))
-            subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=300)
-            view = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile", "--dump-dom", (out / "report.html").as_uri()]
-            page = subprocess.run(view, check=True, capture_output=True, text=True, timeout=300).stdout
-            return re.sub("<script.*?</script>", "", page, flags=re.DOTALL)
+class Folder(unittest.TestCase):
+    def setUp(self):
+        self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def report(self, limit="12 mm", text=MACHINE):
+        """Path of a new report."""
+        project, out = self.folder / "machine.toml", self.folder / f"out {limit}"
+        project.write_text(text.replace("LIMIT", limit))
+        subprocess.run([TRIVET, "run", str(project), "-o", str(out)], check=True, capture_output=True, timeout=300)
+        return out / "report.html"
+
+
+class Page(Folder):
+    """Text that is there without a browser."""
 
     def test_the_page_is_calm_only_if_limits_are_met(self):
-        kept, broken = self.page("1 m"), self.page("12 mm")
-        self.assertRegex(kept, '<p class="calm">✓ No warnings; all checks of the data passed in all cases.</p>')
+        kept, broken = (SCRIPTS.sub("", self.report(limit).read_text()) for limit in ("1 m", "12 mm"))
+        self.assertIn('<p class="calm">✓ No warnings; all checks of the data passed in all cases.</p>', kept)
         self.assertNotIn("Limits are exceeded", kept)
         self.assertIn("Limits are exceeded: </span>Base model (1 of 1); see below.", broken)
         self.assertNotIn('class="calm"', broken)
 
     def test_the_overview_reports_the_verdicts_of_the_map(self):
-        overview = re.search('<[^>]*id="cases".*?</table>', self.page("12 mm"), re.DOTALL).group()
+        overview = re.search('<section class="glance">.*?</table>', self.report().read_text(), re.DOTALL).group()
         self.assertIn("rules of the map", overview)
         verdicts = [re.findall("[✓✗] ([^<]*)<", row)[-1] for row in overview.split("<tr")[2:]]
         self.assertEqual(verdicts, ["VIOLATED", "met", "VIOLATED (own map)"])
+
+    def test_a_response_at_few_frequencies_is_also_a_table(self):
+        text = MACHINE.replace("band = [0, 40]", "at = [10, 20]")
+        self.assertIn("The response at its frequencies as a table", self.report(text=text).read_text())
+
+    def test_the_scripts_have_no_colours_of_curves_and_short_lines(self):
+        for script in (SOURCE / "src/trivet/report").glob("*.js"):
+            text = script.read_text()
+            self.assertLessEqual(max(map(len, text.splitlines())), 120, script)
+            self.assertLess(len(text.splitlines()), 500, script)
+            for colour in ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00"):
+                self.assertNotIn(colour.lower(), text.lower(), script)
+
+
+@unittest.skipUnless(BROWSER, "no browser")
+class Browser(Folder):
+    def seen(self, report, view=""):
+        """The page after its scripts have run, in a window that is higher than the page."""
+        arguments = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
+                     "--enable-logging=stderr", "--window-size=1280,8000", "--virtual-time-budget=5000",
+                     f"--user-data-dir={self.folder}/profile", "--dump-dom", report.as_uri() + view]
+        done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)
+        self.assertEqual(re.findall("CONSOLE.*", done.stderr), [], view)
+        return SCRIPTS.sub("", done.stdout)
+
+    def test_every_view_has_its_charts_and_no_error(self):
+        report = self.report(text=WITH_FORCES)
+        for view in ("", "#ylog&xlog&hz", "#case=1&zoom=5,20", "#xlog&zoom=14,16", "#hide=mass.z",
+                     "#compare=ground.force.z&ylog"):
+            page = self.seen(report, view)
+            # Amplitude and phase of motion and of forces and moments on the ground, and the comparison of the cases.
+            self.assertEqual(page.count("<canvas"), 7, view)
+            self.assertRegex(page, "max [0-9.]+ mm", view)
+
+    def test_the_selected_case_is_shown_and_the_others_are_hidden(self):
+        page = self.seen(self.report(), "#case=2")
+        self.assertEqual(page.count('<div data-case="2">'), 3)
+        self.assertEqual(page.count('<div data-case="0" hidden="">'), 3)
+
+    def test_marks_have_their_numbers(self):
+        page = self.seen(self.report())
+        for mark in ('class="peak"[^>]*title="peak of z: [0-9.]+ mm\nω = 1[0-9.]+ rad/s, f = 2.[0-9]+ Hz',
+                     'class="mode"[^>]*title="mode 1, ω = 15.0000 rad/s, f = 2.38732 Hz', "<b>limit z 12 mm</b>"):
+            self.assertTrue(re.search(mark, page), mark)
 
 
 if __name__ == "__main__":

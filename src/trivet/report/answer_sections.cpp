@@ -5,19 +5,18 @@
 
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
+#include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
 
 namespace trivet::report {
 namespace {
 
-/// A section; empty without tables and figures.
-std::string section(const std::string& title, const std::string& tables, const std::vector<Figure>& figures) {
-  if (tables.empty() && figures.empty()) return "";
-  std::string html = "<section><h2>" + title + "</h2>\n" + tables;
+/// Tables and figures below each other.
+std::string shown(std::string html, const std::vector<Figure>& figures) {
   for (const Figure& figure : figures)
     html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) +
         "\">" + figure.svg + "</div></figure>\n";
-  return html + "</section>\n";
+  return html;
 }
 
 /// Title, tables and figures of an answer, or of several that belong together.
@@ -49,8 +48,8 @@ const std::vector<Shown>& all_shown() {
 
 std::vector<Figure> answer_figures(const study::Answers& answers) {
   std::vector<Figure> all;
-  for (const Shown& shown : all_shown())
-    for (const auto& kind : shown.figures) {
+  for (const Shown& kinds : all_shown())
+    for (const auto& kind : kinds.figures) {
       int number = 0;  // different names may share the letters that are safe in a file name
       for (Figure& figure : kind(answers)) {
         const std::size_t dash = figure.file_name.find('-');
@@ -63,11 +62,11 @@ std::vector<Figure> answer_figures(const study::Answers& answers) {
 
 std::string answer_sections(const study::Answers& answers) {
   std::string html;
-  for (const Shown& shown : all_shown()) {
+  for (const Shown& kinds : all_shown()) {
     std::vector<Figure> figures;
-    for (const auto& kind : shown.figures)
+    for (const auto& kind : kinds.figures)
       for (Figure& figure : kind(answers)) figures.push_back(std::move(figure));
-    html += section(shown.title, shown.tables ? shown.tables(answers) : "", figures);
+    html += section("answer", kinds.title, shown(kinds.tables ? kinds.tables(answers) : "", figures));
   }
   return html;
 }

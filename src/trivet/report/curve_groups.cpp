@@ -16,15 +16,17 @@ std::vector<CurveGroup> curve_groups(const std::vector<CurveName>& curves) {
     const std::size_t dot = full.rfind('.');
     std::string name = full.substr(0, dot), component = full.substr(dot + 1);
     bool lower = component.starts_with("r");
-    if (curves[c].unit.starts_with("N")) {
+    const bool forces = curves[c].unit.starts_with("N");
+    if (forces) {
       lower = name.ends_with(".moment");
       component = (lower ? "M" : "F") + component;
       name = name.substr(0, name.rfind('.'));
     } else if (lower) {
       component = "θ" + component.substr(1);
     }
-    auto group = std::find_if(result.begin(), result.end(), [&](const CurveGroup& g) { return g.name == name; });
-    if (group == result.end()) group = result.insert(result.end(), CurveGroup{name, {}, {}});
+    auto group = std::find_if(result.begin(), result.end(),
+                              [&](const CurveGroup& g) { return g.name == name && g.forces == forces; });
+    if (group == result.end()) group = result.insert(result.end(), CurveGroup{name, forces, {}, {}});
     (lower ? group->lower : group->upper).push_back({component, c});
   }
   return result;

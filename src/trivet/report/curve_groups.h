@@ -16,6 +16,7 @@ struct GroupedCurve {
 /// below.
 struct CurveGroup {
   std::string name;
+  bool forces = false;  ///< of an element or the ground; a body may have the same name
   std::vector<GroupedCurve> upper, lower;
 };
 

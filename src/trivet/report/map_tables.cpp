@@ -42,7 +42,7 @@ std::string marks_table(const study::DesignMap& map) {
     rows.push_back({{mark.name.empty() ? "base model" : mark.name},
                     right(value_or_dash(mark.x, map.request.x)),
                     right(value_or_dash(mark.y, map.request.y)),
-                    {feasible ? "meets every rule" : "violates a rule", false, !feasible},
+                    {feasible ? "meets every rule" : "violates a rule", false, feasible ? Tone::plain : Tone::bad},
                     {words + (mark.of_this_model ? "" : " (not the model of the map)")}});
   }
   return rows.empty() ? ""

@@ -2,6 +2,7 @@
 #include "trivet/report/plot_panel.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,7 @@ namespace trivet::report {
 namespace {
 
 constexpr std::array<const char*, 6> colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00"};
-constexpr std::array<const char*, 6> dashes = {"", "7,3", "2,2", "9,3,2,3", "5,2", "1,3"};
+const std::array<std::vector<int>, 6> dashes = {{{}, {7, 3}, {2, 2}, {9, 3, 2, 3}, {5, 2}, {1, 3}}};
 
 }  // namespace
 
@@ -80,12 +81,16 @@ void draw_frame(SvgCanvas& canvas, const PlotPanel& p) {
   canvas.text({x, y}, p.y.label, fmt::format("text-anchor=\"middle\" transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y));
 }
 
+SeriesStyle series_style(std::size_t series) {
+  return {series_colour(series), dashes[(series + series / dashes.size()) % dashes.size()]};
+}
+
 const char* series_colour(std::size_t series) { return colours[series % colours.size()]; }
 
 std::string series_stroke(std::size_t series) {
-  const char* dash = dashes[(series + series / dashes.size()) % dashes.size()];
-  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", series_colour(series),
-                     dash[0] ? fmt::format(" stroke-dasharray=\"{}\"", dash) : "");
+  const SeriesStyle style = series_style(series);
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" stroke-linejoin=\"round\"{}", style.colour,
+                     style.dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", fmt::join(style.dash, ",")));
 }
 
 }  // namespace trivet::report

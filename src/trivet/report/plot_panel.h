@@ -37,9 +37,16 @@ struct PlotPanel {
 /// Draws grid, ticks with their labels, frame and axis labels.
 void draw_frame(SvgCanvas& canvas, const PlotPanel& panel);
 
-/// Okabe–Ito colours, which colour-blind readers can distinguish.
+/// Colour of a curve (Okabe–Ito, which colour-blind readers can distinguish) and its dash for grey print: lengths of
+/// strokes and gaps [pixels], none if it is not dashed. Figures and the page's charts use the same.
+struct SeriesStyle {
+  const char* colour;
+  std::vector<int> dash;
+};
+inline constexpr std::size_t different_strokes = 36;  ///< after these they repeat
+[[nodiscard]] SeriesStyle series_style(std::size_t series);
 [[nodiscard]] const char* series_colour(std::size_t series);
-/// Stroke of a curve: its colour, and a dash for grey print; 36 are different.
+/// The same as attributes of an SVG element.
 [[nodiscard]] std::string series_stroke(std::size_t series);
 
 }  // namespace trivet::report

@@ -3,9 +3,18 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <functional>
+
 #include "trivet/foundation/version.h"
 #include "trivet/report/answer_sections.h"
+#include "trivet/report/check_tables.h"
+#include "trivet/report/drawing_json.h"
 #include "trivet/report/figures.h"
+#include "trivet/report/html_table.h"
+#include "trivet/report/input_tables.h"
+#include "trivet/report/page_notices.h"
+#include "trivet/report/result_tables.h"
 #include "trivet/report/svg_canvas.h"
 
 namespace trivet::report {
@@ -13,6 +22,11 @@ namespace trivet::report {
 extern const char* const page_html;
 extern const char* const page_css;
 extern const char* const page_js;
+extern const char* const charts_js;
+extern const char* const curves_js;
+extern const char* const chart_script;
+extern const char* const chart_style;
+extern const char* const chart_licence;
 
 namespace {
 
@@ -32,12 +46,35 @@ std::string inside_script(const std::string& json) {
 }
 
 /// One block per case; the script shows that of the selected case, without scripts the first one is visible.
-std::string case_blocks(const std::vector<study::Answers>& answers) {
+std::string case_blocks(const std::vector<ShownCase>& cases, const std::function<std::string(const ShownCase&)>& html) {
   std::string blocks;
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    blocks +=
-        fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", answer_sections(answers[i]));
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    blocks += fmt::format("<div data-case=\"{}\"{}>{}</div>\n", i, i == 0 ? "" : " hidden", html(cases[i]));
   return blocks;
+}
+
+std::string case_options(const std::vector<ShownCase>& cases) {
+  std::string options;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    options += fmt::format("<option value=\"{}\">{}</option>", i, escaped(cases[i].name()));
+  return options;
+}
+
+std::string above_pictures(const ShownCase& shown, std::size_t cases) {
+  return case_head(shown, cases) + section("limits", "Limits", limits_table(shown.variant, shown.answers));
+}
+
+std::string below_pictures(const ShownCase& shown) {
+  return section("response", "Response", response_table(shown.variant, shown.answers)) +
+      section("peaks", "Resonance peaks", peaks_table(shown.variant, shown.answers)) + answer_sections(shown.answers);
+}
+
+std::string below_comparison(const ShownCase& shown) {
+  const project::Case& variant = shown.variant;
+  return section("modes", "Undamped modes", modes_tables(variant, shown.answers)) +
+      section("roots", "Damped roots", roots_table(variant, shown.answers)) +
+      section("static", "Static answer", static_tables(variant, shown.answers)) +
+      section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 
 }  // namespace
@@ -45,15 +82,29 @@ std::string case_blocks(const std::vector<study::Answers>& answers) {
 std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
                         const std::string& results) {
   const std::string title = project.title.empty() ? project.source : project.title;
+  const std::vector<ShownCase> cases = shown_cases(project, answers);
   std::string page = page_html;
   // From the end to the start, so that inserted text that looks like a placeholder is not replaced.
   replace(page, "{{script}}", page_js);
+  replace(page, "{{charts}}", charts_js);
+  replace(page, "{{curves}}", curves_js);
+  replace(page, "{{chart_script}}", chart_script);
+  replace(page, "{{chart_licence}}", chart_licence);
+  replace(page, "{{drawing}}", inside_script(drawing_json(answers)));
   replace(page, "{{results}}", inside_script(results));
-  replace(page, "{{answers}}", case_blocks(answers));
+  replace(page, "{{tables}}", case_blocks(cases, below_comparison));
+  replace(page, "{{answers}}", case_blocks(cases, below_pictures));
+  replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
+  replace(page, "{{cases}}", case_options(cases));
   replace(page, "{{overview}}", overview(title, answers).svg);
+  replace(page, "{{glance}}", section("glance", "At a glance", glance_table(cases)));
+  replace(page, "{{notices}}", page_notices(cases));
+  replace(page, "{{sha256}}", escaped(project.sha256));
+  replace(page, "{{input}}", escaped(std::filesystem::path(project.source).filename().string()));
   replace(page, "{{program}}", fmt::format("trivet {}", foundation::version()));
   replace(page, "{{heading}}", escaped(title));
   replace(page, "{{style}}", page_css);
+  replace(page, "{{chart_style}}", chart_style);
   replace(page, "{{title}}", escaped(title));
   return page;
 }

@@ -8,9 +8,8 @@
 
 namespace trivet::report {
 
-/// A self-contained HTML page that works from a file without network. `results` is the text of results::page_json (or
-/// of results.json), which the script of the page reads; without scripts the page shows the overview figure, the input
-/// identification and the further answers of the first case.
+/// A self-contained HTML page that works from a file without network. `results` is the text of results::page_json,
+/// from which the script of the page draws its charts; without scripts the page shows all else of the first case.
 [[nodiscard]] std::string report_page(const project::Project& project, const std::vector<study::Answers>& answers,
                                       const std::string& results);
 

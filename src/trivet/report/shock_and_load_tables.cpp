@@ -84,7 +84,7 @@ std::string limit_line_table(const study::Answers& answers) {
                     number_cell(response::margin_level(c.least_margin)),
                     hertz_cell(c.least_margin_at),
                     {bands.empty() ? "–" : bands},
-                    {c.met() ? "✓ met" : "✗ EXCEEDED", false, !c.met()}});
+                    verdict_cell(c.met(), "met", "EXCEEDED")});
   }
   return html_table({{"result"},
                      {"limit line"},
@@ -101,7 +101,7 @@ std::string load_sharing_table(const study::Answers& answers) {
   std::vector<std::vector<Cell>> rows;
   for (const response::MountLoad& m : answers.load_sharing->mounts) {
     std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, "N"), percent_cell(m.share)};
-    row.back().bad = m.bearing < 0;
+    if (m.bearing < 0) row.back().tone = Tone::bad;
     for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
     rows.push_back(std::move(row));
   }

@@ -51,7 +51,5 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json drawn_response(const study::Answers& answers);
 [[nodiscard]] Json limit_lines(const study::Answers& answers);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
-/// Only the verdicts of the cases.
-[[nodiscard]] Json map_marks(const study::DesignMap& map);
 
 }  // namespace trivet::results::json

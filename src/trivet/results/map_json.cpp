@@ -178,15 +178,6 @@ Json json::design_map(const study::DesignMap& map) {
   return result;
 }
 
-Json json::map_marks(const study::DesignMap& map) {
-  Json marks = Json::array();
-  for (const study::MapMark& m : map.marks) {
-    marks.push_back({{"case", m.name}});
-    if (m.judged) marks.back()["kept"] = m.judged->governing.feasible();
-  }
-  return {{"marks", std::move(marks)}};
-}
-
 void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
   Json result = without_grid(map);
   result["warnings"] = json::warnings(warnings);

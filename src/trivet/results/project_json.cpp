@@ -90,12 +90,7 @@ Json model_json(const project::Case& variant) {
   return result;
 }
 
-enum class Reader { file, page };
-
-/// Answers that the page draws itself; the others are static tables and figures in its text.
-const std::vector<std::string> drawn_by_page = {"modes", "roots", "peaks", "static", "limit_lines"};
-
-Json case_json(const project::Case& variant, const study::Answers& answers, Reader reader) {
+Json case_json(const project::Case& variant, const study::Answers& answers) {
   Json checks = Json::array();
   for (const study::CheckLine& line : study::check_lines(variant))
     checks.push_back({{"subject", line.subject}, {"what", line.what}, {"value", line.value}, {"passed", line.passed}});
@@ -120,16 +115,42 @@ Json case_json(const project::Case& variant, const study::Answers& answers, Read
     if (!writer.is_there(variant, answers)) continue;
     const std::string name = writer.name;
     if (name == "response") result["band"] = {answers.response->band.from, answers.response->band.to};
-    if (reader == Reader::file) result[name] = writer.json(variant, answers);
-    else if (name == "response") result[name] = json::drawn_response(answers);
-    else if (name == "map") result[name] = json::map_marks(*answers.map);
-    else if (std::find(drawn_by_page.begin(), drawn_by_page.end(), name) != drawn_by_page.end())
-      result[name] = writer.json(variant, answers);
+    result[name] = writer.json(variant, answers);
   }
   return result;
 }
 
-std::string all_results(const project::Project& project, const std::vector<study::Answers>& answers, Reader reader) {
+/// What the page draws of a case: limits, modes, peaks, and a model of its curves.
+Json drawn_case(const project::Case& variant, const study::Answers& answers) {
+  Json result{
+      {"name", answers.case_name}, {"limits", Json::array()}, {"modes", Json::array()}, {"peaks", Json::array()}};
+  for (const study::LimitAnswer& limit : answers.limits)
+    result["limits"].push_back({{"name", limit.name}, {"unit", limit.unit}, {"limit", limit.limit}});
+  if (variant.analyses.modes)
+    for (const modal::Mode& mode : answers.modes.list)
+      if (mode.angular_frequency.value_or(0) > 0)
+        result["modes"].push_back(
+            {{"number", mode.number}, {"angular_frequency", *mode.angular_frequency}, {"name", mode.name}});
+  if (answers.peaks) {
+    const response::Peaks& found = answers.peaks->peaks;
+    for (const response::Peak& peak : found.list)
+      result["peaks"].push_back({{"name", found.curves[peak.curve].name},
+                                 {"unit", found.curves[peak.curve].unit},
+                                 {"angular_frequency", peak.angular_frequency},
+                                 {"amplitude", json::number(peak.amplitude)},
+                                 {"ratio_to_static", json::optional(peak.ratio_to_static)},
+                                 {"nearest_mode", json::optional(peak.nearest_mode)},
+                                 {"unbounded", std::isinf(peak.amplitude)}});
+    for (const response::CurveSummary& curve : found.curves)
+      if (curve.vanishes) result["vanishing"].push_back({{"name", curve.name}, {"unit", curve.unit}});
+  }
+  if (answers.response) result["response"] = json::drawn_response(answers);
+  return result;
+}
+
+}  // namespace
+
+std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
   Json result{
       {"format", "trivet-results"},
       {"format_version", 1},
@@ -137,19 +158,14 @@ std::string all_results(const project::Project& project, const std::vector<study
       {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
       {"title", project.title},
       {"cases", Json::array()}};
-  for (std::size_t i = 0; i < answers.size(); ++i)
-    result["cases"].push_back(case_json(project.cases[i], answers[i], reader));
+  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
   return json::text(result) + "\n";
 }
 
-}  // namespace
-
-std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
-  return all_results(project, answers, Reader::file);
-}
-
 std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers) {
-  return all_results(project, answers, Reader::page);
+  Json result{{"cases", Json::array()}};
+  for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(drawn_case(project.cases[i], answers[i]));
+  return json::text(result) + "\n";
 }
 
 std::string problems_json(const foundation::Problems& problems, const std::vector<std::string>& free_motions,

@@ -11,8 +11,8 @@ namespace trivet::results {
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
 [[nodiscard]] std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
-/// The part for the report page: models instead of long tables of curves, without the answers that are static figures
-/// in the page.
+/// What the charts of the report page draw: names, limits, modes, peaks, and models of the curves instead of long
+/// tables. Its tables and other figures are text of the page.
 [[nodiscard]] std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
 /// {"ok", "problems": [...], "deep": [...]}: the verdict of `trivet check --json`; "deep" only if solvers were

@@ -70,13 +70,9 @@ Json drawn_response(const study::Answers& answers) {
   Json result{{"band", {model.band.from, model.band.to}},
               {"delays", model.delays},
               {"pieces", Json::array()},
-              {"solves", model.solves},
-              {"tests", model.tests},
-              {"worst_error", model.worst_error},
-              {"worst_error_at", model.worst_error_at},
               {"continuous_phase", answer.continuous_phase},
-              {"results", Json::array()},
-              {"checks", solution_checks(answer)}};
+              {"undefined_at", answer.curves.check.undefined_at},
+              {"results", Json::array()}};
   for (const response::ModelPiece& piece : model.pieces) {
     Json values = Json::array();
     for (Eigen::Index row = 0; row < piece.fit.values.rows(); ++row)

@@ -142,7 +142,7 @@ TEST(AnswerSections, ContainTheFiguresAndTheKeyNumbers) {
                             "Shock response spectrum", "Limit lines", "Operating shapes"})
     EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));
   EXPECT_THAT(html, HasSubstr("zero crossings"));
-  EXPECT_THAT(html, HasSubstr("critical speed [rpm]"));
+  EXPECT_THAT(html, HasSubstr("critical speed\u00a0[rpm]"));
 }
 
 TEST(VisiblePieces, AreCutExactlyAtTheEdgesOfThePanel) {

@@ -47,8 +47,7 @@ TEST(Report, ContainsItsDataAndNoExternalLinks) {
   const auto project = test::project(project::starter_text);
   std::vector<study::Answers> all;
   for (const auto& variant : project.cases) all.push_back(study::answers(variant, variant.analyses));
-  const std::string results = results::results_json(project, all);
-  const std::string page = report::report_page(project, all, results);
+  const std::string page = report::report_page(project, all, results::page_json(project, all));
   EXPECT_THAT(page, testing::HasSubstr(project.sha256));
   EXPECT_THAT(page, testing::HasSubstr("trivet 0.1.0"));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("{{")));
@@ -82,7 +81,7 @@ force = [1, 0, 0]
 response = {band = [1, 2]}
 )");
   std::vector<study::Answers> all = {study::answers(project.base(), project.base().analyses)};
-  const std::string page = report::report_page(project, all, results::results_json(project, all));
+  const std::string page = report::report_page(project, all, results::page_json(project, all));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("</script><b>")));
   EXPECT_THAT(page, testing::Not(testing::HasSubstr("<i>")));
 }

@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Charts of curves, drawn by uPlot: ranges, ticks, marks, pointer, keys and legends.
+
+/// State chosen by the user. `zoom` is null or [from, to] in rad/s; `hidden` contains the names of hidden curves.
+const view = {case: 0, ylog: false, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
+let charts = [];        // of the selected case
+let comparison = null;  // the chart of all cases
+const axisFactor = () => (view.hz ? 1 / TURN : 1);  // from rad/s to the unit of the frequency axes
+const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
+
+const byId = id => document.getElementById(id);
+
+function html(tag, attributes, ...children) {
+  const node = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes ?? {})) {
+    if (name.startsWith('on')) node.addEventListener(name.slice(2), value);
+    else if (value !== null && value !== undefined && value !== false) node.setAttribute(name, value);
+  }
+  node.append(...children.flat(Infinity).filter(child => child !== null && child !== undefined));
+  return node;
+}
+
+// ---------------------------------------------------------------- ranges and ticks
+
+/// The shown range of ω. A logarithmic axis cannot start at 0; it starts a decade below the lowest mode or peak.
+function frequencyRange(chart) {
+  let [from, to] = view.zoom ?? chart.band;
+  if (!(to > from)) [from, to] = [from * 0.9, from * 1.1 + 1e-9];
+  if (view.xlog && from <= 0) {
+    const lowest = smallestOf(chart.landmarks.filter(w => w > 1e-6 * to));
+    from = Math.max(Math.min(lowest / 10, to / 100), to / 1e5);
+  }
+  return [from, to];
+}
+
+/// The amplitude that is exceeded over a twentieth of the range: the scale of a chart with infinite peaks.
+function commonTop(points) {
+  const pieces = points.slice(1).map((p, i) => [Math.max(p[1], points[i][1]), p[0] - points[i][0]]);
+  let left = 0.05 * pieces.reduce((sum, p) => sum + p[1], 0);
+  for (const [value, width] of pieces.sort((a, b) => b[0] - a[0])) if ((left -= width) <= 0) return value;
+  return 0;
+}
+
+/// Highest drawn amplitude: curves with infinite peaks are cut off far above what they exceed commonly.
+function ceilingOf(chart) {
+  if (!chart.curves.some(c => c.peaks.some(p => p.unbounded))) return Infinity;
+  return 1000 * largestOf(chart.curves.map(c => commonTop(inRange(c, ...chart.band)))) || Infinity;
+}
+
+const shownCurves = chart => chart.curves.filter(c => !view.hidden.has(c.key));
+const limitsOf = chart => chart.limits ?? shownCurves(chart).flatMap(c => c.limits.map(l => ({...l, label: c.label})));
+
+/// Range of the amplitude axis: all shown curves and peaks, and limits near them.
+function amplitudeRange(chart) {
+  const range = frequencyRange(chart), curves = shownCurves(chart), lines = curves.map(c => inRange(c, ...range));
+  const peaks = curves.flatMap(c => c.peaks).filter(p => inside(p, range));
+  let largest = largestOf([...lines.map(line => largestOf(line.map(p => p[1]))), ...peaks.map(p => p.amplitude)]);
+  if (peaks.some(p => p.unbounded))
+    largest = Math.min(largest, chart.ceiling, view.ylog ? Infinity : 2 * largestOf(lines.map(commonTop)) || Infinity);
+  const limits = limitsOf(chart).map(l => l.limit).filter(l => l <= largest * (view.ylog ? 100 : 3));
+  const top = Math.max(largest, ...limits);
+  if (!(top > 0)) return view.ylog ? [0.1, 1] : [0, 1];
+  if (!view.ylog) return [0, 1.06 * top];
+  const alive = lines.map(line => line.map(p => p[1])).filter(values => largestOf(values) > 1e-9 * largest);
+  const least = Math.max(smallestOf(alive.map(smallestOf)), 1e-8 * largest), from = Math.min(least / 1.6, top / 10);
+  return [from, top * (top / from) ** 0.06];
+}
+
+/// Range of the phase axis: ±180° with some space, or more in multiples of 90° for continuous phases.
+function phaseRange(curves) {
+  const angles = curves.flatMap(c => c.phase).filter(v => v !== null);
+  const low = Math.min(-180, Math.floor(smallestOf(angles) / 90 + 1e-9) * 90);
+  const high = Math.max(180, Math.ceil(largestOf(angles) / 90 - 1e-9) * 90), air = 0.02 * (high - low);
+  return [low - air, high + air];
+}
+
+/// Ticks of a logarithmic axis; uPlot's own start at its lower end, which is not round after a zoom.
+function logarithmicTicks(from, to, step) {
+  const ticks = [], decades = Math.log10(to / from);
+  if (decades < 1) for (let k = Math.ceil(from / step); k * step <= to; k++) ticks.push(k * step);
+  else
+    for (let k = Math.floor(Math.log10(from)); k <= Math.log10(to); k++)
+      for (let digit = 1; digit <= (decades > 4 ? 1 : 9); digit++) ticks.push(digit * Number(`1e${k}`));
+  return ticks.filter(tick => tick >= from && tick <= to);
+}
+/// Labels of powers of ten, as many as there is room for, and of 2 and 5 times them on a short axis.
+function logarithmicLabels(ticks, room) {
+  const decades = Math.log10(ticks.at(-1) / ticks[0]), every = Math.ceil(decades / room);
+  if (decades < 1) return ticks.map(tick => number(tick, 8));
+  return ticks.map(tick => {
+    const [digit, power] = tick.toExponential(0).split('e').map(Number);
+    if (digit !== 1) return decades < room / 3 && [2, 5].includes(digit) ? number(tick, 8) : '';
+    if (power % every) return '';
+    if (power >= -3 && power <= 4) return number(tick, 8);
+    return '10' + [...String(power)].map(sign => (sign === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[sign])).join('');
+  });
+}
+
+// ---------------------------------------------------------------- charts
+
+const allCharts = () => (comparison ? [...charts, comparison] : charts);
+
+/// Path of a phase within ±180°: it continues at the other edge, reached the short way.
+function wrappedPath(u, curve, first, last) {
+  const stroke = new Path2D(), [omega, angles] = [u.data[0], u.data[curve]];
+  const across = i => u.valToPos(omega[i], 'x', true), up = angle => u.valToPos(angle, 'y', true);
+  let before = null;  // index of the last point
+  for (let i = first; i <= last; i++) {
+    const angle = angles[i];
+    if (angle !== null && before !== null && Math.abs(angle - angles[before]) > 180) {
+      const edge = Math.sign(angles[before]) * 180, way = 360 - Math.abs(angle - angles[before]);
+      const part = way > 0 ? Math.abs(edge - angles[before]) / way : 0.5;
+      const middle = across(before) + part * (across(i) - across(before));
+      stroke.lineTo(middle, up(edge));
+      stroke.moveTo(middle, up(-edge));
+    }
+    if (angle !== null) before === null ? stroke.moveTo(across(i), up(angle)) : stroke.lineTo(across(i), up(angle));
+    before = angle === null ? null : i;
+  }
+  return {stroke, fill: null, flags: 0};
+}
+
+function peakWords(peak, label) {
+  const height = peak.unbounded ? 'unbounded (undamped)' : withUnit(peak.amplitude, peak.unit, 5);
+  const lines = [`peak of ${label}: ${height}`, frequencyWords(peak.angular_frequency)];
+  if (peak.ratio_to_static !== null) lines.push(`${reading(peak.ratio_to_static, 5)} × static`);
+  if (peak.nearest_mode) lines.push(`nearest mode: ${peak.nearest_mode}`);
+  return lines.join('\n');
+}
+/// Marks over a chart: modes as ticks on the upper edge, limits as lines, peaks as circles, infinite ones as lines.
+function drawMarks(chart, u) {
+  const range = frequencyRange(chart), {min, max} = u.scales.y, marks = [];
+  const across = w => u.valToPos(w * axisFactor(), 'x'), up = value => u.valToPos(value, 'y');
+  const add = (style, place, title, content) => marks.push(html('span', {class: style, style: place, title}, content));
+  for (const m of chart.modes.filter(mode => inside(mode, range)))
+    add('mode', `left:${across(m.angular_frequency)}px`,
+        `mode ${m.number}, ${frequencyWords(m.angular_frequency)}\n${m.name}`);
+  if (!chart.phase) {
+    let outside = 0;
+    for (const l of limitsOf(chart)) {
+      const suited = multiple(l.limit, l.unit), shown = l.limit >= min && l.limit <= max;
+      const words = ['limit', l.label, number(l.limit * suited.factor, 6), suited.unit].filter(Boolean).join(' ');
+      if (shown) add(`limit${up(l.limit) < 20 ? ' below' : ''}`, `top:${up(l.limit)}px`, null, html('b', {}, words));
+      else add('limit outside', `top:${26 + 15 * outside++}px`, null,
+               html('b', {}, `${words} (${l.limit > max ? 'above' : 'below'} this picture)`));
+    }
+    for (const c of shownCurves(chart))
+      for (const p of c.peaks.filter(peak => inside(peak, range))) {
+        const place = `left:${across(p.angular_frequency)}px;color:${c.colour};`;
+        if (p.unbounded) add('endless', place, peakWords(p, c.label), '∞');
+        else if (p.amplitude >= min && p.amplitude <= max)
+          add('peak', `${place}top:${up(p.amplitude)}px`, peakWords(p, c.label));
+      }
+  }
+  chart.marks.replaceChildren(...marks);
+  u.over.append(chart.marks);
+}
+
+/// Data for uPlot: frequencies in the unit of the axis, then one list for each curve.
+function dataOf(chart) {
+  const factor = axisFactor(), missing = v => v === null || (view.ylog && !(v > 0));
+  const usable = v => (missing(v) ? null : Math.min(v, chart.ceiling));
+  const values = c => (chart.phase ? c.phase : c.amplitude.map(usable));
+  const lists = chart.curves.map(c => [c.omega.map(w => w * factor), values(c)]);
+  return chart === comparison ? uPlot.join(lists) : [lists[0][0], ...lists.map(list => list[1])];
+}
+
+/// Index of the point of a curve nearest to the cursor; a comparison has points that belong to other curves.
+function nearestPoint(u, curve, index) {
+  const values = u.data[curve];
+  for (let step = 0; step < 200; step++)
+    for (const i of [index - step, index + step]) if (values[i] !== undefined) return i;
+  return index;
+}
+
+// Steps between ticks, from 1e-24 to 5e15.
+const STEPS = [...Array(40).keys()].flatMap(k => [1, 2, 5].map(digit => Number(`${digit}e${k - 24}`)));
+const FONT = '12px system-ui, "Segoe UI", "Liberation Sans", Arial, sans-serif';
+const AXIS = {stroke: '#333', font: FONT, labelFont: FONT, gap: 4, labelSize: 18, labelGap: 0, incrs: STEPS,
+              ticks: {show: false}, grid: {stroke: '#e2e2e2', width: 1}};
+
+/// Frequency axis and amplitude or phase axis.
+function axesOf(chart) {
+  const logarithmic = {filter: (u, ticks) => ticks,
+                       splits: (u, axis, from, to, step) => logarithmicTicks(from, to, step)};
+  const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
+  const {quantity} = units[chart.unit], suited = u => multiple(u.scales.y.max, chart.unit);
+  const name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
+  const x = {...AXIS, label: view.hz ? 'f [Hz]' : 'ω [rad/s]', size: 24, space: 50,
+             values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
+             ...(view.xlog ? logarithmic : {})};
+  const angles = {...AXIS, label: 'phase [°]', size: 50, space: 22, incrs: [45, 90, 180, 360, 720, 1440, 3600, 14400]};
+  const amplitudes = {...AXIS, label: u => `${name} [${suited(u).unit}]`, size: 50, space: view.ylog ? 20 : 30,
+                      values: (u, ticks) => labels(ticks.map(v => v * suited(u).factor), view.ylog, chart.height / 25),
+                      ...(view.ylog ? logarithmic : {})};
+  return [x, chart.phase ? angles : amplitudes];
+}
+function seriesOf(chart, curve) {
+  const few = curve.omega.length <= FEW_POINTS;
+  return {label: curve.label, pxAlign: 0, stroke: few ? `${curve.colour}59` : curve.colour, width: 1.7,
+          dash: curve.dash.map(length => length * uPlot.pxRatio),
+          show: !view.hidden.has(curve.key) && !(chart.phase && curve.vanishes),
+          paths: chart.phase && chart.phase[1] < 190 ? wrappedPath : undefined,
+          points: {show: few, size: 6, width: 0, fill: curve.colour}};
+}
+function optionsOf(chart) {
+  const [from, to] = frequencyRange(chart).map(w => w * axisFactor()), ylog = view.ylog && !chart.phase;
+  return {
+    width: Math.max(280, chart.holder.clientWidth), height: chart.height, ...chart.paper, padding: [10, 12, 0, 0],
+    legend: {show: false}, axes: axesOf(chart), series: [{}, ...chart.curves.map(curve => seriesOf(chart, curve))],
+    scales: {x: {time: false, distr: view.xlog ? 3 : 1, min: from, max: to, range: (u, low, high) => [low, high]},
+             y: {distr: ylog ? 3 : 1, range: () => chart.phase || amplitudeRange(chart)}},
+    cursor: {y: false, move: (u, x, y) => snapped(chart, u, x, y), dataIdx: nearestPoint, points: {size: 7},
+             drag: {x: true, y: false, setScale: false, dist: 6}, bind: bindings,
+             sync: {key: 'ω', scales: ['x', null], filters: {pub: type => type === 'mousemove'}}},
+    hooks: {draw: [u => drawMarks(chart, u)], setCursor: [u => readOut(chart, u)], setSelect: [selectRange]},
+  };
+}
+
+/// Is a chart in the window, or nearly?
+function isNear({holder}) {
+  const {top, bottom} = holder.getBoundingClientRect(), margin = 300;
+  return bottom > -margin && top < window.innerHeight + margin;
+}
+/// Draws a chart anew, or only moves it to the shown frequencies. One outside the window waits, except for print.
+function draw(chart) {
+  if (!chart.stale || !(chart.paper.width || isNear(chart))) return;
+  if (chart.stale === 'range') {
+    const [min, max] = frequencyRange(chart).map(w => w * axisFactor());
+    chart.plot.setScale('x', {min, max});
+  } else {
+    chart.plot?.destroy();
+    chart.plot = new uPlot(optionsOf(chart), dataOf(chart), chart.holder);
+    listenToMore(chart);
+  }
+  chart.stale = '';
+}
+function makeChart(options) {
+  const chart = {height: 250, phase: null, modes: [], stale: 'all', paper: {}, ...options};
+  chart.ceiling = ceilingOf(chart);
+  chart.marks = html('div', {class: 'marks'});
+  const holder = chart.holder = html('div', {class: 'picture', tabindex: 0, role: 'img', 'aria-label': chart.title,
+                                             style: `min-height:${chart.height}px`});
+  holder.addEventListener('keydown', event => moveByKey(chart, event));
+  return chart;
+}
+
+// ---------------------------------------------------------------- pointer, keys, legend
+
+/// Mouse events of a chart, also of the marks on it.
+const bindings = {
+  mousedown: (u, target, handle) => event => { if (event.button === 0) handle(event); },
+  mouseup: (u, target, handle) => event => { if (event.button === 0) handle(event); },
+  mousemove: (u, target, handle) => event => handle(event),
+  dblclick: () => () => change({zoom: null}),
+};
+/// Position of the cursor: in the charts of one case at the nearest drawn frequency, except while a range is selected.
+function snapped(chart, u, x, y) {
+  if (x < 0 || x > u.over.clientWidth) return [-10, -10];
+  if (chart === comparison || u.cursor.event?.buttons) return [x, y];
+  const nearest = u.valToPos(u.data[0][nearestIndex(u.data[0], u.posToVal(x, 'x'))], 'x');
+  return [nearest >= 0 && nearest <= u.over.clientWidth ? nearest : x, y];
+}
+function selectRange(u) {
+  const {left, width} = u.select;
+  if (!(width > 0)) return;
+  u.setSelect({left: 0, width: 0, top: 0, height: 0}, false);
+  change({zoom: [left, left + width].map(x => u.posToVal(x, 'x') / axisFactor())});
+}
+/// Wheel and touch: uPlot listens to the mouse only.
+function listenToMore(chart) {
+  const {over} = chart.plot;
+  over.addEventListener('wheel', event => {
+    if (!event.ctrlKey && !event.shiftKey) return;  // scrolls the page
+    event.preventDefault();
+    const step = Math.sign(event.deltaY || event.deltaX), same = v => v;
+    const [to, back] = view.xlog ? [Math.log, Math.exp] : [same, same], [from, end] = frequencyRange(chart).map(to);
+    const across = event.clientX - over.getBoundingClientRect().left;
+    const middle = to(chart.plot.posToVal(across, 'x') / axisFactor());
+    if (event.ctrlKey) zoomTo(...[from, end].map(v => back(middle + (v - middle) * 1.25 ** step)));
+    else moveBy(0.1 * step * (end - from), to, back);
+  }, {passive: false});
+  const mouse = {pointerdown: 'mousedown', pointermove: 'mousemove', pointerup: 'mouseup', pointercancel: 'mouseup'};
+  for (const [type, name] of Object.entries(mouse))
+    over.addEventListener(type, event => {
+      const {clientX, clientY, movementX, movementY} = event, buttons = type === 'pointermove' ? event.buttons : 0;
+      if (event.pointerType === 'touch')
+        over.dispatchEvent(new MouseEvent(name, {clientX, clientY, movementX, movementY, buttons, bubbles: true}));
+    });
+}
+function moveByKey(chart, event) {
+  const step = {ArrowLeft: -1, ArrowRight: 1}[event.key], {plot} = chart;
+  if (event.key === 'Escape') plot.setCursor({left: -10, top: -10}, true, true);
+  if (!step) return;
+  event.preventDefault();
+  const {cursor, data: [omega], over, scales: {x}} = plot;
+  const at = cursor.left >= 0 ? plot.posToVal(cursor.left, 'x') : plot.posToVal(over.clientWidth / 2, 'x');
+  const index = nearestIndex(omega, at) + step * (event.shiftKey ? 10 : 1);
+  const next = Math.max(x.min, Math.min(x.max, omega[Math.max(0, Math.min(omega.length - 1, index))]));
+  plot.setCursor({left: plot.valToPos(next, 'x'), top: 10}, true, true);
+}
+
+/// Buttons that show or hide curves, each with the value under the cursor.
+function makeLegend(curves, withPhase) {
+  const legend = {withPhase, frequency: html('span', {class: 'frequency'}), entries: []};
+  const entries = curves.map(curve => {
+    const value = html('span', {class: 'reading'}, highestWords(curve)), sample = html('span', {class: 'sample'});
+    sample.innerHTML = `<svg width="28" height="10"><path d="M0,5H28" stroke="${curve.colour}" stroke-width="2" ` +
+                       `stroke-dasharray="${curve.dash.join()}"/></svg>`;
+    legend.entries.push({curve, value});
+    const button = html('button', {type: 'button', 'aria-pressed': !view.hidden.has(curve.key), 'data-key': curve.key,
+                                   title: 'show or hide this curve', onclick: () => toggle(curve.key)},
+                        sample, curve.vanishes ? `${curve.label} (≈ 0)` : curve.label);
+    return html('span', {class: 'entry'}, button, value);
+  });
+  legend.node = html('div', {class: withPhase ? 'legend' : 'legend many'}, entries, legend.frequency);
+  return legend;
+}
+function toggle(key) {
+  view.hidden.has(key) ? view.hidden.delete(key) : view.hidden.add(key);
+  for (const button of document.querySelectorAll('.legend button'))
+    button.setAttribute('aria-pressed', !view.hidden.has(button.dataset.key));
+  refresh();
+}
+function highestWords(c) {
+  if (c.vanishes) return 'below round-off';
+  const unbounded = c.peaks.some(p => p.unbounded && inside(p, [c.omega[0], c.omega.at(-1)]));
+  return `max ${unbounded ? '∞' : withUnit(largestOf(c.amplitude), c.unit, 4)}`;
+}
+/// Writes the values under the cursor into the legend.
+function readOut(chart, u) {
+  const none = !(u.cursor.left >= 0), w = none ? 0 : u.posToVal(u.cursor.left, 'x') / axisFactor();
+  if (chart.phase) return;  // the chart of the amplitude next to it has the same legend
+  chart.legend.frequency.textContent = none ? '' : frequencyWords(w);
+  for (const {curve, value} of chart.legend.entries) {
+    const amplitude = amplitudeAt(curve, w), phase = curve.phase[nearestIndex(curve.omega, w)];
+    const angle = chart.legend.withPhase && phase !== null ? `, ${phase.toFixed(1)}°` : '';
+    const words = () => (Number.isFinite(amplitude) ? withUnit(amplitude, curve.unit, 4) + angle : '–');
+    value.textContent = none ? highestWords(curve) : words();
+  }
+}

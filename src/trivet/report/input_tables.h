@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/project/project.h"
+
+namespace trivet::report {
+
+/// Bodies, elements with their matrices, excitations, foundations, gravity and system damping of a case.
+[[nodiscard]] std::string input_tables(const project::Case& variant);
+
+}  // namespace trivet::report

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/page_notices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "trivet/report/html_table.h"
+#include "trivet/report/svg_canvas.h"
+
+namespace trivet::report {
+namespace {
+
+/// A text that one or more cases share, and its place in the input file.
+struct Notice {
+  std::string text, place;
+  std::set<std::size_t> cases;
+};
+
+void add(std::vector<Notice>& notices, const std::string& text, const std::string& place, std::size_t which) {
+  auto found = std::find_if(notices.begin(), notices.end(), [&](const Notice& n) { return n.text == text; });
+  if (found == notices.end()) found = notices.insert(found, {text, place, {}});
+  found->cases.insert(which);
+}
+
+/// A warning without its place and without "warning:" and the name of its case, which are shown apart.
+std::string warning_words(foundation::Problem problem, const std::string& case_name) {
+  problem.origin = {};
+  std::string text = foundation::message(problem);
+  for (const std::string& part : {std::string("warning: "), "case \"" + case_name + "\": "})
+    if (const std::size_t at = text.find(part); at != std::string::npos) text.erase(at, part.size());
+  return text;
+}
+
+/// "(genset.toml:12; all cases)"
+std::string where_words(const Notice& notice, const std::vector<ShownCase>& cases) {
+  std::string owners;
+  if (notice.cases.size() == cases.size()) owners = "all cases";
+  else
+    for (const std::size_t i : notice.cases) owners += (owners.empty() ? "" : ", ") + cases[i].name();
+  if (cases.size() == 1) owners.clear();
+  const std::string between = notice.place.empty() || owners.empty() ? "" : "; ";
+  const std::string words = notice.place + between + owners;
+  return words.empty() ? "" : "<span class=\"where\"> (" + escaped(words) + ")</span>";
+}
+
+std::string box(const std::string& style, const std::string& title, const std::vector<Notice>& notices,
+                const std::vector<ShownCase>& cases) {
+  if (notices.empty()) return "";
+  std::string items;
+  for (const Notice& n : notices) items += "<li>" + escaped(n.text) + where_words(n, cases) + "</li>\n";
+  return fmt::format("<div class=\"{}\" role=\"note\"><h2>{}</h2><ul>{}</ul></div>\n", style, title, items);
+}
+
+std::string exceeded_words(const std::vector<ShownCase>& cases) {
+  std::string words;
+  for (const ShownCase& c : cases)
+    if (c.exceeded_limits())
+      words += fmt::format("{}{} ({} of {})", words.empty() ? "" : ", ", c.name(), c.exceeded_limits(), c.limits());
+  return words;
+}
+
+}  // namespace
+
+std::string page_notices(const std::vector<ShownCase>& cases) {
+  std::vector<Notice> warnings, failed, rigid;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    for (const foundation::Problem& problem : cases[i].warnings())
+      add(warnings, warning_words(problem, cases[i].answers.case_name), foundation::place(problem.origin), i);
+    for (const std::string& text : cases[i].failed_checks()) add(failed, text, "", i);
+    for (const std::string& text : cases[i].answers.free_motions) add(rigid, text, "", i);
+  }
+  std::string html = box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
+      box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
+      box("note", "Rigid-body modes", rigid, cases);
+  const std::string exceeded = exceeded_words(cases);
+  if (!exceeded.empty())
+    html += "<p class=\"alert\" role=\"note\"><span class=\"bad\">✗ Limits are exceeded: </span>" + escaped(exceeded) +
+        "; see below.</p>\n";
+  if (!cases.empty() && warnings.empty() && failed.empty())
+    html += paragraph(std::string(exceeded.empty() ? "✓ " : "") + "No warnings; all checks of the data passed" +
+                          (cases.size() > 1 ? " in all cases." : "."),
+                      exceeded.empty() ? "calm" : "note");
+  return html;
+}
+
+namespace {
+
+/// Verdict on a case from its own map, or else from the first map of the report.
+const study::MapMark* map_mark(const ShownCase& shown, const std::vector<ShownCase>& cases) {
+  const auto with_map = std::find_if(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.map; });
+  const study::DesignMap* map = shown.answers.map ? &*shown.answers.map
+      : with_map != cases.end()                   ? &*with_map->answers.map
+                                                  : nullptr;
+  if (!map) return nullptr;
+  const auto mark = std::find_if(map->marks.begin(), map->marks.end(),
+                                 [&](const study::MapMark& m) { return m.name == shown.answers.case_name; });
+  return mark == map->marks.end() ? nullptr : &*mark;
+}
+
+Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
+  const study::MapMark* mark = map_mark(shown, cases);
+  if (!mark) return {"–"};
+  if (!mark->judged) return {"not computed", false, Tone::bad};
+  const std::string whose = shown.answers.map && !shown.answers.case_name.empty() ? " (own map)" : "";
+  return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
+}
+
+Cell motion_cell(const ShownCase& shown) {
+  if (shown.grows()) return {"▲ unstable", false, Tone::bad};
+  return {shown.answers.free_motions.empty() ? "stable" : "rigid-body mode"};
+}
+
+/// Lowest and highest natural frequency above 0, or NaN.
+std::pair<double, double> natural_range(const ShownCase& shown) {
+  double lowest = std::numeric_limits<double>::quiet_NaN(), highest = lowest;
+  if (!shown.variant.analyses.modes) return {lowest, highest};
+  for (const modal::Mode& m : shown.answers.modes.list) {
+    if (m.angular_frequency.value_or(0) <= 0) continue;
+    lowest = std::fmin(lowest, *m.angular_frequency);
+    highest = std::fmax(highest, *m.angular_frequency);
+  }
+  return {lowest, highest};
+}
+
+}  // namespace
+
+std::string glance_table(const std::vector<ShownCase>& cases) {
+  const bool has_map =
+      std::any_of(cases.begin(), cases.end(), [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
+  std::vector<Cell> headings = {{"case"}, right("changes"), {"warnings"}, {"checks"}, {"limits"}};
+  if (has_map) headings.push_back({"rules of the map"});
+  for (const Cell& cell :
+       {Cell{"motion"}, right("lowest mode [rad/s]"), right("[Hz]"), right("highest mode [rad/s]"), right("[Hz]")})
+    headings.push_back(cell);
+  std::vector<std::vector<Cell>> rows;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const ShownCase& c = cases[i];
+    const std::size_t warnings = c.warnings().size(), failed = c.failed_checks().size(), exceeded = c.exceeded_limits();
+    std::vector<Cell> row = {
+        html_cell(
+            fmt::format("<button type=\"button\" class=\"link\" data-select=\"{}\">{}</button>", i, escaped(c.name()))),
+        right(c.answers.changes.empty() ? "–" : std::to_string(c.answers.changes.size())),
+        warnings ? Cell{fmt::format("⚠ {}", warnings), false, Tone::bad} : Cell{"none"},
+        verdict_cell(!failed, "ok", fmt::format("{} FAILED", failed)),
+        c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} EXCEEDED", exceeded, c.limits()))
+                   : Cell{"–"}};
+    if (has_map) row.push_back(map_cell(c, cases));
+    row.push_back(motion_cell(c));
+    const auto [lowest, highest] = natural_range(c);
+    add_frequency(row, lowest);
+    add_frequency(row, highest);
+    rows.push_back(std::move(row));
+  }
+  return cases.empty() ? "" : html_table(headings, rows);
+}
+
+std::string case_head(const ShownCase& shown, std::size_t cases) {
+  std::string faults;
+  const auto add_fault = [&](const std::string& words) { faults += (faults.empty() ? "" : ", ") + words; };
+  if (const std::size_t count = shown.warnings().size()) add_fault(count_words(count, "warning"));
+  if (const std::size_t count = shown.failed_checks().size()) add_fault(count_words(count, "failed check"));
+  if (shown.grows()) add_fault("unstable motion");
+  std::string changes;
+  for (const std::string& text : shown.answers.changes) changes += "<li><code>" + escaped(text) + "</code></li>";
+  return fmt::format(
+      "<section class=\"case-head\"><h2>{}{}</h2>\n{}{}</section>\n", cases > 1 ? "Case: " : "", escaped(shown.name()),
+      faults.empty() ? "" : paragraph("⚠ Check the results: " + faults + "; see the top of the page.", "bad"),
+      changes.empty() ? "" : "<p>Changes from the base model:</p><ul class=\"changes\">" + changes + "</ul>\n");
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/answers.h"
+
+/// Tables of the modes, the roots and the answers to constant and harmonic excitations as HTML; empty if the case did
+/// not request them.
+namespace trivet::report {
+
+/// Undamped modes with their energies, and their shapes.
+[[nodiscard]] std::string modes_tables(const project::Case& variant, const study::Answers& answers);
+
+[[nodiscard]] std::string roots_table(const project::Case& variant, const study::Answers& answers);
+
+/// Resonance peaks, and the curves without one.
+[[nodiscard]] std::string peaks_table(const project::Case& variant, const study::Answers& answers);
+
+[[nodiscard]] std::string limits_table(const project::Case& variant, const study::Answers& answers);
+
+/// A response at a few given frequencies; empty for longer ones, which are only drawn.
+[[nodiscard]] std::string response_table(const project::Case& variant, const study::Answers& answers);
+
+/// Static motions and forces, one row for each place.
+[[nodiscard]] std::string static_tables(const project::Case& variant, const study::Answers& answers);
+
+}  // namespace trivet::report

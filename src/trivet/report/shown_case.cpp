@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/report/shown_case.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/message_list.h"
+
+namespace trivet::report {
+
+std::string ShownCase::name() const { return answers.case_name.empty() ? "Base model" : answers.case_name; }
+
+std::vector<std::string> ShownCase::failed_checks() const {
+  std::vector<std::string> failed;
+  for (const study::CheckLine& line : checks)
+    if (!line.passed) failed.push_back(line.subject + ", “" + line.what + "”: " + line.value);
+  if (answers.response && !answers.response->deep.passed)
+    failed.push_back("response: the second solver does not agree");
+  return failed;
+}
+
+std::vector<foundation::Problem> ShownCase::warnings() const {
+  foundation::Problems found;
+  for (const foundation::Problem& problem : answers.warnings.list())
+    if (problem.severity == foundation::Severity::warning) found.add(problem);
+  std::vector<foundation::Problem> list = foundation::listed(found).list();
+  if (const std::string rest = foundation::rest_of_list(found); !rest.empty())
+    list.push_back({foundation::Severity::warning, {}, rest, "", "", ""});
+  return list;
+}
+
+std::size_t ShownCase::limits() const { return answers.limits.size() + answers.limit_lines.size(); }
+
+std::size_t ShownCase::exceeded_limits() const {
+  const auto& limits = answers.limits;
+  const auto& lines = answers.limit_lines;
+  return static_cast<std::size_t>(
+      std::count_if(limits.begin(), limits.end(), [](const auto& l) { return !l.met; }) +
+      std::count_if(lines.begin(), lines.end(), [](const auto& l) { return !l.comparison.met(); }));
+}
+
+bool ShownCase::grows() const {
+  const auto& modes = answers.modes.list;
+  const auto& roots = answers.roots.list;
+  return (variant.analyses.modes &&
+          std::any_of(modes.begin(), modes.end(), [](const auto& m) { return !m.angular_frequency; })) ||
+      (variant.analyses.roots &&
+       std::any_of(roots.begin(), roots.end(), [](const auto& r) { return r.kind == modal::RootKind::growing; }));
+}
+
+std::vector<ShownCase> shown_cases(const project::Project& project, const std::vector<study::Answers>& answers) {
+  std::vector<ShownCase> shown;
+  for (std::size_t i = 0; i < answers.size(); ++i)
+    shown.push_back({project.cases[i], answers[i], study::check_lines(project.cases[i])});
+  return shown;
+}
+
+std::string count_words(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/report/axis_ticks.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/html_table.h"
+#include "trivet/report/result_tables.h"
+
+namespace trivet::report {
+namespace {
+
+/// The six columns of one kind: translations and rotations, or forces and moments.
+struct Columns {
+  const char* owner;
+  std::array<const char*, 2> units;
+  std::array<const char*, 6> labels;
+};
+constexpr Columns of_motions = {"body or point", {"m", "rad"}, {"x", "y", "z", "θx", "θy", "θz"}};
+constexpr Columns of_forces = {"forces of", {"N", "N m"}, {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}};
+
+std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
+                         const Columns& columns) {
+  constexpr double round_off = 1e-11;
+  std::array<double, 2> largest = {0, 0};
+  for (const CurveGroup& g : groups) {
+    for (const GroupedCurve& c : g.upper) largest[0] = std::max(largest[0], std::abs(values[c.curve].value));
+    for (const GroupedCurve& c : g.lower) largest[1] = std::max(largest[1], std::abs(values[c.curve].value));
+  }
+  std::vector<UnitPrefix> prefixes;
+  for (std::size_t kind = 0; kind < 2; ++kind) prefixes.push_back(unit_prefix(largest[kind], columns.units[kind]));
+  std::vector<Cell> headings = {{columns.owner}};
+  for (std::size_t k = 0; k < 6; ++k)
+    headings.push_back(right(fmt::format("{} [{}]", columns.labels[k], prefixes[k / 3].unit)));
+  std::vector<Row> rows;
+  for (const CurveGroup& g : groups) {
+    rows.push_back({{{g.name}}, ""});
+    for (std::size_t k = 0; k < 6; ++k) {
+      const std::vector<GroupedCurve>& kind = k < 3 ? g.upper : g.lower;
+      const auto found =
+          std::find_if(kind.begin(), kind.end(), [&](const GroupedCurve& c) { return c.label == columns.labels[k]; });
+      if (found == kind.end()) {
+        rows.back().cells.push_back(right("–"));
+        continue;
+      }
+      const double value = values[found->curve].value;
+      rows.back().cells.push_back(aligned_cell(value * prefixes[k / 3].factor));
+      if (value != 0 && std::abs(value) < round_off * largest[k / 3]) rows.back().cells.back().tone = Tone::quiet;
+    }
+  }
+  return html_table(headings, rows);
+}
+
+}  // namespace
+
+std::string static_tables(const project::Case&, const study::Answers& answers) {
+  if (!answers.statics) return "";
+  const std::vector<response::StaticValue>& values = answers.statics->values;
+  std::vector<CurveGroup> motions, forces;
+  for (const CurveGroup& group : curve_groups(curve_names(values))) (group.forces ? forces : motions).push_back(group);
+  return (motions.empty() ? "" : static_table(values, motions, of_motions) + "<p></p>") +
+      (forces.empty() ? "" : static_table(values, forces, of_forces)) +
+      hint(fmt::format("Under gravity and the constant forces. Grey values are round-off. Backward error of the "
+                       "solution: {:.3g}.",
+                       answers.statics->backward_error));
+}
+
+}  // namespace trivet::report
