@@ -37,7 +37,7 @@ std::vector<Row> solution_rows(const study::ResponseAnswer& answer) {
                             deep.at_angular_frequency, deep.allowed),
                 deep.passed),
       information_row("frequencies that needed the pivoted solver", std::to_string(check.fallbacks)),
-      information_row("frequencies at which the answer is not defined", undefined_words(check.undefined_at))};
+      information_row("frequencies at which the response is not defined", undefined_words(check.undefined_at))};
   if (answer.model) {
     constexpr double allowed = 1e-3;  // of a plot, see response::CurveModelOptions
     const response::CurveModel& model = *answer.model;

@@ -209,7 +209,7 @@ std::string input_tables(const project::Case& variant) {
       part("Elements", d.elements.empty() ? "" : elements_tables(d)) + part("Excitations", excitations_table(d)) +
       (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations))) +
       paragraph(d.gravity ? "Gravity " + vector_words(*d.gravity) +
-                        " m/s², ground axes; it affects static answers, and the geometric stiffness if elements are "
+                        " m/s², ground axes; it affects static results, and the geometric stiffness if elements are "
                         "preloaded."
                           : "No gravity.") +
       paragraph("Damping of the system: " + results::damping_words(d.damping) + ".");

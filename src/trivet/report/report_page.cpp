@@ -73,7 +73,7 @@ std::string below_comparison(const ShownCase& shown) {
   const project::Case& variant = shown.variant;
   return section("modes", "Undamped modes", modes_tables(variant, shown.answers)) +
       section("roots", "Damped roots", roots_table(variant, shown.answers)) +
-      section("static", "Static answer", static_tables(variant, shown.answers)) +
+      section("static", "Static results", static_tables(variant, shown.answers)) +
       section("inputs", "Inputs", input_tables(variant)) + section("checks", "Checks", checks_table(shown));
 }
 
