@@ -49,11 +49,12 @@ Matrix12 in_element_axes(const Matrix12& c, const Eigen::Matrix3d& axes) {
 }
 
 void require_memory(const Solid& solid, bool recoverable, const CondensationOptions& options) {
-  if (solid.bytes(recoverable) > options.memory_limit)
+  const double bytes = solid.bytes(recoverable, foundation::thread_count(options.threads));
+  if (bytes > options.memory_limit)
     throw foundation::InvalidInput(
         fmt::format("the mesh with {} unknowns needs about {:.1f} GB, the limit is {:.1f} GB: use a coarser mesh or "
                     "raise the limit",
-                    solid.unknowns().count, solid.bytes(recoverable) * 1e-9, options.memory_limit * 1e-9));
+                    solid.unknowns().count, bytes * 1e-9, options.memory_limit * 1e-9));
 }
 
 SolidStiffness condense(const Mesh& mesh, const std::vector<Material>& materials, const ElementFrame& frame,

@@ -45,7 +45,9 @@ class Solid {
   void add_to_free(const Eigen::VectorXd& correction, State& state) const;
 
   [[nodiscard]] const Unknowns& unknowns() const { return unknowns_; }
-  [[nodiscard]] double bytes(bool recoverable) const { return substructuring_->bytes(recoverable); }
+  [[nodiscard]] double bytes(bool recoverable, int threads) const {
+    return substructuring_->bytes(recoverable, threads);
+  }
 
  private:
   struct Gathered;

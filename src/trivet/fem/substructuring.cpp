@@ -8,6 +8,7 @@
 
 #include "trivet/fem/partial_elimination.h"
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/lanes/line_memory.h"
 
 namespace trivet::fem {
 namespace {
@@ -33,6 +34,7 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
         last_touch_[to_size(unknown)] = place;
       }
   number(0);
+  order_boundaries();
   operations_ = parts_[0].operations;
 }
 
@@ -97,33 +99,52 @@ void Substructuring::number(int index) {
   const double k = part.condensed, b = static_cast<double>(part.unknowns.size()) - k;
   part.operations +=
       k * (b * b / 2 + b * k / 2 + k * k / 6) + 1e5 * (part.left < 0 ? part.last_element - part.first_element : 0);
-  if (part.left >= 0) place_children(index);
 }
 
-void Substructuring::place_children(int index) {
-  const Part& part = parts_[to_size(index)];
-  const auto boundary = part.unknowns.begin() + part.condensed;
-  for (const int child : {part.left, part.right}) {
-    Part& below = parts_[to_size(child)];
-    for (auto it = below.unknowns.begin() + below.condensed; it != below.unknowns.end(); ++it) {
-      auto found = std::lower_bound(part.unknowns.begin(), boundary, *it);
-      if (found == boundary || *found != *it) found = std::lower_bound(boundary, part.unknowns.end(), *it);
-      below.place_in_parent.push_back(static_cast<int>(found - part.unknowns.begin()));
+/// Orders the boundary of each part as its unknowns are in the part above.
+void Substructuring::order_boundaries() {
+  std::vector<int> place(to_size(first_retained_ + retained_count_));
+  for (const Part& part : parts_) {  // parents come before their children
+    if (part.left < 0) continue;
+    for (std::size_t i = 0; i < part.unknowns.size(); ++i) place[to_size(part.unknowns[i])] = static_cast<int>(i);
+    for (const int child : {part.left, part.right}) {
+      Part& below = parts_[to_size(child)];
+      for (auto it = below.unknowns.begin() + below.condensed; it != below.unknowns.end(); ++it)
+        below.place_in_parent.push_back(place[to_size(*it)]);
+      std::sort(below.place_in_parent.begin(), below.place_in_parent.end());
+      for (std::size_t i = 0; i < below.place_in_parent.size(); ++i)
+        below.unknowns[to_size(below.condensed) + i] = part.unknowns[to_size(below.place_in_parent[i])];
     }
   }
 }
 
-double Substructuring::bytes(bool recoverable) const {
-  double factors = 0, largest = 0, deepest = 0;
-  for (const Part& part : parts_) {
-    const double n = static_cast<double>(part.unknowns.size());
-    factors += n * part.condensed;
-    largest = std::max(largest, n * n);
-    if (part.left >= 0 && n * n > deepest) deepest = n * n;
+bool Substructuring::splits(const Part& part, int threads) const { return threads > 1 && part.operations > 1e6; }
+
+/// Numbers in memory during the condensation of a part, in its thread: its largest front, the boundaries that wait for
+/// their neighbours, and all of the other threads.
+Substructuring::Memory Substructuring::memory(int index, int threads) const {
+  const Part& part = parts_[to_size(index)];
+  const double n = static_cast<double>(part.unknowns.size()), boundary = n - part.condensed;
+  Memory here{.front = n * n, .boundaries = 0, .result = boundary * (boundary + 1) / 2};
+  if (part.left >= 0) {
+    const bool split = splits(part, threads);
+    const Memory left = memory(part.left, split ? threads - threads / 2 : threads),
+                 right = memory(part.right, split ? threads / 2 : threads);
+    here.front = std::max(here.front, left.front);
+    if (!split) here.front = std::max(here.front, right.front);
+    here.boundaries = std::max(left.result + right.result,
+                               split ? left.boundaries + right.boundaries + right.front
+                                     : std::max(left.boundaries, left.result + right.boundaries));
   }
-  return 8 *
-      ((recoverable ? factors : 0) + largest +
-       2 * deepest);  // the largest front, and boundaries waiting for their neighbours
+  here.boundaries = std::max(here.boundaries, here.result);
+  return here;
+}
+
+double Substructuring::bytes(bool recoverable, int threads) const {
+  double factors = 0;
+  for (const Part& part : parts_) factors += static_cast<double>(part.unknowns.size()) * part.condensed;
+  const Memory root = memory(0, threads);
+  return 8 * ((recoverable ? factors : 0) + root.front + root.boundaries);
 }
 
 struct Substructuring::Run {
@@ -136,45 +157,69 @@ struct Substructuring::Run {
   std::atomic<bool> singular = false, stopped = false;
 };
 
-Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, bool reports) {
+/// Of one thread: memory of the front in work, and the place of each unknown in it.
+struct Substructuring::Workspace {
+  numerics::LineMemory front;
+  std::vector<int> place;
+
+  /// The front, with zeros on and below its diagonal.
+  Eigen::Map<Eigen::MatrixXd> zero_front(Eigen::Index size) {
+    if (front.size() < to_size(size * size)) {
+      front.resize(0);  // releases the old memory first
+      front.resize(to_size(size * size));
+    }
+    Eigen::Map<Eigen::MatrixXd> matrix(front.data(), size, size);
+    for (Eigen::Index j = 0; j < size; ++j) matrix.col(j).tail(size - j).setZero();
+    return matrix;
+  }
+};
+
+void Substructuring::add_elements(const Part& part, Run& run, Workspace& workspace,
+                                  Eigen::Map<Eigen::MatrixXd>& front) const {
+  workspace.place.resize(to_size(first_retained_ + retained_count_));
+  for (std::size_t i = 0; i < part.unknowns.size(); ++i)
+    workspace.place[to_size(part.unknowns[i])] = static_cast<int>(i);
+  for (int at = part.first_element; at < part.last_element && !run.stopped; ++at) {
+    const int element = order_[to_size(at)];
+    const Eigen::MatrixXd matrix = run.element_matrix(element);
+    std::vector<int> place;
+    for (const int unknown : element_unknowns_[to_size(element)]) place.push_back(workspace.place[to_size(unknown)]);
+    add_symmetric(matrix, place, front);
+  }
+}
+
+std::vector<double> Substructuring::condense_part(int index, Run& run, Workspace& workspace, int threads,
+                                                  bool reports) {
   Part& part = parts_[to_size(index)];
   const Eigen::Index n = to_index(part.unknowns.size()), k = part.condensed;
-  Eigen::MatrixXd front;
-  if (part.left < 0) {
-    front = Eigen::MatrixXd::Zero(n, n);
-    const auto boundary = part.unknowns.begin() + part.condensed;
-    for (int place = part.first_element; place < part.last_element && !run.stopped; ++place) {
-      const int element = order_[to_size(place)];
-      const Eigen::MatrixXd matrix = run.element_matrix(element);
-      std::vector<int> at;
-      for (const int unknown : element_unknowns_[to_size(element)]) {
-        auto found = std::lower_bound(part.unknowns.begin(), boundary, unknown);
-        if (found == boundary || *found != unknown) found = std::lower_bound(boundary, part.unknowns.end(), unknown);
-        at.push_back(static_cast<int>(found - part.unknowns.begin()));
-      }
-      add_symmetric(matrix, at, front);
-    }
-  } else {
-    const bool split = threads > 1 && part.operations > 1e6;
-    std::future<Eigen::MatrixXd> other;
+  std::vector<double> left, right;
+  if (part.left >= 0) {
+    const bool split = splits(part, threads);
+    std::future<std::vector<double>> other;
     if (split)
-      other = std::async(std::launch::async, [&] { return condense_part(part.right, run, threads / 2, false); });
-    Eigen::MatrixXd left, right;
+      other = std::async(std::launch::async, [&] {
+        Workspace own;
+        return condense_part(part.right, run, own, threads / 2, false);
+      });
     try {
-      left = condense_part(part.left, run, split ? threads - threads / 2 : threads, reports);
+      left = condense_part(part.left, run, workspace, split ? threads - threads / 2 : threads, reports);
     } catch (...) {
       run.stopped = true;
       if (split) other.wait();
       throw;
     }
-    right = split ? other.get() : condense_part(part.right, run, threads, reports);
-    front = Eigen::MatrixXd::Zero(n, n);
-    add_symmetric(left, parts_[to_size(part.left)].place_in_parent, front);
-    left.resize(0, 0);
-    add_symmetric(right, parts_[to_size(part.right)].place_in_parent, front);
+    right = split ? other.get() : condense_part(part.right, run, workspace, threads, reports);
   }
-  if (run.stopped) return Eigen::MatrixXd::Zero(n - k, n - k);
-  const Pivots pivots = eliminate_leading(front, k);
+  if (run.stopped) return {};
+  Eigen::Map<Eigen::MatrixXd> front = workspace.zero_front(n);
+  if (part.left < 0) add_elements(part, run, workspace, front);
+  else {
+    add_packed(left, parts_[to_size(part.left)].place_in_parent, front);
+    add_packed(right, parts_[to_size(part.right)].place_in_parent, front);
+    left = {};
+    right = {};
+  }
+  const Pivots pivots = eliminate_leading(front, k, threads);
   run.negative_pivots += pivots.negative;
   if (pivots.singular) run.singular = true;
   if (run.recoverable) part.factors = front.leftCols(k);
@@ -183,20 +228,22 @@ Eigen::MatrixXd Substructuring::condense_part(int index, Run& run, int threads, 
     if (child >= 0) below += parts_[to_size(child)].operations;
   run.done += part.operations - below;
   if (reports) foundation::report_progress(run.progress, "condensing the solid", std::min(1.0, run.done / run.total));
-  return front.bottomRightCorner(n - k, n - k);
+  return packed_lower(front.bottomRightCorner(n - k, n - k));
 }
 
 Substructuring::Condensed Substructuring::condense(const ElementMatrix& element_matrix, bool recoverable, int threads,
                                                    const foundation::Progress& progress) {
   Run run{.element_matrix = element_matrix, .recoverable = recoverable, .progress = progress, .total = operations_};
-  const Eigen::MatrixXd boundary = condense_part(0, run, std::max(1, threads), true);
+  Workspace workspace;
+  const std::vector<double> boundary = condense_part(0, run, workspace, std::max(1, threads), true);
   Condensed result{Eigen::MatrixXd::Zero(retained_count_, retained_count_), run.negative_pivots, run.singular};
   const Part& root = parts_[0];
-  for (std::size_t i = 0; i + to_size(root.condensed) < root.unknowns.size(); ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      const int row = root.unknowns[i + to_size(root.condensed)] - first_retained_;
-      const int column = root.unknowns[j + to_size(root.condensed)] - first_retained_;
-      result.matrix(row, column) = result.matrix(column, row) = boundary(to_index(i), to_index(j));
+  const std::size_t first = to_size(root.condensed);
+  auto entry = boundary.begin();
+  for (std::size_t j = first; j < root.unknowns.size(); ++j)
+    for (std::size_t i = j; i < root.unknowns.size(); ++i) {
+      const int row = root.unknowns[i] - first_retained_, column = root.unknowns[j] - first_retained_;
+      result.matrix(row, column) = result.matrix(column, row) = *entry++;
     }
   return result;
 }

@@ -20,8 +20,8 @@ class Substructuring {
   Substructuring(std::vector<std::vector<int>> element_unknowns, const Eigen::Matrix3Xd& centres, int first_retained,
                  int retained_count);
 
-  [[nodiscard]] double operations() const { return operations_; }  ///< multiplications of one condensation
-  [[nodiscard]] double bytes(bool recoverable) const;              ///< working memory of one condensation
+  [[nodiscard]] double operations() const { return operations_; }   ///< multiplications of one condensation
+  [[nodiscard]] double bytes(bool recoverable, int threads) const;  ///< working memory of one condensation
 
   /// Full symmetric matrix of an element, in the order of its unknowns. Called from several threads at once.
   using ElementMatrix = std::function<Eigen::MatrixXd(int element)>;
@@ -43,20 +43,28 @@ class Substructuring {
   struct Part {
     int first_element = 0, last_element = 0;  ///< range in order_
     int left = -1, right = -1;                ///< parts; −1: a leaf
-    std::vector<int> unknowns = {};           ///< those to be condensed here, then the boundary, each ascending
+    std::vector<int> unknowns = {};  ///< those to be condensed here, then the boundary in the order of the parent
     int condensed = 0;
-    std::vector<int> place_in_parent = {};  ///< of the boundary unknowns
+    std::vector<int> place_in_parent = {};  ///< of the boundary unknowns, ascending
     double operations = 0;                  ///< including all parts below
     Eigen::MatrixXd factors = {};           ///< first `condensed` columns of the eliminated front
   };
   struct Run;
+  struct Workspace;
+
+  struct Memory {
+    double front, boundaries, result;
+  };
 
   int divide(int first, int last, const Eigen::Matrix3Xd& centres);
   int split_index(int first, int last, const Eigen::Matrix3Xd& centres);
   void number(int part);
-  void place_children(int part);
-  Eigen::MatrixXd condense_part(int part, Run& run, int threads,
-                                bool reports);  ///< only the calling thread reports progress
+  void order_boundaries();
+  [[nodiscard]] bool splits(const Part& part, int threads) const;
+  [[nodiscard]] Memory memory(int part, int threads) const;
+  /// Packed lower triangle on the boundary of the part. Only the calling thread `reports` progress.
+  std::vector<double> condense_part(int part, Run& run, Workspace& workspace, int threads, bool reports);
+  void add_elements(const Part& part, Run& run, Workspace& workspace, Eigen::Map<Eigen::MatrixXd>& front) const;
 
   std::vector<std::vector<int>> element_unknowns_;
   int first_retained_, retained_count_;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
@@ -13,6 +14,7 @@
 #include "trivet/fem/element_kernel.h"
 #include "trivet/fem/hyperelastic.h"
 #include "trivet/fem/mesh_checks.h"
+#include "trivet/fem/partial_elimination.h"
 #include "trivet/fem/preload.h"
 #include "trivet/fem/shapes.h"
 #include "trivet/fem/substructuring.h"
@@ -173,6 +175,34 @@ TEST(Substructuring, GivesTheSchurComplementAndTheCondensedUnknowns) {
   const Eigen::Vector2d moved(0.3, -0.7);
   EXPECT_LT((substructuring.recover(moved).head(inner) + solution * moved).cwiseAbs().maxCoeff(),
             round_off * solution.cwiseAbs().maxCoeff());
+}
+
+TEST(PartialElimination, GivesTheSchurComplementOfManyBlocksAndTheEliminatedUnknowns) {
+  constexpr double round_off = 1e-11;
+  constexpr Eigen::Index all = 320, condensed = 230, retained = all - condensed;
+  // Positive and negative pivots, as of displacements and pressures; zeros on the diagonal of whole blocks would not
+  // do.
+  const Eigen::MatrixXd random = random_matrix(all, all, 5);
+  Eigen::MatrixXd whole = random + random.transpose();
+  for (Eigen::Index i = 0; i < all; ++i) whole(i, i) = i % 3 == 0 ? -60 : 60;
+  const Eigen::MatrixXd solution =
+      whole.topLeftCorner(condensed, condensed).lu().solve(whole.topRightCorner(condensed, retained));
+  const Eigen::MatrixXd expected =
+      whole.bottomRightCorner(retained, retained) - whole.bottomLeftCorner(retained, condensed) * solution;
+  const auto negative =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(whole.topLeftCorner(condensed, condensed), Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  Eigen::MatrixXd lower = whole.triangularView<Eigen::Lower>();
+  const fem::Pivots pivots = fem::eliminate_leading(lower, condensed, 2);
+  EXPECT_EQ(pivots.negative, (negative.array() < 0).count());
+  EXPECT_FALSE(pivots.singular);
+  const Eigen::MatrixXd error = lower.bottomRightCorner(retained, retained) - expected;
+  EXPECT_LT(Eigen::MatrixXd(error.triangularView<Eigen::Lower>()).cwiseAbs().maxCoeff(), round_off * 60);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(all);
+  values.tail(retained).setLinSpaced(-1, 1);
+  const Eigen::VectorXd eliminated = -solution * values.tail(retained);
+  fem::recover_leading(lower.leftCols(condensed), values);
+  EXPECT_LT((values.head(condensed) - eliminated).cwiseAbs().maxCoeff(), round_off);
 }
 
 TEST(FemCondensation, IsAPassiveStressFreeElementInSkewAxes) {
