@@ -5,7 +5,9 @@
 #include <atomic>
 #include <future>
 #include <numeric>
+#include <span>
 
+#include "trivet/fem/bisection.h"
 #include "trivet/fem/partial_elimination.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/lanes/line_memory.h"
@@ -23,7 +25,8 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
   const int count = static_cast<int>(element_unknowns_.size());
   order_.resize(element_unknowns_.size());
   std::iota(order_.begin(), order_.end(), 0);
-  divide(0, count, centres);
+  Bisection bisection(element_unknowns_, centres, first_retained);
+  divide(0, count, bisection);
   first_touch_.assign(to_size(first_retained), count);
   last_touch_.assign(to_size(first_retained), -1);
   for (int place = 0; place < count; ++place)
@@ -38,34 +41,12 @@ Substructuring::Substructuring(std::vector<std::vector<int>> element_unknowns, c
   operations_ = parts_[0].operations;
 }
 
-/// Cuts a range of elements at the widest gap near the middle of its longest side, so that layers of a regular mesh
-/// stay whole.
-int Substructuring::split_index(int first, int last, const Eigen::Matrix3Xd& centres) {
-  const auto begin = order_.begin() + first, end = order_.begin() + last;
-  Eigen::Array3d low = Eigen::Array3d::Constant(1e300), high = -low;
-  for (auto it = begin; it != end; ++it) {
-    low = low.min(centres.col(*it).array());
-    high = high.max(centres.col(*it).array());
-  }
-  Eigen::Index axis = 0;
-  (high - low).maxCoeff(&axis);
-  std::stable_sort(begin, end, [&](int a, int b) { return centres(axis, a) < centres(axis, b); });
-  const int count = last - first, margin = std::max(1, (35 * count) / 100);
-  int best = first + count / 2;
-  const auto gap = [&](int at) { return centres(axis, order_[to_size(at)]) - centres(axis, order_[to_size(at - 1)]); };
-  const double clear = 1.05 * gap(best) + 1e-9 * (high - low).maxCoeff();
-  for (int away = 1; away <= count / 2 - margin; ++away)
-    for (const int at : {first + count / 2 - away, first + count / 2 + away})
-      if (at > first && at < last && gap(at) > clear && gap(at) > 1.05 * gap(best)) best = at;
-  return best;
-}
-
-int Substructuring::divide(int first, int last, const Eigen::Matrix3Xd& centres) {
+int Substructuring::divide(int first, int last, Bisection& bisection) {
   const int self = static_cast<int>(parts_.size());
   parts_.push_back({.first_element = first, .last_element = last});
   if (last - first > smallest_part) {
-    const int middle = split_index(first, last, centres);
-    const int left = divide(first, middle, centres), right = divide(middle, last, centres);
+    const int middle = first + bisection.halve(std::span(order_).subspan(to_size(first), to_size(last - first)));
+    const int left = divide(first, middle, bisection), right = divide(middle, last, bisection);
     parts_[to_size(self)].left = left;
     parts_[to_size(self)].right = right;
   }

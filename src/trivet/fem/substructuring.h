@@ -9,6 +9,8 @@
 
 namespace trivet::fem {
 
+class Bisection;
+
 /// Static condensation of a symmetric system of many elements to its retained unknowns, by recursive substructuring:
 /// the solid is halved repeatedly, each part is condensed to its boundary, and boundaries are joined in pairs. Exact in
 /// exact arithmetic. The pivots must be nonzero, of any sign in any order: positive definite and quasi-definite (mixed)
@@ -56,8 +58,7 @@ class Substructuring {
     double front, boundaries, result;
   };
 
-  int divide(int first, int last, const Eigen::Matrix3Xd& centres);
-  int split_index(int first, int last, const Eigen::Matrix3Xd& centres);
+  int divide(int first, int last, Bisection& bisection);
   void number(int part);
   void order_boundaries();
   [[nodiscard]] bool splits(const Part& part, int threads) const;

@@ -11,6 +11,7 @@
 #include "support/tetrahedra.h"
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
+#include "trivet/fem/bisection.h"
 #include "trivet/fem/element_kernel.h"
 #include "trivet/fem/hyperelastic.h"
 #include "trivet/fem/mesh_checks.h"
@@ -203,6 +204,23 @@ TEST(PartialElimination, GivesTheSchurComplementOfManyBlocksAndTheEliminatedUnkn
   const Eigen::VectorXd eliminated = -solution * values.tail(retained);
   fem::recover_leading(lower.leftCols(condensed), values);
   EXPECT_LT((values.head(condensed) - eliminated).cwiseAbs().maxCoeff(), round_off);
+}
+
+TEST(Bisection, CutsWhereTheFewestUnknownsAreShared) {
+  // A row of elements, each with three unknowns in common with the next, but one between the fourth and the fifth.
+  std::vector<std::vector<int>> unknowns(9);
+  int count = 0;
+  for (std::size_t e = 0; e + 1 < unknowns.size(); ++e)
+    for (int i = 0; i < (e == 3 ? 1 : 3); ++i, ++count) {
+      unknowns[e].push_back(count);
+      unknowns[e + 1].push_back(count);
+    }
+  Eigen::Matrix3Xd centres = Eigen::Matrix3Xd::Zero(3, 9);
+  centres.row(1).setLinSpaced(9, 1, 0);
+  for (int e = 0; e < 9; ++e) centres(0, e) = centres(2, e) = (4 * e) % 9;  // neighbours are far apart here
+  std::vector<int> elements{4, 0, 8, 2, 6, 1, 3, 7, 5};
+  EXPECT_EQ(fem::Bisection(unknowns, centres, count).halve(elements), 5);
+  EXPECT_THAT(elements, testing::ElementsAre(8, 7, 6, 5, 4, 3, 2, 1, 0));
 }
 
 TEST(FemCondensation, IsAPassiveStressFreeElementInSkewAxes) {
