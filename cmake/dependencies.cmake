@@ -10,8 +10,6 @@ find_package(Threads REQUIRED)
 find_package(hwy REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
-# Without it, Eigen solves the eigenproblems of many coordinates too, in several times the time.
-pkg_check_modules(LAPACK IMPORTED_TARGET lapack)
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
 

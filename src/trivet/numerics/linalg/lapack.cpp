@@ -1,63 +1,87 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/lapack.h"
 
-#include <algorithm>
+#include <dlfcn.h>
+#include <pthread.h>
+#include <signal.h>
+
 #include <complex>
 #include <vector>
 
 #include "trivet/foundation/index.h"
 
-#ifdef TRIVET_LAPACK
-
-using Complex = std::complex<double>;
-
-extern "C" {
-void dsyevd_(const char* job, const char* triangle, const int* n, double* a, const int* rows, double* values,
-             double* work, const int* work_size, int* whole_work, const int* whole_size, int* info);
-void dgeev_(const char* left, const char* right, const int* n, double* a, const int* rows, double* real,
-            double* imaginary, double* left_vectors, const int* left_rows, double* right_vectors, const int* right_rows,
-            double* work, const int* work_size, int* info);
-void zgeev_(const char* left, const char* right, const int* n, Complex* a, const int* rows, Complex* values,
-            Complex* left_vectors, const int* left_rows, Complex* right_vectors, const int* right_rows, Complex* work,
-            const int* work_size, double* real_work, int* info);
-/// Only OpenBLAS has it.
-void openblas_set_num_threads(int threads) __attribute__((weak));
-}
-
 namespace trivet::numerics::lapack {
 namespace {
 
-/// One thread: sums in pieces of another size would round differently from machine to machine.
-void use_one_thread() {
-  static const bool done = [] {
-    if (openblas_set_num_threads != nullptr) openblas_set_num_threads(1);
-    return true;
-  }();
-  static_cast<void>(done);
+using Complex = std::complex<double>;
+using Dsyevd = void(const char* job, const char* triangle, const int* n, double* a, const int* rows, double* values,
+                    double* work, const int* work_size, int* whole_work, const int* whole_size, int* info);
+using Dgeev = void(const char* left, const char* right, const int* n, double* a, const int* rows, double* real,
+                   double* imaginary, double* left_vectors, const int* left_rows, double* right_vectors,
+                   const int* right_rows, double* work, const int* work_size, int* info);
+using Zgeev = void(const char* left, const char* right, const int* n, Complex* a, const int* rows, Complex* values,
+                   Complex* left_vectors, const int* left_rows, Complex* right_vectors, const int* right_rows,
+                   Complex* work, const int* work_size, double* real_work, int* info);
+
+/// The library is loaded when it is first needed: most models never need it, and the threads that OpenBLAS starts would
+/// receive the signals of a process that blocks them only in main.
+struct Library {
+  Dsyevd* dsyevd = nullptr;
+  Dgeev* dgeev = nullptr;
+  Zgeev* zgeev = nullptr;
+
+  Library() {
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);  // threads inherit the mask
+    void* const handle = dlopen("liblapack.so.3", RTLD_NOW | RTLD_LOCAL);
+    if (handle != nullptr) {
+      find(handle, "dsyevd_", dsyevd);
+      find(handle, "dgeev_", dgeev);
+      find(handle, "zgeev_", zgeev);
+      // One thread: sums in pieces of another size would round differently from machine to machine. Only OpenBLAS has
+      // it.
+      void (*set_threads)(int) = nullptr;
+      find(handle, "openblas_set_num_threads", set_threads);
+      if (set_threads != nullptr) set_threads(1);
+    }
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  }
+
+  [[nodiscard]] bool complete() const { return dsyevd != nullptr && dgeev != nullptr && zgeev != nullptr; }
+
+ private:
+  template <typename Function>
+  static void find(void* handle, const char* name, Function*& function) {
+    function = reinterpret_cast<Function*>(dlsym(handle, name));
+  }
+};
+
+const Library& library() {
+  static const Library loaded;
+  return loaded;
 }
 
 }  // namespace
 
-bool is_available() { return true; }
+bool is_available() { return library().complete(); }
 
 bool symmetric_eigen(Eigen::MatrixXd& matrix, Eigen::VectorXd& values, bool with_vectors) {
-  use_one_thread();
   const char job = with_vectors ? 'V' : 'N', lower = 'L';
   const int n = static_cast<int>(matrix.rows()), ask = -1;
   values.resize(n);
   double size = 0;
   int whole_size = 0, info = 0;
-  dsyevd_(&job, &lower, &n, matrix.data(), &n, values.data(), &size, &ask, &whole_size, &ask, &info);
+  library().dsyevd(&job, &lower, &n, matrix.data(), &n, values.data(), &size, &ask, &whole_size, &ask, &info);
   std::vector<double> work(to_size(static_cast<long>(size)));
   std::vector<int> whole(to_size(whole_size));
   const int work_size = static_cast<int>(work.size());
-  dsyevd_(&job, &lower, &n, matrix.data(), &n, values.data(), work.data(), &work_size, whole.data(), &whole_size,
-          &info);
+  library().dsyevd(&job, &lower, &n, matrix.data(), &n, values.data(), work.data(), &work_size, whole.data(),
+                   &whole_size, &info);
   return info == 0;
 }
 
 bool general_eigen(Eigen::MatrixXd matrix, Eigen::VectorXcd& values, Eigen::MatrixXcd* vectors) {
-  use_one_thread();
   const char none = 'N', wanted = vectors ? 'V' : 'N';
   const int n = static_cast<int>(matrix.rows()), ask = -1, one = 1;
   Eigen::VectorXd real(n), imaginary(n);
@@ -65,12 +89,12 @@ bool general_eigen(Eigen::MatrixXd matrix, Eigen::VectorXcd& values, Eigen::Matr
   double size = 0;
   int info = 0;
   const int right_rows = static_cast<int>(right.rows());
-  dgeev_(&none, &wanted, &n, matrix.data(), &n, real.data(), imaginary.data(), nullptr, &one, right.data(), &right_rows,
-         &size, &ask, &info);
+  library().dgeev(&none, &wanted, &n, matrix.data(), &n, real.data(), imaginary.data(), nullptr, &one, right.data(),
+                  &right_rows, &size, &ask, &info);
   std::vector<double> work(to_size(static_cast<long>(size)));
   const int work_size = static_cast<int>(work.size());
-  dgeev_(&none, &wanted, &n, matrix.data(), &n, real.data(), imaginary.data(), nullptr, &one, right.data(), &right_rows,
-         work.data(), &work_size, &info);
+  library().dgeev(&none, &wanted, &n, matrix.data(), &n, real.data(), imaginary.data(), nullptr, &one, right.data(),
+                  &right_rows, work.data(), &work_size, &info);
   values = real.cast<Complex>() + Complex(0, 1) * imaginary.cast<Complex>();
   if (vectors) {
     vectors->resize(n, n);
@@ -87,7 +111,6 @@ bool general_eigen(Eigen::MatrixXd matrix, Eigen::VectorXcd& values, Eigen::Matr
 }
 
 bool general_eigen(Eigen::MatrixXcd matrix, Eigen::VectorXcd& values, Eigen::MatrixXcd* vectors) {
-  use_one_thread();
   const char none = 'N', wanted = vectors ? 'V' : 'N';
   const int n = static_cast<int>(matrix.rows()), ask = -1, one = 1;
   values.resize(n);
@@ -96,27 +119,14 @@ bool general_eigen(Eigen::MatrixXcd matrix, Eigen::VectorXcd& values, Eigen::Mat
   Complex size = 0;
   int info = 0;
   const int right_rows = static_cast<int>(right.rows());
-  zgeev_(&none, &wanted, &n, matrix.data(), &n, values.data(), nullptr, &one, right.data(), &right_rows, &size, &ask,
-         real_work.data(), &info);
+  library().zgeev(&none, &wanted, &n, matrix.data(), &n, values.data(), nullptr, &one, right.data(), &right_rows, &size,
+                  &ask, real_work.data(), &info);
   std::vector<Complex> work(to_size(static_cast<long>(size.real())));
   const int work_size = static_cast<int>(work.size());
-  zgeev_(&none, &wanted, &n, matrix.data(), &n, values.data(), nullptr, &one, right.data(), &right_rows, work.data(),
-         &work_size, real_work.data(), &info);
+  library().zgeev(&none, &wanted, &n, matrix.data(), &n, values.data(), nullptr, &one, right.data(), &right_rows,
+                  work.data(), &work_size, real_work.data(), &info);
   if (vectors) *vectors = std::move(right);
   return info == 0;
 }
 
 }  // namespace trivet::numerics::lapack
-
-#else
-
-namespace trivet::numerics::lapack {
-
-bool is_available() { return false; }
-bool symmetric_eigen(Eigen::MatrixXd&, Eigen::VectorXd&, bool) { return false; }
-bool general_eigen(Eigen::MatrixXd, Eigen::VectorXcd&, Eigen::MatrixXcd*) { return false; }
-bool general_eigen(Eigen::MatrixXcd, Eigen::VectorXcd&, Eigen::MatrixXcd*) { return false; }
-
-}  // namespace trivet::numerics::lapack
-
-#endif
