@@ -10,7 +10,7 @@ namespace {
 
 template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
-  if (lapack::is_available() && A.rows() > lapack::worth_it) {
+  if (A.rows() > lapack::worth_it && lapack::is_available()) {
     GeneralEigen found;
     found.converged = lapack::general_eigen(A, found.values, with_vectors ? &found.vectors : nullptr);
     return found;

@@ -21,7 +21,7 @@ using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic,
 template <typename Matrix>
 SymmetricEigen<Matrix> solved(const Matrix& S, bool with_vectors) {
   if constexpr (std::is_same_v<Matrix, Eigen::MatrixXd>)
-    if (lapack::is_available() && S.rows() > lapack::worth_it) {
+    if (S.rows() > lapack::worth_it && lapack::is_available()) {
       SymmetricEigen<Matrix> found;
       found.vectors = S;
       found.converged = lapack::symmetric_eigen(found.vectors, found.values, with_vectors);
