@@ -49,7 +49,9 @@ TEST(LargeEigenproblem, GeneralMatrixHasConjugatePairsAndSmallResiduals) {
   EXPECT_LE(std::abs(found.values.sum() - A.trace()), round_off * A.norm());
   for (Eigen::Index k = 0; k < size; ++k) {
     EXPECT_NEAR(found.vectors.col(k).norm(), 1, round_off);
-    if (found.values(k).imag() > 0) EXPECT_EQ(found.values(k + 1), std::conj(found.values(k)));
+    if (found.values(k).imag() > 0) {
+      EXPECT_EQ(found.values(k + 1), std::conj(found.values(k)));
+    }
   }
   EXPECT_LE(std::abs(general_eigenvalues(A).values.sum() - A.trace()), round_off * A.norm());
 }
