@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks every #include against the permitted includes between floors, and between the rooms of a floor, that CMake
-declares. No other floor may include a private header. Decompositions of Eigen are compiled only in numerics/linalg."""
+declares. No other floor may include a private header. Decompositions of Eigen are compiled only in numerics/linalg,
+Boost only in source files."""
 import pathlib
 import re
 import sys
@@ -54,6 +55,8 @@ for path in sorted((source / "trivet").rglob("*")):
         eigen = re.match(r"\s*#\s*include\s*[<\"](?:eigen3/)?Eigen/(\w+)", line)
         if eigen and eigen.group(1) in decompositions and room != "numerics/linalg" and eigen.group(1) not in may_decompose.get(name, ()):
             wrong.append(f"{path}:{number}: Eigen/{eigen.group(1)} is for numerics/linalg alone, whose functions stand for it")
+        if path.suffix == ".h" and re.match(r"\s*#\s*include\s*<boost/", line):
+            wrong.append(f"{path}:{number}: Boost takes a second in every file that includes it, so only source files do")
         found = re.match(r'\s*#\s*include\s*[<"]trivet/([^">]+\.h)', line)
         if not found:
             continue
