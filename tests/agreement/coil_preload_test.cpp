@@ -6,6 +6,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/coil_preload.h"
 #include "trivet/elements/coil_reduction.h"
+#include "trivet/elements/helical_rod.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -48,6 +49,32 @@ TEST(CompressedCoil, ForceAndCompressionAreInverse) {
           << i;
     }
   }
+}
+
+TEST(CompressedCoil, IsStretchedUpToTheLengthOfItsWire) {
+  constexpr double rounding = 1e-8;
+  std::mt19937 random(4);
+  for (int i = 0; i < 20; ++i) {
+    const CoilSpring spring = random_spring(random);
+    const double to_wire = helical_rod(spring).length - spring.active_length;
+    double previous = 0;
+    for (const double part : {1e-12, 1e-6, 0.5, 0.9, 0.99, 0.999}) {
+      const elements::CompressedCoil state = compressed_by(spring, -part * to_wire);
+      EXPECT_LT(state.axial_force, previous) << i << ' ' << part;
+      previous = state.axial_force;
+      EXPECT_NEAR(compressed_with(spring, state.axial_force).compression, -part * to_wire, rounding * to_wire) << i;
+    }
+    EXPECT_THAT([&] { (void)compressed_by(spring, -1.001 * to_wire); },
+                testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("length of its wire")));
+  }
+}
+
+TEST(CompressedCoil, AForceBeyondEveryEquilibriumIsRefused) {
+  const CoilSpring spring = literature_spring();
+  for (const double force : {1e3, 1e6, 1e12})
+    EXPECT_THROW((void)compressed_with(spring, force), foundation::InvalidInput) << "its coils touch";
+  for (const double force : {-1e12, -1e300, 1e300})
+    EXPECT_THROW((void)compressed_with(spring, force), foundation::NotComputable) << force;
 }
 
 TEST(CompressedCoil, ARigidRotationTurnsItsPreload) {

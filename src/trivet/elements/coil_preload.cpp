@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/elements/coil_preload.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 #include <sstream>
 
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/search/zero_between.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::elements {
 namespace {
-
-/// Zero of a smooth monotone function from two guesses.
-template <typename Function>
-double zero_of(const Function& f, double x0, double x1) {
-  constexpr int most_steps = 60;
-  constexpr double settled = 1e-15;
-  double f0 = f(x0), f1 = f(x1);
-  for (int i = 0; i < most_steps && f1 != f0 && std::abs(x1 - x0) > settled * std::abs(x1); ++i) {
-    const double x2 = x1 - f1 * (x1 - x0) / (f1 - f0);
-    x0 = x1, f0 = f1, x1 = x2, f1 = f(x2);
-  }
-  return x1;
-}
 
 /// Uniform helix under an axial tension: lead and radius of the sections, rise per metre of wire, moment that prevents
 /// rotation.
@@ -42,10 +32,29 @@ UniformState state_under(const HelicalRod& rod, const Helix& free, double tensio
   const auto excess = [&](double a) {
     return radius(a) * tension + std::sin(a) * bending(a) - std::cos(a) * torsion(a);
   };
-  const double lead = zero_of(excess, free.lead, free.lead + 1e-3);
+  // Tension opens the coils and compression closes them. At the free lead the excess has the sign of the tension, on a
+  // wire that is straight along the axis, up or down, the opposite one.
+  if (!(radius(free.lead) > 0 && std::isfinite(excess(free.lead))))
+    throw foundation::NotComputable(fmt::format("coil spring: no equilibrium under a tension of {:g} N", tension));
+  const double lead = numerics::zero_between(free.lead, std::copysign(std::numbers::pi / 2, tension), excess);
   const double s = std::sin(lead), c = std::cos(lead), hand = free.turn < 0 ? -1 : 1;
   return {tension, lead, radius(lead), s + (c * c * shear + s * s * stretch) * tension,
           hand * (c * bending(lead) + s * torsion(lead))};
+}
+
+/// Tension at which a metre of wire rises by this much, < 1.
+double tension_at(const HelicalRod& rod, const Helix& free, double rise) {
+  constexpr int most_doublings = 60;
+  const auto excess = [&](double tension) { return state_under(rod, free, tension).rise - rise; };
+  const double at_rest = excess(0);
+  if (at_rest == 0) return 0;
+  double near = 0,
+         far = -2 * at_rest / (free.radius * free.radius * rod.moment_flexibility(2));  // twice the linear one
+  for (int i = 0; (excess(far) > 0) == (at_rest > 0); ++i) {
+    if (i == most_doublings) throw foundation::NotComputable("coil spring: its rise does not follow its tension");
+    near = far, far *= 2;
+  }
+  return numerics::zero_between(near, far, excess);
 }
 
 /// Geometric stiffness for rotations of the foot of a lever with a force at its end.
@@ -121,13 +130,12 @@ CompressedCoil at_compression(const CoilSpring& given, double compression) {
   const CoilSpring spring = with_some_density(given);
   const Helix free = helix(spring);
   const HelicalRod rod = helical_rod(spring);
-  const double rise = (free.height - compression) / rod.length, radius = free.radius;
-  const double guess = -compression / (rod.length * radius * radius * rod.moment_flexibility(2));
-  const double tension = compression == 0
-      ? 0
-      : zero_of([&](double t) { return state_under(rod, free, t).rise - rise; }, 0.9 * guess, guess);
-  const UniformState state = state_under(rod, free, tension);
-  constexpr double found = 1e-9;
+  const double rise = (free.height - compression) / rod.length;
+  if (!(rise < 1))
+    throw foundation::NotComputable("coil spring: stretched by " + millimetres(-compression) +
+                                    ", to the length of its wire or more");
+  const UniformState state = state_under(rod, free, compression == 0 ? 0 : tension_at(rod, free, rise));
+  constexpr double found = 1e-9;  // not reached where the coil would snap to another shape
   if (!(std::abs(state.rise - rise) <= found))
     throw foundation::NotComputable("coil spring: no equilibrium found when compressed by " + millimetres(compression));
   return compressed(spring, free, state);
