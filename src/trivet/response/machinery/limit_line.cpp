@@ -11,6 +11,8 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/search/minimum_between.h"
+#include "trivet/numerics/search/zero_between.h"
 #include "trivet/response/steady/frequency_response.h"
 
 namespace trivet::response {
@@ -63,34 +65,20 @@ class Comparison {
   }
   Node node(double omega) const { return nodes({omega}).front(); }
 
-  /// Highest ratio between two frequencies with one maximum between them, by golden section.
+  /// Highest ratio between two frequencies with one maximum between them.
   Node highest_between(double from, double to) const {
-    constexpr double golden = 0.6180339887498949;
-    constexpr int steps = 40;  // 0.618⁴⁰ = 4e-9 of the interval, about √round-off, the limit at a flat maximum
-    Node left = node(to - golden * (to - from)), right = node(from + golden * (to - from));
-    for (int step = 0; step < steps; ++step) {
-      if (left.ratio > right.ratio) {
-        to = right.omega;
-        right = left;
-        left = node(to - golden * (to - from));
-      } else {
-        from = left.omega;
-        left = right;
-        right = node(from + golden * (to - from));
-      }
-    }
-    return left.ratio > right.ratio ? left : right;
+    const numerics::Minimum found =
+        numerics::minimum_between(from, to, [&](double omega) { return -node(omega).ratio; });
+    return {found.at, -found.value};
   }
 
   /// Frequency at which the ratio crosses 1 between two neighbours on either side of 1.
   double crossing(const Node& a, const Node& b) const {
-    double above = a.ratio > 1 ? a.omega : b.omega, below = a.ratio > 1 ? b.omega : a.omega;
-    for (int step = 0; step < 100; ++step) {
-      const double middle = 0.5 * (above + below);
-      if (middle == above || middle == below) break;
-      (node(middle).ratio > 1 ? above : below) = middle;
-    }
-    return 0.5 * (above + below);
+    const auto excess = [&](double omega) {
+      const double ratio = omega == a.omega ? a.ratio : omega == b.omega ? b.ratio : node(omega).ratio;
+      return 1 - 2 / (1 + ratio);  // 1 if it is infinite
+    };
+    return numerics::zero_between(a.omega, b.omega, excess);
   }
 
  private:
