@@ -4,7 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -40,15 +41,11 @@ double half_width(const Eigen::VectorXcd& poles, double from) {
   return certain;
 }
 
-struct GaussRule {
-  std::array<double, 8> node, weight;
-};
-/// Positive half of the 16-point rule. [Abramowitz and Stegun, table 25.4]
-constexpr GaussRule gauss16{
-    {0.0950125098376374402, 0.2816035507792589132, 0.4580167776572273863, 0.6178762444026437484, 0.7554044083550030339,
-     0.8656312023878317439, 0.9445750230732325761, 0.9894009349916499326},
-    {0.1894506104550684963, 0.1826034150449235889, 0.1691565193950025382, 0.1495959888165767321, 0.1246289712555338720,
-     0.0951585116824927848, 0.0622535239386478929, 0.0271524594117540949}};
+/// Nodes > 0, ascending, and weights. Boost computes them; as long double, so that each is the nearest double.
+using Gauss16 = boost::math::quadrature::gauss<long double, 16>;
+/// Nodes ≥ 0, ascending, and weights.
+using Gauss7 = boost::math::quadrature::gauss<double, 7>;
+using Kronrod15 = boost::math::quadrature::gauss_kronrod<double, 15>;
 
 }  // namespace
 
@@ -81,7 +78,8 @@ IntegrationNodes gauss_nodes(const std::vector<double>& ends) {
   for (Eigen::Index p = 0; p < panels; ++p) {
     const double from = ends[to_size(p)], to = ends[to_size(p) + 1], h = 0.5 * (to - from), centre = from + h;
     for (Eigen::Index i = 0; i < 8; ++i) {
-      const double reach = h * gauss16.node[to_size(i)], weight = h * gauss16.weight[to_size(i)];
+      const double reach = h * static_cast<double>(Gauss16::abscissa()[to_size(i)]),
+                   weight = h * static_cast<double>(Gauss16::weights()[to_size(i)]);
       nodes.omega(16 * p + 7 - i) = centre - reach;
       nodes.omega(16 * p + 8 + i) = centre + reach;
       nodes.weight(16 * p + 7 - i) = nodes.weight(16 * p + 8 + i) = weight;
@@ -91,23 +89,13 @@ IntegrationNodes gauss_nodes(const std::vector<double>& ends) {
 }
 
 KronrodRule kronrod_rule() {
-  constexpr std::array<double, 8> node = {0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
-                                          0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
-                                          0.586087235467691130294144691693190, 0.405845151377397166906606412076961,
-                                          0.207784955007898467600689403773245, 0.0};
-  constexpr std::array<double, 8> kronrod = {0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
-                                             0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
-                                             0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
-                                             0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-  constexpr std::array<double, 4> gauss = {0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
-                                           0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
   KronrodRule rule;
   rule.gauss.setZero();
   for (int i = 0; i < 8; ++i) {
-    const auto at = to_size(i);
-    rule.node(i) = -node[at], rule.node(14 - i) = node[at];
-    rule.kronrod(i) = rule.kronrod(14 - i) = kronrod[at];
-    if (i % 2 == 1) rule.gauss(i) = rule.gauss(14 - i) = gauss[at / 2];
+    const double node = Kronrod15::abscissa()[to_size(i)];
+    rule.node(7 - i) = -node, rule.node(7 + i) = node;
+    rule.kronrod(7 - i) = rule.kronrod(7 + i) = Kronrod15::weights()[to_size(i)];
+    if (i % 2 == 0) rule.gauss(7 - i) = rule.gauss(7 + i) = Gauss7::weights()[to_size(i / 2)];
   }
   return rule;
 }
