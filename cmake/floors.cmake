@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # add_floor(NAME [WORDS] [OPTIMIZED Release|Debug] [USES LOWER...]): folder src/trivet/NAME = static library
-# trivet::NAME = namespace trivet::NAME.
-# All .cpp files of the folder are its sources. All headers are public and installed, except kernels (-inl.h) and
-# those that its
-# CMakeLists.txt lists as private. The permitted includes between floors and between the rooms of a floor, and the
-# private headers, are
-# written to floors.txt for the test that checks all #include lines against them.
+# trivet::NAME = namespace trivet::NAME. All .cpp files of the folder are its sources. All headers are public and
+# installed, except kernels (-inl.h) and those that its CMakeLists.txt lists as private. The permitted includes
+# between floors and between the rooms of a floor, and the private headers, are written to floors.txt for the test
+# that checks all #include lines against them.
 file(WRITE ${PROJECT_BINARY_DIR}/floors.txt "")
 set_property(GLOBAL PROPERTY TRIVET_FLOORS "")
 
@@ -19,9 +17,8 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-free-nonheap-object;-Wno-psabi>)
 
 # One precompiled header for all floors, except those that are OPTIMIZED (-O3) in this type of build, because it
-# stores the optimisation
-# options. In debug builds, which have sanitizers, floors of WORDS (reading, writing) are not optimised and have
-# another header.
+# stores the optimisation options. In debug builds, which have sanitizers, floors of WORDS (reading, writing) are not
+# optimised and have another header.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/precompiled.cpp CONTENT "// Compiles cmake/precompiled.h.\n")
 function(add_precompiled name)
   add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cpp)
@@ -90,9 +87,8 @@ function(floor_files name)
   file(APPEND ${PROJECT_BINARY_DIR}/floors.txt "private ${name}: ${listed}\n")
 endfunction()
 
-# add_room(FLOOR/ROOM [USES ROOM...]): a sub-folder of a floor. It may include itself and the rooms listed here.
-# Files of the floor
-# outside its rooms may include all rooms; no room may include these files.
+# add_room(FLOOR/ROOM [USES ROOM...]): a sub-folder of a floor. It may include itself and the rooms listed here. Files
+# of the floor outside its rooms may include all rooms; no room may include these files.
 function(add_room name)
   cmake_parse_arguments(ROOM "" "" "USES" ${ARGN})
   string(REPLACE ";" " " uses "${ROOM_USES}")
