@@ -37,9 +37,23 @@ def times(lines):
         if "gflops" in line:
             speed = f"{line['gflops']:.1f}, {100 * line['part_of_peak']:.0f} % of {line['peak_gflops']:.0f}"
         ratio = f"{number(line['ratio'])} ({number(line['ratio_lowest'])} … {number(line['ratio_highest'])})"
-        rows.append([line["way"] + (f" ({line['note']})" if line["note"] else ""), time_text(line["ns"]), "1" if line["ours"] else ratio, speed, verdict(line)])
+        rows.append(
+            [
+                line["way"] + (f" ({line['note']})" if line["note"] else ""),
+                time_text(line["ns"]),
+                "1" if line["ours"] else ratio,
+                speed,
+                verdict(line),
+            ]
+        )
     first = lines[0]
-    head = [f"{first['size']}, medians of {first['turns']}", f"per {first['item']}", "× ours (lowest … highest)", "GFLOP/s", "goal"]
+    head = [
+        f"{first['size']}, medians of {first['turns']}",
+        f"per {first['item']}",
+        "× ours (lowest … highest)",
+        "GFLOP/s",
+        "goal",
+    ]
     return table(head, rows) + f"\n\nLargest error of ours before timing: {first['error']:.1e}."
 
 
@@ -50,15 +64,29 @@ def errors(lines):
     for case in dict.fromkeys(line["question"] for line in lines):
         of = {line["way"]: line for line in lines if line["question"] == case}
         missed = [w for w in ours if w in of and not of[w]["met"]]
-        rows.append([case, *(f"{of[w]['forward']:.0e}" if w in of else "–" for w in ways),
-                     " ".join(f"{of[w]['backward']:.0e}" for w in ours if w in of), "**no**: " + of[missed[0]]["goal"] if missed else "yes"])
+        rows.append(
+            [
+                case,
+                *(f"{of[w]['forward']:.0e}" if w in of else "–" for w in ways),
+                " ".join(f"{of[w]['backward']:.0e}" for w in ours if w in of),
+                "**no**: " + of[missed[0]]["goal"] if missed else "yes",
+            ]
+        )
     return table(["largest forward error", *ways, "backward, ours", "within goals"], rows)
 
 
 def figures(lines):
-    return table(["", "measured", "goal"], [
-        [line["way"], f"{number(line['value'])} {line['unit']}".strip(),
-         f"{line['goal']}: {'met' if line['met'] else '**not met**'}" if line["goal"] else ""] for line in lines])
+    return table(
+        ["", "measured", "goal"],
+        [
+            [
+                line["way"],
+                f"{number(line['value'])} {line['unit']}".strip(),
+                f"{line['goal']}: {'met' if line['met'] else '**not met**'}" if line["goal"] else "",
+            ]
+            for line in lines
+        ],
+    )
 
 
 def markdown(lines):
@@ -67,7 +95,9 @@ def markdown(lines):
     for question in dict.fromkeys(line["question"] for line in lines if line["kind"] != "errors"):
         parts.append(f"### {question[0].upper()}{question[1:]}")
         of = [line for line in timed if line["question"] == question]
-        parts += [times([line for line in of if line["size"] == size]) for size in dict.fromkeys(line["size"] for line in of)]
+        parts += [
+            times([line for line in of if line["size"] == size]) for size in dict.fromkeys(line["size"] for line in of)
+        ]
         reported = [line for line in lines if line["kind"] == "figure" and line["question"] == question]
         parts += [figures(reported)] if reported else []
     wrong = [line for line in lines if line["kind"] == "errors"]

@@ -2,10 +2,10 @@
 """Writes generic.toml: bonded rubber discs by their closed forms (docs/elements/catalogue.md).   python3 make_generic.py > generic.toml"""
 import math
 
-BULK_MODULUS = 2.0e9          # Pa, filled natural rubber
+BULK_MODULUS = 2.0e9  # Pa, filled natural rubber
 RUBBER, STEEL = 1100.0, 7850.0  # kg/m3
-PLATE = 0.003                 # m, each of the two bonded plates
-DEFLECTION = 0.10             # of the rubber height, in compression
+PLATE = 0.003  # m, each of the two bonded plates
+DEFLECTION = 0.10  # of the rubber height, in compression
 LOSS_FACTOR = {40: 0.05, 55: 0.08, 70: 0.14}  # assumed, typical of natural rubber with rising carbon black
 SIZES = [(20, 10), (30, 15), (40, 20), (50, 25), (50, 20), (75, 25), (100, 40)]  # mm, shape factors 0.5 … 0.75
 
@@ -37,12 +37,16 @@ mass = "{mass * 1000:.3g} g"
 """
 
 
-print('''# Generic mounts: NO MAKER'S DATA. Rubber discs between two bonded steel plates, from closed forms for a disc of linear rubber;
-# good for a first layout, to about 5 % in compression and shear and 10 % in tilting of an ideal disc. A real mount differs by its
-# rubber by 20 % and more: take the numbers of its maker, or measure it. How they were computed: docs/elements/catalogue.md.
+print(
+    '''# Generic mounts: NO MAKER'S DATA. Rubber discs between two bonded steel plates, from closed forms for a disc of linear rubber;
+# good for a first layout, to about 5 % in compression and shear and 10 % in tilting of an ideal disc. A real mount
+# differs by its
+# rubber by 20 % and more: take the numbers of its maker, or measure it. How they were computed:
+# docs/elements/catalogue.md.
 catalogue = 1
 title = "Generic bonded rubber discs"
-source = "closed forms, computed by make_generic.py; no maker's data"''')
+source = "closed forms, computed by make_generic.py; no maker's data"'''
+)
 for hardness in LOSS_FACTOR:
     for size in SIZES:
         print(mount(*size, hardness), end="")

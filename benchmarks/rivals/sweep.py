@@ -5,11 +5,10 @@ import scipy.linalg
 from serve import numbers, serve
 
 
-
 def in_pieces(evaluate, size):
     q = np.empty((6, len(p)), dtype=complex)
     for first in range(0, len(p), size):
-        q[:, first:first + size] = evaluate(p[first:first + size])
+        q[:, first : first + size] = evaluate(p[first : first + size])
     return q
 
 
@@ -66,7 +65,7 @@ def modal_pairs():
         raise ValueError("a real pole has no partner")
     r, v = residues[:, upper], values[upper]
     ab = np.vstack([-2 * (r * v.conj()).real, 2 * r.real])
-    square, damping = abs(v[:, None])**2, -2 * v.real[:, None]
+    square, damping = abs(v[:, None]) ** 2, -2 * v.real[:, None]
 
     def some_of_them(some):
         x, y = square - some * some, damping * some

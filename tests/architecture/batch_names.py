@@ -21,7 +21,11 @@ def names_of_constants(text):
     text = re.sub(r'R?"(?:[^"\\]|\\.)*"', "0", text.split("//")[0])
     while (flat := re.sub(r"\([^()]*\)|\{[^{}]*\}|<[^<>]*>|\[[^\[\]]*\]", " ", text)) != text:
         text = flat
-    return [found[1] for part in text.split(",") if (found := re.match(r"(?:.*[\s*&])?([A-Za-z_]\w*)$", re.split("[=;({[]", part)[0].strip()))]
+    return [
+        found[1]
+        for part in text.split(",")
+        if (found := re.match(r"(?:.*[\s*&])?([A-Za-z_]\w*)$", re.split("[=;({[]", part)[0].strip()))
+    ]
 
 
 def declared(lines):
@@ -68,7 +72,8 @@ def problems_of_floor(files):
 
 def check_itself():
     """One sample of each kind of declaration to be found, and some lines that are not declarations."""
-    seen = declared("""constexpr double a = 1, b[2] = {1, 2}, c = f(1, 2);
+    seen = declared(
+        """constexpr double a = 1, b[2] = {1, 2}, c = f(1, 2);
 const char* const d = "x, y = 2";
 constexpr const char* e[] = {"a", "b"};
 inline constexpr std::array<double, 3> g{1, 2, 3};
@@ -83,11 +88,16 @@ Eigen::Vector3d j(double x) {
 using Short = std::vector<int>;
 const std::map<std::string, int> k = {
 return l(1);
-  const double m = 1;""".splitlines())
+  const double m = 1;""".splitlines()
+    )
     wanted = {"a", "b", "c", "d", "e", "g", "h", "Kind", "Empty", "Base", "stop", "name", "j", "Short", "k"}
     assert set(seen) == wanted, set(seen) ^ wanted
-    files = {"a.h": ["constexpr int n = 1;", "void f(int x);"], "b.cpp": ["namespace {", "constexpr int n = 2;", "void f(double x) {", "struct S {"],
-             "c.cpp": ["namespace {", "struct S {};", "using T = int;"], "d.cpp": ["namespace {", "using T = int;", "void g(int x) {"]}
+    files = {
+        "a.h": ["constexpr int n = 1;", "void f(int x);"],
+        "b.cpp": ["namespace {", "constexpr int n = 2;", "void f(double x) {", "struct S {"],
+        "c.cpp": ["namespace {", "struct S {};", "using T = int;"],
+        "d.cpp": ["namespace {", "using T = int;", "void g(int x) {"],
+    }
     assert len(list(problems_of_floor(files))) == 3, list(problems_of_floor(files))
 
 
@@ -95,7 +105,11 @@ check_itself()
 count, wrong = 0, []
 for folder in sys.argv[1:]:
     for floor in sorted(path for path in pathlib.Path(folder).iterdir() if path.is_dir()):
-        files = {str(path): path.read_text().splitlines() for path in sorted(floor.rglob("*")) if path.suffix in (".h", ".cpp")}
+        files = {
+            str(path): path.read_text().splitlines()
+            for path in sorted(floor.rglob("*"))
+            if path.suffix in (".h", ".cpp")
+        }
         count += sum(len(declared(anonymous(lines))) for path, lines in files.items() if path.endswith(".cpp"))
         wrong += problems_of_floor(files)
 print("\n".join(wrong) or f"{count} names of anonymous namespaces hide no other")

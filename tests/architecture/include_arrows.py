@@ -53,10 +53,19 @@ for path in sorted((source / "trivet").rglob("*")):
     allowed = rooms.get(room)  # None outside the rooms: all rooms
     for number, line in enumerate(path.read_text().splitlines(), 1):
         eigen = re.match(r"\s*#\s*include\s*[<\"](?:eigen3/)?Eigen/(\w+)", line)
-        if eigen and eigen.group(1) in decompositions and room != "numerics/linalg" and eigen.group(1) not in may_decompose.get(name, ()):
-            wrong.append(f"{path}:{number}: Eigen/{eigen.group(1)} is for numerics/linalg alone, whose functions stand for it")
+        if (
+            eigen
+            and eigen.group(1) in decompositions
+            and room != "numerics/linalg"
+            and eigen.group(1) not in may_decompose.get(name, ())
+        ):
+            wrong.append(
+                f"{path}:{number}: Eigen/{eigen.group(1)} is for numerics/linalg alone, whose functions stand for it"
+            )
         if path.suffix == ".h" and re.match(r"\s*#\s*include\s*<boost/", line):
-            wrong.append(f"{path}:{number}: Boost takes a second in every file that includes it, so only source files do")
+            wrong.append(
+                f"{path}:{number}: Boost takes a second in every file that includes it, so only source files do"
+            )
         found = re.match(r'\s*#\s*include\s*[<"]trivet/([^">]+\.h)', line)
         if not found:
             continue

@@ -27,11 +27,11 @@ import verdict  # noqa: E402
 TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
-SLOWER = int(os.environ.get("TRIVET_CAMPAIGN_SLOWER", "1"))   # with sanitizers
-SECONDS = {"check": 60, "run": 120, "peaks": 120}   # each takes less than a tenth on an idle machine
+SLOWER = int(os.environ.get("TRIVET_CAMPAIGN_SLOWER", "1"))  # with sanitizers
+SECONDS = {"check": 60, "run": 120, "peaks": 120}  # each takes less than a tenth on an idle machine
 RUN_EVERY = 10
 ODD_FILES, MACHINES = "odd file", "machine"
-MESHED = {"step_mount", "rubber_mounts"}   # a changed number costs seconds of finite elements: only every eighth time
+MESHED = {"step_mount", "rubber_mounts"}  # a changed number costs seconds of finite elements: only every eighth time
 
 
 def seeded(kind, number):
@@ -67,7 +67,9 @@ def scene(kind, number, folder):
         project = folder / "machine.toml"
         project.write_text(machines.machine(chance))
         return project, ["peaks", "run"]
-    examples = [e for e in EXAMPLES if kind != ODD_FILES or any(p.suffix in (".csv", ".step") for p in e.parent.iterdir())]
+    examples = [
+        e for e in EXAMPLES if kind != ODD_FILES or any(p.suffix in (".csv", ".step") for p in e.parent.iterdir())
+    ]
     turn, place = divmod(number, len(examples))
     example = examples[place]
     if example.parent.name in MESHED and turn % 8:
@@ -104,7 +106,12 @@ def tried(kind, number, cache, keep, memory):
 def warm_cache(cache):
     """Computes the mounts of the examples once, so that later only changed ones need a solution."""
     for example in EXAMPLES:
-        subprocess.run([TRIVET, "check", str(example)], env={**os.environ, "TRIVET_CACHE": str(cache)}, capture_output=True, check=True)
+        subprocess.run(
+            [TRIVET, "check", str(example)],
+            env={**os.environ, "TRIVET_CACHE": str(cache)},
+            capture_output=True,
+            check=True,
+        )
 
 
 def main():
@@ -121,12 +128,16 @@ def main():
     cache = tempfile.mkdtemp(prefix="campaign-cache-")
     try:
         warm_cache(cache)
-        jobs = [(kind, n) for n in range(chosen.each) for kind in [*mutations.KINDS, ODD_FILES]] + [(MACHINES, n) for n in range(chosen.machines)]
+        jobs = [(kind, n) for n in range(chosen.each) for kind in [*mutations.KINDS, ODD_FILES]] + [
+            (MACHINES, n) for n in range(chosen.machines)
+        ]
         if chosen.only:
             jobs = [(chosen.only[0], int(chosen.only[1]))]
         count, failed, slowest = collections.Counter(), [], []
         with concurrent.futures.ThreadPoolExecutor(chosen.jobs) as pool:
-            for done, results in enumerate(pool.map(lambda job: tried(*job, cache, chosen.keep, chosen.memory), jobs), 1):
+            for done, results in enumerate(
+                pool.map(lambda job: tried(*job, cache, chosen.keep, chosen.memory), jobs), 1
+            ):
                 if done % 1000 == 0:
                     print(f"{done} of {len(jobs)} projects, {len(failed)} failed", flush=True)
                 for kind, number, command, seconds, found in results:
@@ -137,8 +148,17 @@ def main():
                         print(f'FAILED: {command} --only "{kind}" {number}: ' + "; ".join(found), flush=True)
     finally:
         shutil.rmtree(cache, ignore_errors=True)
-    print(f"{len(jobs)} projects; " + ", ".join(f"{n} × {command}" for command, n in count.items()) + f"; {len(failed)} failed")
-    print("slowest: " + ", ".join(f"{seconds:.1f} s {command} {kind} {number}" for seconds, kind, number, command in reversed(slowest)))
+    print(
+        f"{len(jobs)} projects; "
+        + ", ".join(f"{n} × {command}" for command, n in count.items())
+        + f"; {len(failed)} failed"
+    )
+    print(
+        "slowest: "
+        + ", ".join(
+            f"{seconds:.1f} s {command} {kind} {number}" for seconds, kind, number, command in reversed(slowest)
+        )
+    )
     return 1 if failed else 0
 
 

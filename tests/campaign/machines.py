@@ -8,10 +8,15 @@ def three(values):
 
 
 def damping(random):
-    return random.choice([
-        "", f"damping = {{loss_factor = {random.uniform(0.01, 0.3):.3g}}}\n", f"damping = {{proportional = {random.uniform(1e-5, 1e-2):.3g}}}\n",
-        f'damping = {{zener = {{ratio = {random.uniform(0.1, 2):.3g}, time = "{random.uniform(0.5, 20):.3g} ms"}}}}\n',
-        f'damping = {{maxwell = {{ratios = [0.4, 0.2], times = [0.001, {random.uniform(0.005, 0.1):.3g}]}}}}\n'])
+    return random.choice(
+        [
+            "",
+            f"damping = {{loss_factor = {random.uniform(0.01, 0.3):.3g}}}\n",
+            f"damping = {{proportional = {random.uniform(1e-5, 1e-2):.3g}}}\n",
+            f'damping = {{zener = {{ratio = {random.uniform(0.1, 2):.3g}, time = "{random.uniform(0.5, 20):.3g} ms"}}}}\n',
+            f'damping = {{maxwell = {{ratios = [0.4, 0.2], times = [0.001, {random.uniform(0.005, 0.1):.3g}]}}}}\n',
+        ]
+    )
 
 
 def machine(random):
@@ -24,16 +29,20 @@ def machine(random):
         size = [random.uniform(0.3, 1.2) * (mass / 500) ** (1 / 3) for _ in range(3)]
         inertia = [mass * (size[(i + 1) % 3] ** 2 + size[(i + 2) % 3] ** 2) / 12 for i in range(3)]
         centre = [random.uniform(-0.1, 0.1) * size[0], random.uniform(-0.1, 0.1) * size[1], size[2] / 2]
-        text += (f'\n[bodies."body {b}"]\nmass = {mass:.6g}\nposition = [0, 0, {height:.6g}]\ncenter_of_mass = {three(centre)}\n'
-                 f'inertia = {{about = "center_of_mass", xx = {inertia[0]:.6g}, yy = {inertia[1]:.6g}, zz = {inertia[2]:.6g}}}\n'
-                 f'points.top = [0, 0, {size[2]:.6g}]\n')
+        text += (
+            f'\n[bodies."body {b}"]\nmass = {mass:.6g}\nposition = [0, 0, {height:.6g}]\ncenter_of_mass = {three(centre)}\n'
+            f'inertia = {{about = "center_of_mass", xx = {inertia[0]:.6g}, yy = {inertia[1]:.6g}, zz = {inertia[2]:.6g}}}\n'
+            f'points.top = [0, 0, {size[2]:.6g}]\n'
+        )
         stiffness = mass * (6.283 * random.uniform(2, 15)) ** 2 / 4
         for m, (x, y) in enumerate([(1, 1), (1, -1), (-1, 1), (-1, -1)]):
             k = [stiffness * random.uniform(0.3, 1.5) for _ in range(3)]
             below = f'from = "body {b - 1}"\n' if b > 0 else ""
             turning = f"rotation = {three([0.002 * size[0] ** 2 * v for v in k])}\n" if random.random() < 0.5 else ""
-            text += (f'[elements."mount {b}{m}"]\ntype = "bushing"\non = "body {b}"\n{below}at = {three([x * size[0] / 2, y * size[1] / 2, 0])}\n'
-                     f"translation = {three(k)}\n{turning}{damping(random)}")
+            text += (
+                f'[elements."mount {b}{m}"]\ntype = "bushing"\non = "body {b}"\n{below}at = {three([x * size[0] / 2, y * size[1] / 2, 0])}\n'
+                f"translation = {three(k)}\n{turning}{damping(random)}"
+            )
         height += size[2] + 0.1
         mass *= random.uniform(0.2, 0.9)
     if random.random() < 0.4:
@@ -41,4 +50,7 @@ def machine(random):
     text += f'\n[excitations.force]\ntype = "harmonic"\non = "body {bodies - 1}"\nat = [0.1, 0.05, 0.2]\nforce = {three([random.uniform(-100, 100), 10, 120])}\n'
     if random.random() < 0.4:
         text += '[excitations.floor]\ntype = "base"\ntranslation = [0, 0, "1 mm"]\n'
-    return text + f'\n[analyses]\nmodes = {{}}\nroots = {{}}\nresponse = {{band = ["0 Hz", "{random.uniform(20, 100):.4g} Hz"]}}\npeaks = {{}}\nstatic = {{}}\n'
+    return (
+        text
+        + f'\n[analyses]\nmodes = {{}}\nroots = {{}}\nresponse = {{band = ["0 Hz", "{random.uniform(20, 100):.4g} Hz"]}}\npeaks = {{}}\nstatic = {{}}\n'
+    )

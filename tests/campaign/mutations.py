@@ -16,7 +16,7 @@ def without_comments(text):
 
 def in_header(text, match):
     """Is the match in a table header? There a number is part of a name."""
-    return re.match(r'\[["A-Za-z]', text[text.rfind("\n", 0, match.start()) + 1:]) is not None
+    return re.match(r'\[["A-Za-z]', text[text.rfind("\n", 0, match.start()) + 1 :]) is not None
 
 
 def replaced(random, text, pattern, change):
@@ -25,7 +25,7 @@ def replaced(random, text, pattern, change):
     if not found:
         return text + "\n" + change("0") + "\n"
     one = random.choice(found)
-    return text[:one.start()] + change(one.group()) + text[one.end():]
+    return text[: one.start()] + change(one.group()) + text[one.end() :]
 
 
 def number_to(*values):
@@ -42,15 +42,52 @@ def sign(random, text):
 
 
 def to_text(random, text):
-    words = ["", " ", "abc", "1,5 Hz", "5 furlong", "12 kg m", "kg", "1e400 N", "0x10", "𝟓", "NaN mm", "5 °C", "--5", "1 2", "ground", "x", "5 m/s/s/s", "%", "1e5" * 40]
+    words = [
+        "",
+        " ",
+        "abc",
+        "1,5 Hz",
+        "5 furlong",
+        "12 kg m",
+        "kg",
+        "1e400 N",
+        "0x10",
+        "𝟓",
+        "NaN mm",
+        "5 °C",
+        "--5",
+        "1 2",
+        "ground",
+        "x",
+        "5 m/s/s/s",
+        "%",
+        "1e5" * 40,
+    ]
     return replaced(random, text, NUMBER, lambda _: '"' + random.choice(words) + '"')
 
 
 def other_kind(random, text):
     """A number, array, table, boolean or date instead of another value."""
-    values = ["{}", "[]", "[[]]", "{x = 1}", "true", "2026-01-01", "[1, 2]", "[[1, 2], [3]]", '["a"]', "[1, [2, 3]]", "{a = {b = {c = 1}}}", "07:30:00", '"""a\nb"""', "[{}]"]
+    values = [
+        "{}",
+        "[]",
+        "[[]]",
+        "{x = 1}",
+        "true",
+        "2026-01-01",
+        "[1, 2]",
+        "[[1, 2], [3]]",
+        '["a"]',
+        "[1, [2, 3]]",
+        "{a = {b = {c = 1}}}",
+        "07:30:00",
+        '"""a\nb"""',
+        "[{}]",
+    ]
+
     def change(line):
         return line.split("=", 1)[0] + "= " + random.choice(values)
+
     return replaced(random, text, LINE, change)
 
 
@@ -65,17 +102,43 @@ def missing(random, text):
 def misspelt(random, text):
     def change(line):
         at = random.randrange(len(line))
-        return random.choice([line[:at] + line[at + 1:], line[:at] + random.choice("qwx7_.-\"[]{}=") + line[at:], line[:at] + line[at:at + 2][::-1] + line[at + 2:]])
+        return random.choice(
+            [
+                line[:at] + line[at + 1 :],
+                line[:at] + random.choice("qwx7_.-\"[]{}=") + line[at:],
+                line[:at] + line[at : at + 2][::-1] + line[at + 2 :],
+            ]
+        )
+
     return replaced(random, text, random.choice([LINE, HEADER]), change)
 
 
 def strange_name(random, text):
-    names = ['"\\u001b[31m"', '"a\\tb"', '"a\\u0000b"', '"\\u202etxt"', '"\\u0085"', '"' + "n" * 101 + '"', '"' + "ж" * 200 + '"', '"<script>&\'"', '"a/b"', '"..\\\\.."', '""', '" "', '"ground"', '"a.b"',
-             '"' + "x" * 5000 + '"', '"\\U0001F600"', '"%s%n"']
+    names = [
+        '"\\u001b[31m"',
+        '"a\\tb"',
+        '"a\\u0000b"',
+        '"\\u202etxt"',
+        '"\\u0085"',
+        '"' + "n" * 101 + '"',
+        '"' + "ж" * 200 + '"',
+        '"<script>&\'"',
+        '"a/b"',
+        '"..\\\\.."',
+        '""',
+        '" "',
+        '"ground"',
+        '"a.b"',
+        '"' + "x" * 5000 + '"',
+        '"\\U0001F600"',
+        '"%s%n"',
+    ]
     if random.random() < 0.5:
+
         def header(line):
             parts = line[1:-1].split(".")
             return "[" + ".".join(parts[:-1] + [random.choice(names)]) + "]"
+
         return replaced(random, text, HEADER, header)
     return replaced(random, text, TEXT, lambda _: random.choice(names))
 
@@ -84,7 +147,7 @@ def odd_bytes(random, text):
     data = bytearray(text.encode())
     kind = random.randrange(7)
     if kind == 0:
-        data = data[:random.randrange(len(data))]
+        data = data[: random.randrange(len(data))]
     elif kind == 1:
         for _ in range(random.randint(1, 8)):
             data[random.randrange(len(data))] = random.randrange(256)
@@ -107,22 +170,33 @@ def sizes(random, text):
     count = random.choice([0, 1, 300, 2000])
     kind = random.randrange(9)
     if kind == 0:
-        return text + "".join(f'\n[bodies."extra {i}"]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(count))
+        return text + "".join(
+            f'\n[bodies."extra {i}"]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n'
+            for i in range(count)
+        )
     if kind == 1:  # each case is a whole study: 30 end in time, 2000 are rejected
         count = 30 if count == 300 else count
         return text + "".join(f'\n[cases."extra {i}"]\nbodies = {{}}\n' for i in range(count))
     if kind == 2:
-        return replaced(random, text, LINE, lambda line: line.split("=", 1)[0] + "= [" + ", ".join(["1.5"] * count) + "]")
+        return replaced(
+            random, text, LINE, lambda line: line.split("=", 1)[0] + "= [" + ", ".join(["1.5"] * count) + "]"
+        )
     if kind == 3:
         return replaced(random, text, LINE, lambda line: line.split("=", 1)[0] + "= " + "[" * count + "]" * count)
     if kind == 4:
         return text + "\n" + "a." * count + "b = 1\n"
     if kind == 5:
-        return text + "".join(f'\n[excitations."extra {i}"]\ntype = "time"\nbase = true\ntranslation = [0, 0, 1]\nhistory = {{step = {{amplitude = 1}}}}\n' for i in range(min(count, 600)))
+        return text + "".join(
+            f'\n[excitations."extra {i}"]\ntype = "time"\nbase = true\ntranslation = [0, 0, 1]\nhistory = {{step = {{amplitude = 1}}}}\n'
+            for i in range(min(count, 600))
+        )
     if kind == 6:
         return text + "\nnotes = \"" + "long " * (10 * count) + "\"\n"
     if kind == 7:
-        return re.sub(r"points = \d+", f"points = {10 ** random.randint(0, 12)}", text) + f"\n[analyses.response]\nspacing = \"linear\"\npoints = {10 ** random.randint(0, 12)}\n"
+        return (
+            re.sub(r"points = \d+", f"points = {10 ** random.randint(0, 12)}", text)
+            + f"\n[analyses.response]\nspacing = \"linear\"\npoints = {10 ** random.randint(0, 12)}\n"
+        )
     return text + "".join(f'\n[elements."extra {i}"]\ntype = "damper"\non = "nobody"\n' for i in range(count))
 
 
@@ -132,11 +206,32 @@ def swapped(random, text):
     if len(found) < 2:
         return text
     a, b = sorted(random.sample(found, 2), key=lambda m: m.start())
-    return text[:a.start()] + b.group() + text[a.end():b.start()] + a.group() + text[b.end():]
+    return text[: a.start()] + b.group() + text[a.end() : b.start()] + a.group() + text[b.end() :]
 
 
 def other_unit(random, text):
-    units = ["Hz", "mm", "kg", "g", "t", "N/mm", "kN m/rad", "rpm", "deg", "%", "ms", "m/s2", "MPa", "lb", "N s/m", "kg m2", "dB", "µm", "ft", "J"]
+    units = [
+        "Hz",
+        "mm",
+        "kg",
+        "g",
+        "t",
+        "N/mm",
+        "kN m/rad",
+        "rpm",
+        "deg",
+        "%",
+        "ms",
+        "m/s2",
+        "MPa",
+        "lb",
+        "N s/m",
+        "kg m2",
+        "dB",
+        "µm",
+        "ft",
+        "J",
+    ]
     return replaced(random, text, TEXT, lambda old: re.sub(r"[^\d.\-+eE\"]+\"$", f' {random.choice(units)}"', old))
 
 
@@ -147,7 +242,9 @@ KINDS = {
     "tiny": number_to("1e-300", "-1e-300", "1e-61", "1e-59", "1e-30", "1e-15"),
     "huge": number_to("1e300", "-1e300", "1.7976931348623157e308", "1e400", "1e30", "1e18", "1e12"),
     "not a number": number_to("nan", "-nan", "inf", "-inf", "+inf"),
-    "beyond 64 bits": number_to("9223372036854775807", "9223372036854775808", "-9223372036854775809", "1" + "0" * 40, "0xFFFFFFFFFFFFFFFFFF"),
+    "beyond 64 bits": number_to(
+        "9223372036854775807", "9223372036854775808", "-9223372036854775809", "1" + "0" * 40, "0xFFFFFFFFFFFFFFFFFF"
+    ),
     "another power of ten": scaled,
     "another sign": sign,
     "text for a number": to_text,
@@ -170,14 +267,16 @@ def odd_table(random, data):
     if kind == 0:
         return b""
     if kind == 1:
-        return data[:random.randrange(len(data))]
+        return data[: random.randrange(len(data))]
     if kind == 2:
         return data.replace(b",", random.choice([b";", b"\t", b" ", b",,"]))
     if kind == 3:
         return data.replace(b".", b",")
     if kind == 4:
         row = random.randrange(len(lines))
-        lines[row] = random.choice([b"", b"nan,nan,nan", b"1e400,1,1", b"-,-,-", b"a,b,c", lines[row] * 2, b"\"", b"\xff\xfe"])
+        lines[row] = random.choice(
+            [b"", b"nan,nan,nan", b"1e400,1,1", b"-,-,-", b"a,b,c", lines[row] * 2, b"\"", b"\xff\xfe"]
+        )
         return b"\n".join(lines)
     if kind == 5:
         return b"\n".join([lines[0]] + lines[:0:-1])

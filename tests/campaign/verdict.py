@@ -8,12 +8,14 @@ import subprocess
 import tempfile
 import threading
 
-MOST_LINES = 101           # a hundred messages, and one for the number of the others
-MOST_MEMORY = 1.5e9        # [bytes]
-LIBRARY_WORDS = re.compile(r"std::|bad_alloc|length_error|json\.exception|basic_filebuf|basic_string|max_size|filesystem error|vector::|terminate called|what\(\)|Eigen::|[Aa]ssertion|"
-                           r"stod|stoi|map::at|Sanitizer|runtime error|iostream error|[Ss]egmentation")
+MOST_LINES = 101  # a hundred messages, and one for the number of the others
+MOST_MEMORY = 1.5e9  # [bytes]
+LIBRARY_WORDS = re.compile(
+    r"std::|bad_alloc|length_error|json\.exception|basic_filebuf|basic_string|max_size|filesystem error|vector::|terminate called|what\(\)|Eigen::|[Aa]ssertion|"
+    r"stod|stoi|map::at|Sanitizer|runtime error|iostream error|[Ss]egmentation"
+)
 NOT_A_NUMBER = re.compile(r"(?<![\w.\"])[-+]?(?:nan|inf)(?![\w.\"])")
-NAN = re.compile(r"(?<![\w.\"])[-+]?nan(?![\w.\"])")   # a peak over a minimum of 0 has an infinite relative prominence
+NAN = re.compile(r"(?<![\w.\"])[-+]?nan(?![\w.\"])")  # a peak over a minimum of 0 has an infinite relative prominence
 CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f]")
 
 

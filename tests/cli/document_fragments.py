@@ -24,8 +24,12 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
 """
 
 
-CORNERS = {"front left": [1.4, 0.55, 0], "front right": [1.4, -0.55, 0],
-           "rear left": [-1.4, 0.55, 0], "rear right": [-1.4, -0.55, 0]}
+CORNERS = {
+    "front left": [1.4, 0.55, 0],
+    "front right": [1.4, -0.55, 0],
+    "rear left": [-1.4, 0.55, 0],
+    "rear right": [-1.4, -0.55, 0],
+}
 
 
 def mounts(on, foundations=()):
@@ -39,12 +43,21 @@ SHARED_MOUNT = """[element_types.mount]
 type = "bushing"
 translation = ["1.6 kN/mm", "1.2 kN/mm", "3.4 kN/mm"]
 """
-MACHINE_AND_ENGINE = FRAME.replace("frame", "machine") + mounts("machine") + """[bodies.engine]
+MACHINE_AND_ENGINE = (
+    FRAME.replace("frame", "machine")
+    + mounts("machine")
+    + """[bodies.engine]
 mass = "200 kg"
 position = [5, 0, 0]
 inertia = {about = "center_of_mass", xx = 12, yy = 20, zz = 20}
-""" + mount("engine mount", "engine", [0, 0, -0.1])
-DRIVEN_FRAME = FRAME + mounts("frame") + mount("front spring", "frame", [0, 0, 0]) + """[excitations.push]
+"""
+    + mount("engine mount", "engine", [0, 0, -0.1])
+)
+DRIVEN_FRAME = (
+    FRAME
+    + mounts("frame")
+    + mount("front spring", "frame", [0, 0, 0])
+    + """[excitations.push]
 type = "harmonic"
 on = "frame"
 at = [0, 0, 0]
@@ -68,13 +81,24 @@ history = {half_sine = {amplitude = "50 g", duration = "11 ms"}}
 [analyses]
 response = {band = ["2 Hz", "60 Hz"], excitations = ["push"]}
 """
-ON_THE_FRAME = ("coil_spring", "rubber_disc, rubber_block, rubber_bush, sandwich", "solid_mount", "beam", "link, stay",
-                "imported", "measured", "table, air_spring, wire_rope", "catalogue:NAME")
+)
+ON_THE_FRAME = (
+    "coil_spring",
+    "rubber_disc, rubber_block, rubber_bush, sandwich",
+    "solid_mount",
+    "beam",
+    "link, stay",
+    "imported",
+    "measured",
+    "table, air_spring, wire_rope",
+    "catalogue:NAME",
+)
 KEYS = "docs/project-file.md"
 
 BASES = {
     ("README.md", "Elements that compute their own 12×12"): FRAME,
-    ("docs/elements/catalogue.md", "Catalogues of mounts"): FRAME + """[elements.mount]
+    ("docs/elements/catalogue.md", "Catalogues of mounts"): FRAME
+    + """[elements.mount]
 type = "catalogue:M 50/25 55 ShA"
 catalogue = "maker.toml"
 on = "frame"

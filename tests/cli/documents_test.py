@@ -37,11 +37,17 @@ ELSEWHERE = {
     ".ci/run long": ("it takes hours", ".ci/run", "long_stage; exit"),
     "cmake --workflow --preset sanitize": (BUILDS, ".ci/run", "cmake --workflow --preset sanitize"),
     "cmake --workflow --preset fuzz": (BUILDS, ".ci/run", "cmake --workflow --preset fuzz"),
-    "build/sanitize/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus":
-        ("it does not end", ".ci/run", FUZZER),
+    "build/sanitize/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus": (
+        "it does not end",
+        ".ci/run",
+        FUZZER,
+    ),
     RANDOM_MACHINES: (BUILT, ".ci/run", RANDOM_MACHINES),
-    "export TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD":
-        ("for the next command", ".ci/run", "TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD"),
+    "export TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD": (
+        "for the next command",
+        ".ci/run",
+        "TRIVET=$PWD/build/release/apps/cli/trivet TRIVET_SOURCE=$PWD",
+    ),
     LONG_CAMPAIGN + " --keep /tmp/failed": ("it takes a quarter of an hour", ".ci/run", LONG_CAMPAIGN),
     "scripts/benchmark": (IDLE, ".ci/run", "scripts/benchmark"),
     "scripts/benchmark --write": (IDLE, ".ci/run", "scripts/benchmark"),
@@ -138,8 +144,9 @@ class Documents(unittest.TestCase):
         self.environment = {**os.environ, "PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}"}
 
     def shell(self, command, folder):
-        return subprocess.run(["bash", "-c", command], cwd=folder, env=self.environment, capture_output=True, text=True,
-                              timeout=600)
+        return subprocess.run(
+            ["bash", "-c", command], cwd=folder, env=self.environment, capture_output=True, text=True, timeout=600
+        )
 
     def work_folder(self, name):
         """A folder with copies of the examples, as at the top of the source tree."""

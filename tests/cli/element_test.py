@@ -95,8 +95,18 @@ class Element(unittest.TestCase):
 
     def test_text_names_what_an_engineer_asks_for(self):
         text = self.run_element(self.project(BODY, COIL), "coil spring")
-        for words in ("end N on the ground", 'end K on body "mass"', "N θ_z [rad]", "M_x [N m]", "spring index", "elastic centre", "no force under rigid motion",
-                      "Own natural frequencies", "replaced by three springs", "also neglected: the mass"):
+        for words in (
+            "end N on the ground",
+            'end K on body "mass"',
+            "N θ_z [rad]",
+            "M_x [N m]",
+            "spring index",
+            "elastic centre",
+            "no force under rigid motion",
+            "Own natural frequencies",
+            "replaced by three springs",
+            "also neglected: the mass",
+        ):
             self.assertIn(words, text)
         self.assertIn("no harmonic excitation", text)
 
@@ -126,11 +136,15 @@ class Element(unittest.TestCase):
 
     def test_peaks_are_those_of_the_peaks_command(self):
         project = self.project(BODY, BUSHING, FORCE)
-        peaks = json.loads(subprocess.run([TRIVET, "peaks", str(project), "--json"], capture_output=True, text=True, check=True).stdout)["peaks"]
+        peaks = json.loads(
+            subprocess.run([TRIVET, "peaks", str(project), "--json"], capture_output=True, text=True, check=True).stdout
+        )["peaks"]
         highest = max((p for p in peaks if p["name"] == "mass.rx"), key=lambda p: p["amplitude"])
         compared = {p["name"]: p for p in self.json(project, "mount")["simplification"]["peaks"]}
         self.assertEqual(compared["mass.rx"]["peak"]["amplitude"], highest["amplitude"])
-        self.assertAlmostEqual(compared["mass.z"]["simplified_peak"]["amplitude"] / compared["mass.z"]["peak"]["amplitude"], 1, places=9)
+        self.assertAlmostEqual(
+            compared["mass.z"]["simplified_peak"]["amplitude"] / compared["mass.z"]["peak"]["amplitude"], 1, places=9
+        )
         self.assertNotIn("mass.rz", compared)  # no load turns it in either model
 
     def test_a_measured_element_shows_its_uncertainty_and_names_its_outlier(self):
@@ -146,7 +160,9 @@ class Element(unittest.TestCase):
         self.assertIn("outlier 1: case 8", (self.folder / "rig.svg").read_text())
 
     def test_pictures_are_whole_svg_files_without_non_numbers(self):
-        relaxing = BUSHING.replace("{loss_factor = 0.1}", '{zener = {ratio = 0.8, time = "2 ms"}}').replace("mount", "relaxing")
+        relaxing = BUSHING.replace("{loss_factor = 0.1}", '{zener = {ratio = 0.8, time = "2 ms"}}').replace(
+            "mount", "relaxing"
+        )
         project = self.project(BODY, COIL, BUSHING, relaxing)
         for name, dynamic in (("coil spring", True), ("mount", False), ("relaxing", True)):
             with self.subTest(element=name):
@@ -160,7 +176,18 @@ class Element(unittest.TestCase):
                     self.assertNotIn(f">{word}", text)
 
     def test_a_picture_that_cannot_be_written_is_reported(self):
-        done = subprocess.run([TRIVET, "element", str(self.project(BODY, BUSHING)), "mount", "--picture", str(self.folder / "no" / "x.svg")], capture_output=True, text=True)
+        done = subprocess.run(
+            [
+                TRIVET,
+                "element",
+                str(self.project(BODY, BUSHING)),
+                "mount",
+                "--picture",
+                str(self.folder / "no" / "x.svg"),
+            ],
+            capture_output=True,
+            text=True,
+        )
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no folder", done.stderr)
 

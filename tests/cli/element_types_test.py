@@ -22,7 +22,9 @@ def results(project, folder):
     """All files of a run except those with the hash of the input, and the results without the hash."""
     run = trivet("run", project, "-o", folder)
     assert run.returncode == 0, run.stderr
-    files = {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+    files = {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()
+    }
     data = json.loads(files.pop("results.json"))
     data["input"] = None
     for name in ("manifest.json", "report.html"):
@@ -52,11 +54,14 @@ class ElementTypes(unittest.TestCase):
         if mounts:
             (self.folder / "mounts.csv").write_text(mounts)
         path = self.folder / f"machine{len(list(self.folder.iterdir()))}.toml"
-        path.write_text("""trivet = 1
+        path.write_text(
+            """trivet = 1
 [bodies.machine]
 mass = 250
 inertia = {about = "center_of_mass", xx = 8, yy = 12, zz = 13}
-""" + elements)
+"""
+            + elements
+        )
         return path
 
     def modes(self, path, *settings):
@@ -81,13 +86,23 @@ rear right,mount,machine,-400,-250,0,
 """
 
     def written_out(self, factor=1.0):
-        return self.project("".join(f"""[elements."{name}"]
+        return self.project(
+            "".join(
+                f"""[elements."{name}"]
 type = "bushing"
 on = "machine"
 at = [{x}, {y}, 0]
 translation = [180e3, 170e3, 420e3]
 scale = {scale * factor}
-""" for name, x, y, scale in (("front left", 0.4, 0.25, 1.5), ("front right", 0.4, -0.25, 3.0), ("rear left", -0.4, 0.25, 1.5), ("rear right", -0.4, -0.25, 1.5))))
+"""
+                for name, x, y, scale in (
+                    ("front left", 0.4, 0.25, 1.5),
+                    ("front right", 0.4, -0.25, 3.0),
+                    ("rear left", -0.4, 0.25, 1.5),
+                    ("rear right", -0.4, -0.25, 1.5),
+                )
+            )
+        )
 
     def test_rows_of_a_file_are_elements_and_scales_multiply(self):
         table = self.project(self.TYPE + self.TABLE, self.MOUNTS)
@@ -100,21 +115,33 @@ scale = {scale * factor}
         self.assertEqual(self.modes(table, "--set", moved), self.modes(written, "--set", moved))
         self.assertNotEqual(self.modes(table, "--set", moved), self.modes(table))
         self.assertEqual(self.modes(table, "--set", "element_types.mount.scale=3"), self.modes(self.written_out(2)))
-        cases = self.project(self.TYPE + self.TABLE + '[cases.stiff]\nelement_types.mount.scale = 3\n[cases.moved]\nelements."rear left".at.y = 0.3\n')
+        cases = self.project(
+            self.TYPE
+            + self.TABLE
+            + '[cases.stiff]\nelement_types.mount.scale = 3\n[cases.moved]\nelements."rear left".at.y = 0.3\n'
+        )
         self.assertEqual(self.modes(cases, "--case", "stiff"), self.modes(self.written_out(2)))
         self.assertEqual(self.modes(cases, "--case", "moved"), self.modes(written, "--set", moved))
 
     def test_factors_of_a_type_and_of_its_element_multiply(self):
         table = self.project(self.TYPE + "stiffness_factor.z = 1.5\n" + self.TABLE, self.MOUNTS)
-        one_by_one = [word for name in ("front right", "rear left", "rear right") for word in ("--set", f'elements."{name}".stiffness_factor.z=1.5')]
-        self.assertEqual(self.modes(table, "--set", 'elements."front left".stiffness_factor.z=2'),
-                         self.modes(self.written_out(), "--set", 'elements."front left".stiffness_factor.z=3', *one_by_one))
+        one_by_one = [
+            word
+            for name in ("front right", "rear left", "rear right")
+            for word in ("--set", f'elements."{name}".stiffness_factor.z=1.5')
+        ]
+        self.assertEqual(
+            self.modes(table, "--set", 'elements."front left".stiffness_factor.z=2'),
+            self.modes(self.written_out(), "--set", 'elements."front left".stiffness_factor.z=3', *one_by_one),
+        )
 
     def test_a_wrong_component_of_a_setting_is_found_in_the_setting(self):
         starter = self.folder / "machine.toml"
         starter.write_text(trivet("new").stdout)
         refused = trivet("check", starter, "--set", "element_types.mount.translation.z=-2")
-        self.assertIn("--set element_types.mount.translation.z=-2:1: error: element_types.mount.translation: -2", refused.stderr)
+        self.assertIn(
+            "--set element_types.mount.translation.z=-2:1: error: element_types.mount.translation: -2", refused.stderr
+        )
 
     def test_a_map_varies_a_type_as_one_number(self):
         questions = """[excitations.push]
@@ -137,37 +164,57 @@ limits = {"machine.z" = 1e-4}
             scale, loss = float(row[0]), float(row[1])
             if scale not in (0.5, 2.0) or loss not in (0.05, 0.3):
                 continue
-            peaks = trivet("peaks", table, "--json", "--set", f"element_types.mount.scale={scale}", "--set", f"element_types.mount.damping.loss_factor={loss}")
+            peaks = trivet(
+                "peaks",
+                table,
+                "--json",
+                "--set",
+                f"element_types.mount.scale={scale}",
+                "--set",
+                f"element_types.mount.damping.loss_factor={loss}",
+            )
             tallest = max(p["amplitude"] for p in json.loads(peaks.stdout)["peaks"] if p["name"] == "machine.z")
             self.assertAlmostEqual(float(row[margin]) * tallest / 1e-4, 1, delta=SINGLE_PRECISION)
             compared += 1
         self.assertEqual(compared, 4)
 
     def test_bodies_and_points_come_from_tables_too(self):
-        listed = self.project("""[tables.bodies]
+        listed = self.project(
+            """[tables.bodies]
 rows = [{name = "tank", mass = 20, free = ["z"], position = {x = 1, y = 0, z = 0.5}}]
 [tables.points]
 rows = [{name = "seat", on = "machine", at = [0.3, 0.2, 0.4]}, {name = "lid", on = "tank", at.x = 0, at.y = 0, at.z = 0.1}]
-""" + self.TYPE + self.TABLE + """[elements.leg]
+"""
+            + self.TYPE
+            + self.TABLE
+            + """[elements.leg]
 type = "bushing"
 on = "tank"
 from = "machine"
 at = [0, 0, -0.5]
 translation = [1e5, 1e5, 1e5]
-""", self.MOUNTS)
-        written = self.project("""points.seat = [0.3, 0.2, 0.4]
+""",
+            self.MOUNTS,
+        )
+        written = self.project(
+            """points.seat = [0.3, 0.2, 0.4]
 [bodies.tank]
 mass = 20
 free = ["z"]
 position = [1, 0, 0.5]
 points.lid = [0, 0, 0.1]
-""" + self.TYPE + self.TABLE + """[elements.leg]
+"""
+            + self.TYPE
+            + self.TABLE
+            + """[elements.leg]
 type = "bushing"
 on = "tank"
 from = "machine"
 at = [0, 0, -0.5]
 translation = [1e5, 1e5, 1e5]
-""", self.MOUNTS)
+""",
+            self.MOUNTS,
+        )
         self.assertEqual(self.modes(listed), self.modes(written))
         push = '[excitations.push]\ntype = "harmonic"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n[analyses]\nresponse = {of = ["machine.seat", "tank.lid"], at = ["3 Hz"]}\n'
         for path in (listed, written):

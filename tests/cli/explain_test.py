@@ -26,37 +26,65 @@ class Explain(unittest.TestCase):
         peak = json.loads(run("explain", PAPER, "--of", "aggregate.x", "--most", "1", "--json")[0])["peaks"][0]
         shares = peak["shares"]
         self.assertAlmostEqual(sum(m["share"] for m in shares["modes"]) + shares["beyond_modes"], 1, places=9)
-        self.assertAlmostEqual(sum(e["stored"] for e in shares["elements"]) + shares["geometric_stiffness"], 1, places=9)
+        self.assertAlmostEqual(
+            sum(e["stored"] for e in shares["elements"]) + shares["geometric_stiffness"], 1, places=9
+        )
         slopes = {s["parameter"]: s for s in peak["sensitivities"]}
         changed = {}
         for sign in (1, -1):
             # by the keys of the file, and by the path of explain
-            by_name = json.loads(run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass_about_center={1 + sign * 1e-4}")[0])["peaks"]
-            found = json.loads(run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass={205.176 * (1 + sign * 1e-4)}",
-                                   # the file gives the inertia about the pole: keep that about the centre of mass
-                                   *sum((["--set", s] for s in inertia_about_pole(1 + sign * 1e-4)), []))[0])["peaks"]
+            by_name = json.loads(
+                run("peaks", PAPER, "--json", "--set", f"bodies.aggregate.mass_about_center={1 + sign * 1e-4}")[0]
+            )["peaks"]
+            found = json.loads(
+                run(
+                    "peaks",
+                    PAPER,
+                    "--json",
+                    "--set",
+                    f"bodies.aggregate.mass={205.176 * (1 + sign * 1e-4)}",
+                    # the file gives the inertia about the pole: keep that about the centre of mass
+                    *sum((["--set", s] for s in inertia_about_pole(1 + sign * 1e-4)), []),
+                )[0]
+            )["peaks"]
             for one, other in zip(by_name, found, strict=True):
                 self.assertAlmostEqual(one["amplitude"] / other["amplitude"], 1, places=9)
-            changed[sign] = next(p for p in found if p["name"] == "aggregate.x" and abs(p["angular_frequency"] / peak["angular_frequency"] - 1) < 0.01)
+            changed[sign] = next(
+                p
+                for p in found
+                if p["name"] == "aggregate.x" and abs(p["angular_frequency"] / peak["angular_frequency"] - 1) < 0.01
+            )
         for name, key in (("height", "amplitude"), ("frequency", "angular_frequency")):
             difference = (changed[1][key] - changed[-1][key]) / (2e-4 * peak[key])
-            self.assertAlmostEqual(slopes["bodies.aggregate.mass_about_center"][name], difference, delta=1e-5 * abs(difference))
+            self.assertAlmostEqual(
+                slopes["bodies.aggregate.mass_about_center"][name], difference, delta=1e-5 * abs(difference)
+            )
 
     def test_the_sentence_names_mode_element_direction_and_the_effect_of_ten_percent(self):
         text = " ".join(run("explain", BOGIE, "--of", "frame.z")[0].split())
-        for words in ("frame.z:", "Mode 3", "% of the strain energy is in \"spring", "axial stiffness", "+10 % on", "recomputed"):
+        for words in (
+            "frame.z:",
+            "Mode 3",
+            "% of the strain energy is in \"spring",
+            "axial stiffness",
+            "+10 % on",
+            "recomputed",
+        ):
             self.assertIn(words, text)
 
     def test_the_trial_changes_a_peak_whose_energy_is_elsewhere(self):
         # At the peak along x the load moves the machine along y far more, near the lowest mode.
-        mounts = "".join(f"""[elements.m{i}]
+        mounts = "".join(
+            f"""[elements.m{i}]
 type = "bushing"
 on = "fan"
 at = [{x}, {y}, 0]
 translation = [150e3, 149e3, 300e3]
 rotation = [50, 50, 30]
 damping = {{loss_factor = 0.08}}
-""" for i, (x, y) in enumerate(((0.5, 0.4), (0.5, -0.4), (-0.5, 0.4), (-0.5, -0.4))))
+"""
+            for i, (x, y) in enumerate(((0.5, 0.4), (0.5, -0.4), (-0.5, 0.4), (-0.5, -0.4)))
+        )
         text = f"""trivet = 1
 [bodies.fan]
 mass = 420
@@ -75,12 +103,18 @@ peaks = {{of = ["fan.x"]}}
             path.write_text(text)
             for peak in json.loads(run("explain", str(path), "--json")[0])["peaks"]:
                 trial = peak["trial"]
-                effect = {s["parameter"]: max(abs(s["frequency"] or 0), abs(s["height"] or 0)) for s in peak["sensitivities"]}
-                strongest = max(value for name, value in effect.items() if ".stiffness_factor." in name or name.endswith(".scale"))
+                effect = {
+                    s["parameter"]: max(abs(s["frequency"] or 0), abs(s["height"] or 0)) for s in peak["sensitivities"]
+                }
+                strongest = max(
+                    value for name, value in effect.items() if ".stiffness_factor." in name or name.endswith(".scale")
+                )
                 self.assertGreater(effect[trial["parameter"]], 0.01 * strongest, peak["sentence"])
 
     def test_an_undamped_peak_has_a_frequency_to_change_but_no_height(self):
-        answer = json.loads(run("explain", PAPER, "--set", "elements.suspension.damping.proportional=0", "--most", "2", "--json")[0])
+        answer = json.loads(
+            run("explain", PAPER, "--set", "elements.suspension.damping.proportional=0", "--most", "2", "--json")[0]
+        )
         for peak in answer["peaks"]:
             self.assertTrue(peak["unbounded"])
             self.assertIsNone(peak["amplitude"])
@@ -90,7 +124,9 @@ peaks = {{of = ["fan.x"]}}
             self.assertIn("no height", peak["notes"][0])
 
     def test_a_peak_that_is_round_off_of_a_symmetry_is_left_out(self):
-        answer = json.loads(run("explain", str(SOURCE / "examples/rubber_mounts/compressor.toml"), "--json", "--most", "50")[0])
+        answer = json.loads(
+            run("explain", str(SOURCE / "examples/rubber_mounts/compressor.toml"), "--json", "--most", "50")[0]
+        )
         self.assertTrue(answer["peaks"])
         self.assertFalse([p["name"] for p in answer["peaks"] if p["amplitude"] < 1e-12])
 
@@ -105,7 +141,9 @@ peaks = {{of = ["fan.x"]}}
     def test_without_an_excitation_there_is_nothing_to_explain(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "still.toml"
-            path.write_text("trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.k]\ntype = \"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n")
+            path.write_text(
+                "trivet = 1\n[bodies.m]\nmass = 1\nfree = [\"x\"]\n[elements.k]\ntype = \"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1, 0, 0]\n"
+            )
             self.assertIn("excitation", run("explain", str(path), code=1)[1])
 
 
@@ -113,8 +151,14 @@ def inertia_about_pole(factor):
     """The paper's inertia about the pole for another mass, with the inertia about the centre of mass unchanged."""
     x, y, z = -0.624, -0.502, -0.226
     more = 205.176 * (factor - 1)
-    values = {"xx": 66.289 + more * (y * y + z * z), "yy": 91.643 + more * (x * x + z * z), "zz": 135.853 + more * (x * x + y * y),
-              "xy": 65.194 + more * x * y, "xz": 28.935 + more * x * z, "yz": 23.973 + more * y * z}
+    values = {
+        "xx": 66.289 + more * (y * y + z * z),
+        "yy": 91.643 + more * (x * x + z * z),
+        "zz": 135.853 + more * (x * x + y * y),
+        "xy": 65.194 + more * x * y,
+        "xz": 28.935 + more * x * z,
+        "yz": 23.973 + more * y * z,
+    }
     return [f"bodies.aggregate.inertia.{name}={value!r}" for name, value in values.items()]
 
 

@@ -54,7 +54,9 @@ class FurtherAnswers(unittest.TestCase):
 
     def test_step_doubles_the_static_deflection_of_an_undamped_mass(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = model(folder, """[excitations.push]
+            path = model(
+                folder,
+                """[excitations.push]
 type = "time"
 on = "mass"
 at = [0, 0, 0]
@@ -62,20 +64,24 @@ force = [0, 0, 1]
 history = {step = {amplitude = "40 N"}}
 [analyses]
 transient = {to = 1, step = 0.001}
-""")
+""",
+            )
             curve = answer(self, "transient", path, "--set", "elements.spring.damping.proportional=0")["results"][0]
             self.assertAlmostEqual(curve["largest"]["value"], 2 * 40 / 4000, delta=1e-12)
             self.assertAlmostEqual(curve["largest"]["time"] * 20 / 3.141592653589793 % 2, 1, delta=1e-6)
 
     def test_a_loss_factor_in_time_is_rejected_with_an_alternative(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = model(folder, """[excitations.push]
+            path = model(
+                folder,
+                """[excitations.push]
 type = "time"
 on = "mass"
 at = [0, 0, 0]
 force = [0, 0, 1]
 history = {step = {amplitude = 1}}
-""")
+""",
+            )
             refused = trivet("transient", path, "--set", "elements.spring.damping={loss_factor=0.1}")
             self.assertEqual(refused.returncode, 1)
             self.assertIn("loss factor", refused.stderr)
@@ -84,7 +90,9 @@ history = {step = {amplitude = 1}}
     def test_coarse_samples_have_a_warning_with_the_number(self):
         with tempfile.TemporaryDirectory() as folder:
             rows = ", ".join(f"[{0.1 * i}, {(i * 7) % 5 - 2}]" for i in range(40))
-            path = model(folder, f"""[excitations.push]
+            path = model(
+                folder,
+                f"""[excitations.push]
 type = "time"
 on = "mass"
 at = [0, 0, 0]
@@ -92,7 +100,8 @@ force = [0, 0, 1]
 history = {{rows = [{rows}]}}
 [analyses]
 transient = {{to = 5, step = 0.01}}
-""")
+""",
+            )
             warned = trivet("transient", path)
             self.assertEqual(warned.returncode, 0, warned.stderr)
             self.assertIn("3.18", warned.stdout + warned.stderr)  # the natural frequency in Hz
@@ -101,9 +110,13 @@ transient = {{to = 5, step = 0.01}}
         result = answer(self, "orders", EXAMPLES / "genset/genset.toml")
         self.assertGreater(len(result["critical_speeds"]), 5)
         for speed in result["critical_speeds"]:
-            self.assertAlmostEqual(speed["speed"] * speed["order"], speed["angular_frequency"], delta=1e-9 * speed["angular_frequency"])
+            self.assertAlmostEqual(
+                speed["speed"] * speed["order"], speed["angular_frequency"], delta=1e-9 * speed["angular_frequency"]
+            )
         for point in result["campbell"]["interference"]:
-            self.assertAlmostEqual(point["speed"] * point["order"], point["angular_frequency"], delta=1e-9 * point["angular_frequency"])
+            self.assertAlmostEqual(
+                point["speed"] * point["order"], point["angular_frequency"], delta=1e-9 * point["angular_frequency"]
+            )
 
     def test_transmissibility_of_one_mass_is_the_text_book_one(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -117,12 +130,15 @@ transient = {{to = 5, step = 0.01}}
 
     def test_a_free_system_under_a_constant_force_is_explained(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = model(folder, """[excitations.pull]
+            path = model(
+                folder,
+                """[excitations.pull]
 type = "constant"
 on = "mass"
 at = [0, 0, 0]
 force = [0, 0, 1]
-""")
+""",
+            )
             path.write_text(path.read_text().replace("[0, 0, 4000]", "[4000, 0, 0]"))
             refused = trivet("static", path)
             self.assertEqual(refused.returncode, 1)
@@ -141,7 +157,12 @@ force = [0, 0, 1]
         self.assertGreater(total, 1.0001 * translations)  # the rotations count
 
     def test_a_total_value_names_its_axes(self):
-        asked = ("random", EXAMPLES / "track/bogie.toml", "--set", "analyses.random.of=[\"frame.x\", \"frame.y\", \"frame.z\"]")
+        asked = (
+            "random",
+            EXAMPLES / "track/bogie.toml",
+            "--set",
+            "analyses.random.of=[\"frame.x\", \"frame.y\", \"frame.z\"]",
+        )
         done = answer(self, *asked, "--set", "analyses.random.weighting=\"seat\"")
         self.assertEqual(done["vibration_total_axes"]["frame"], ["x", "y", "z"])
         self.assertIn("m/s², of x, y, z\n", trivet(*asked, "--set", "analyses.random.weighting=\"seat\"").stdout)
@@ -150,7 +171,9 @@ force = [0, 0, 1]
 
     def test_an_infinite_root_mean_square_is_reported_everywhere(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = model(folder, """[excitations.noise]
+            path = model(
+                folder,
+                """[excitations.noise]
 type = "random"
 on = "mass"
 at = [0, 0, 0]
@@ -158,7 +181,8 @@ force = [0, 0, 1]
 psd = {flat = 1, band = ["1 Hz", "10 Hz"]}
 [analyses]
 random = {of = ["mass.z"], quantity = "acceleration", weighting = "Wk"}
-""")
+""",
+            )
             undamped = ("--set", "elements.spring.damping.proportional=0")
             one = answer(self, "random", path, *undamped)["results"][0]
             self.assertEqual((one["rms"], one["estimated_error"]), (None, None))
@@ -170,7 +194,9 @@ random = {of = ["mass.z"], quantity = "acceleration", weighting = "Wk"}
             self.assertNotIn("0.0e+00", text)
             header, row = trivet("random", path, *undamped, "--csv").stdout.splitlines()
             cells = dict(zip(header.split(","), row.split(",")))
-            self.assertEqual([cells[name] for name in ("rms", "three_sigma", "rms_of_derivative", "weighted_rms")], ["inf"] * 4)
+            self.assertEqual(
+                [cells[name] for name in ("rms", "three_sigma", "rms_of_derivative", "weighted_rms")], ["inf"] * 4
+            )
             self.assertEqual(cells["zero_crossings [1/s]"], "")
             damped = answer(self, "random", path)["results"][0]
             self.assertEqual(damped["infinite"], [])
@@ -178,7 +204,9 @@ random = {of = ["mass.z"], quantity = "acceleration", weighting = "Wk"}
 
     def test_a_growing_motion_has_no_root_mean_square_rather_than_an_infinite_one(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = model(folder, """[excitations.noise]
+            path = model(
+                folder,
+                """[excitations.noise]
 type = "random"
 on = "mass"
 at = [0, 0, 0]
@@ -192,7 +220,8 @@ symmetric = false
 stiffness = [[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,-9000,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0],[0,0,0,0,0,0]]
 [analyses]
 random = {of = ["mass.z"]}
-""")
+""",
+            )
             one = answer(self, "random", path)["results"][0]
             self.assertEqual((one["rms"], one["infinite"], one["estimated_error"]), (None, [], None))
             self.assertIn("grows", one["reason"])
@@ -202,7 +231,9 @@ random = {of = ["mass.z"]}
         with tempfile.TemporaryDirectory() as folder:
             highest = []
             for factor in (1, 2):
-                path = model(folder, f"""[excitations.shock]
+                path = model(
+                    folder,
+                    f"""[excitations.shock]
 type = "time"
 base = true
 quantity = "acceleration"
@@ -210,10 +241,13 @@ translation = [0, 0, {factor}]
 history = {{half_sine = {{amplitude = "20 g", duration = "11 ms"}}}}
 [analyses]
 shock_spectrum = {{band = ["5 Hz", "200 Hz"]}}
-""")
+""",
+                )
                 target = pathlib.Path(folder) / f"out{factor}"
                 self.assertEqual(trivet("run", path, "-o", target).returncode, 0)
-                rows = json.loads((target / "results.json").read_text())["cases"][0]["shock_spectrum"]["spectra"][0]["rows"]
+                rows = json.loads((target / "results.json").read_text())["cases"][0]["shock_spectrum"]["spectra"][0][
+                    "rows"
+                ]
                 highest.append(max(row["maximax"] for row in rows))
             self.assertAlmostEqual(highest[1] / highest[0], 2, delta=1e-9)
 

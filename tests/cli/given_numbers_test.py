@@ -39,24 +39,43 @@ class OrderOfChanges(InTemporaryFolder):
         base = self.lowest()
         self.assertAlmostEqual(self.lowest("--case", "stiff"), 2 * base, places=9)
         self.assertAlmostEqual(self.lowest("--case", "stiff", "--set", "elements.mount.scale=9"), 3 * base, places=9)
-        light = ("--set", "bodies.machine.mass=25", "--set", 'bodies.machine.inertia={about="center_of_mass",xx=1,yy=1,zz=1}')
+        light = (
+            "--set",
+            "bodies.machine.mass=25",
+            "--set",
+            'bodies.machine.inertia={about="center_of_mass",xx=1,yy=1,zz=1}',
+        )
         self.assertAlmostEqual(self.lowest("--case", "stiff", *light), 4 * base, places=9)
 
     def test_braces_on_the_command_line_replace_those_of_the_case(self):
-        found = answer("roots", self.file(MACHINE + CASES), "--case", "other",
-                       "--set", "elements.mount.damping={proportional=0.01}")
+        found = answer(
+            "roots",
+            self.file(MACHINE + CASES),
+            "--case",
+            "other",
+            "--set",
+            "elements.mount.damping={proportional=0.01}",
+        )
         self.assertTrue(all(root["eigenvalue"][0] < -1 for root in found["roots"]), found)
 
     def test_a_law_in_braces_replaces_the_law_of_the_case_in_the_list_too(self):
-        done = trivet("run", self.file(MACHINE + CASES), "-o", self.folder / "out",
-                      "--set", "elements.mount.damping={proportional=0.01}")
+        done = trivet(
+            "run",
+            self.file(MACHINE + CASES),
+            "-o",
+            self.folder / "out",
+            "--set",
+            "elements.mount.damping={proportional=0.01}",
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
         self.assertEqual(cases[2]["changes"], ["elements.mount.damping.proportional = 0.01"])
 
     def test_a_run_lists_the_number_that_is_used(self):
         asked = "[analyses]\nmodes = {}\nresponse = {of = [\"machine\", \"machine.seat\"]}\n"
-        done = trivet("run", self.file(MACHINE + CASES + asked), "-o", self.folder / "out", "--set", "elements.mount.scale=9")
+        done = trivet(
+            "run", self.file(MACHINE + CASES + asked), "-o", self.folder / "out", "--set", "elements.mount.scale=9"
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         cases = json.loads((self.folder / "out/results.json").read_text())["cases"]
         self.assertEqual(cases[1]["changes"], ["elements.mount.scale = 9"])
@@ -113,8 +132,10 @@ class Unused(InTemporaryFolder):
         return done.stdout + done.stderr
 
     def test_excitations_that_no_question_uses(self):
-        spectrum = ('[excitations.road]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\n'
-                    "psd = [[1, 1e-6], [10, 1e-8]]\n")
+        spectrum = (
+            '[excitations.road]\ntype = "random"\nbase = true\ntranslation = [0, 0, 1]\n'
+            "psd = [[1, 1e-6], [10, 1e-8]]\n"
+        )
         said = self.warnings(spectrum + "[analyses]\nresponse = {}\n")
         self.assertIn("excitations.road: no analysis of this file uses it", said)
         self.assertNotIn("excitations.push", said)
@@ -130,33 +151,48 @@ class Unused(InTemporaryFolder):
 
     def test_a_second_column_of_a_history(self):
         (self.folder / "a.csv").write_text("time,value,other\n0,0,1\n1,1,2\n2,0,3\n")
-        history = '[excitations.bump]\ntype = "time"\nbase = true\ntranslation = [0, 0, 1]\nhistory = {file = "a.csv"%s}\n'
+        history = (
+            '[excitations.bump]\ntype = "time"\nbase = true\ntranslation = [0, 0, 1]\nhistory = {file = "a.csv"%s}\n'
+        )
         ask = "[analyses]\ntransient = {of = [\"machine.seat\"]}\nresponse = {}\n"
         self.assertIn('excitations.bump.history.file: column "other" not used', self.warnings(history % "" + ask))
         self.assertNotIn("not used", self.warnings(history % ', value = "other"' + ask))
 
     def test_keys_without_effect(self):
-        ask = ('[analyses]\nresponse = {of = "mount", quantity = "velocity"}\n'
-               'transient = {of = "machine.seat", initial_velocity = {"machine.z" = 1}, to = 1, nearest_linear_system = true}\n')
+        ask = (
+            '[analyses]\nresponse = {of = "mount", quantity = "velocity"}\n'
+            'transient = {of = "machine.seat", initial_velocity = {"machine.z" = 1}, to = 1, nearest_linear_system = true}\n'
+        )
         said = self.warnings(ask)
         self.assertIn('analyses.response.quantity: "velocity" of forces alone', said)
         self.assertIn("analyses.transient.nearest_linear_system", self.warnings(ask, "transient"))
 
     def test_places_without_effect(self):
-        done = trivet("check", self.file(MACHINE.replace("damping = {proportional", "center = 0.3\ndamping = {proportional")))
+        done = trivet(
+            "check", self.file(MACHINE.replace("damping = {proportional", "center = 0.3\ndamping = {proportional"))
+        )
         self.assertEqual(done.returncode, 0)
         self.assertIn("center of an element without length", done.stderr)
-        apart = MACHINE.replace("damping = {proportional", "from_at = [0, 0, -0.1]\ncenter = 0.3\ndamping = {proportional")
+        apart = MACHINE.replace(
+            "damping = {proportional", "from_at = [0, 0, -0.1]\ncenter = 0.3\ndamping = {proportional"
+        )
         self.assertEqual(trivet("check", self.file(apart)).stderr, "")
 
     def test_a_transmissibility_of_an_unbalance_is_found_by_check(self):
         wheel = '[excitations.wheel]\ntype = "unbalance"\non = "machine"\nat = [0, 0, 0]\naxis = "x"\nmass_eccentricity = 0.01\n'
-        done = trivet("check", self.file(MACHINE + wheel + '[analyses]\nresponse = {}\ntransmissibility = {force = "wheel"}\n'))
+        done = trivet(
+            "check", self.file(MACHINE + wheel + '[analyses]\nresponse = {}\ntransmissibility = {force = "wheel"}\n')
+        )
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn("analyses.transmissibility.force", done.stderr)
 
     def test_empty_options(self):
-        for arguments in (("response", "--at", ""), ("response", "--band", ""), ("modes", "--case", ""), ("suspension", "--torque", "")):
+        for arguments in (
+            ("response", "--at", ""),
+            ("response", "--band", ""),
+            ("modes", "--case", ""),
+            ("suspension", "--torque", ""),
+        ):
             done = trivet(arguments[0], self.file(MACHINE), *arguments[1:])
             self.assertEqual(done.returncode, 2, arguments)
             self.assertIn("an empty text", done.stderr)
@@ -170,7 +206,11 @@ class Unused(InTemporaryFolder):
         self.assertNotIn("Excited", trivet("peaks", self.file(MACHINE + second + one)).stdout)
 
     def test_the_force_of_one_of_several_mounts_is_a_share(self):
-        other = MACHINE[MACHINE.index("[elements.mount]"):MACHINE.index("[excitations.push]")].replace("mount", "other").replace("at = [0, 0, 0]", "at = [1, 0, 0]")
+        other = (
+            MACHINE[MACHINE.index("[elements.mount]") : MACHINE.index("[excitations.push]")]
+            .replace("mount", "other")
+            .replace("at = [0, 0, 0]", "at = [1, 0, 0]")
+        )
         ask = '[analyses]\ntransmissibility = {force = "push"}\n'
         found = {one["name"]: one for one in answer("transmissibility", self.file(MACHINE + other + ask))["results"]}
         self.assertIsNotNone(found["ground"]["isolates_from"])
@@ -180,9 +220,11 @@ class Unused(InTemporaryFolder):
         self.assertIsNotNone(alone["mount"]["isolates_from"])
 
     def test_an_overdamped_mode_of_little_mass_does_not_stop_an_earthquake(self):
-        small = ('[bodies.small]\nmass = 0.001\ninertia = {about = "center_of_mass", xx = 1e-6, yy = 1e-6, zz = 1e-6}\n'
-                 '[elements.link]\ntype = "bushing"\non = "small"\nfrom = "machine"\nat = [0, 0, 0]\ntranslation = [100, 100, 100]\nrotation = [1, 1, 1]\n'
-                 'damping = {translation = [1, 1, 1], rotation = [1, 1, 1]}\n')
+        small = (
+            '[bodies.small]\nmass = 0.001\ninertia = {about = "center_of_mass", xx = 1e-6, yy = 1e-6, zz = 1e-6}\n'
+            '[elements.link]\ntype = "bushing"\non = "small"\nfrom = "machine"\nat = [0, 0, 0]\ntranslation = [100, 100, 100]\nrotation = [1, 1, 1]\n'
+            'damping = {translation = [1, 1, 1], rotation = [1, 1, 1]}\n'
+        )
         ask = '[analyses]\nearthquake = {rows = [[0.1, 5], [100, 5]], direction = "x", of = ["machine.x"]}\n'
         values = []
         for more in ("", small):
@@ -194,13 +236,17 @@ class Unused(InTemporaryFolder):
         self.assertAlmostEqual(values[0]["cqc"] / values[1]["cqc"], 1, delta=neglected)
 
     def test_limit_lines_are_reported_with_the_response(self):
-        line = ('[analyses]\nresponse = {of = ["machine.seat"]}\n'
-                '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n')
+        line = (
+            '[analyses]\nresponse = {of = ["machine.seat"]}\n'
+            '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1e-9], [1000, 1e-9]]\n'
+        )
         self.assertIn("severe", self.warnings(line, "response"))
 
     def test_limit_lines_name_the_range_that_was_compared(self):
-        line = ('[analyses]\nresponse = {of = ["machine.seat"], band = ["5 Hz", "12 Hz"]}\n'
-                '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1], [1000, 1]]\n')
+        line = (
+            '[analyses]\nresponse = {of = ["machine.seat"], band = ["5 Hz", "12 Hz"]}\n'
+            '[limit_lines.severe]\nof = "machine.seat.z"\nrows = [[1, 1], [1000, 1]]\n'
+        )
         self.assertIn("5 … 12", trivet("limit_lines", self.file(MACHINE + line)).stdout)
         self.assertIn(",5 to 12,", trivet("limit_lines", self.file(MACHINE + line), "--csv").stdout)
 

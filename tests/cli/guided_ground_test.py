@@ -38,7 +38,11 @@ class GuidedGround(unittest.TestCase):
             done = subprocess.run([TRIVET, command, path, "--json"], capture_output=True, text=True, timeout=60)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.answer = json.loads(done.stdout)
-            return [w for w in self.answer.get("warnings", self.answer.get("problems")) if "constraints are fixed in space" in json.dumps(w)]
+            return [
+                w
+                for w in self.answer.get("warnings", self.answer.get("problems"))
+                if "constraints are fixed in space" in json.dumps(w)
+            ]
 
     def test_a_ground_that_moves_along_a_guide_has_a_warning(self):
         found = self.warnings('translation = ["1 mm", 0, "1 mm"]')
@@ -68,8 +72,24 @@ class GuidedGround(unittest.TestCase):
         self.assertIn("noise", json.dumps(self.warnings(noise, command="check")))
         shock = 'translation = [0, 0, "1 mm"]\n[excitations.shock]\ntype = "time"\nbase = true\nquantity = "acceleration"\ntranslation = [1, 0, 0]\nhistory = {half_sine = {amplitude = "5 g", duration = "11 ms"}}\n'
         self.assertIn("shock", json.dumps(self.warnings(shock, command="check")))
-        self.assertEqual(len(self.warnings('translation = [0, 0, "1 mm"]', command="transmissibility", extra='transmissibility = {base = "x", of = ["machine"]}\n')), 1)
-        self.assertEqual(self.warnings('translation = [0, 0, "1 mm"]', command="transmissibility", extra='transmissibility = {base = "z", of = ["machine"]}\n'), [])
+        self.assertEqual(
+            len(
+                self.warnings(
+                    'translation = [0, 0, "1 mm"]',
+                    command="transmissibility",
+                    extra='transmissibility = {base = "x", of = ["machine"]}\n',
+                )
+            ),
+            1,
+        )
+        self.assertEqual(
+            self.warnings(
+                'translation = [0, 0, "1 mm"]',
+                command="transmissibility",
+                extra='transmissibility = {base = "z", of = ["machine"]}\n',
+            ),
+            [],
+        )
 
 
 if __name__ == "__main__":

@@ -35,8 +35,11 @@ def complex_file(path, blocks):
             k = sum((translation + rotation)[i] * complex(1, loss) for translation, rotation, loss in blocks)
             rows.append((end + i + 1, end + i + 1, k))
             rows.append((end + i + 1, other + i + 1, -k))
-    path.write_text("%%MatrixMarket matrix coordinate complex general\n" + f"12 12 {len(rows)}\n"
-                    + "".join(f"{i} {j} {k.real!r} {k.imag!r}\n" for i, j, k in rows))
+    path.write_text(
+        "%%MatrixMarket matrix coordinate complex general\n"
+        + f"12 12 {len(rows)}\n"
+        + "".join(f"{i} {j} {k.real!r} {k.imag!r}\n" for i, j, k in rows)
+    )
 
 
 class ImportedComplex(unittest.TestCase):
@@ -52,7 +55,10 @@ class ImportedComplex(unittest.TestCase):
         return json.loads(done.stdout)
 
     def bushings(self, *names):
-        return "".join(f"[elements.{name}]\n{ELEMENT}translation = {SPRINGS[name][0]}\nrotation = {SPRINGS[name][1]}\ndamping = {{loss_factor = {SPRINGS[name][2]}}}\n" for name in names)
+        return "".join(
+            f"[elements.{name}]\n{ELEMENT}translation = {SPRINGS[name][0]}\nrotation = {SPRINGS[name][1]}\ndamping = {{loss_factor = {SPRINGS[name][2]}}}\n"
+            for name in names
+        )
 
     def imported(self, *names):
         complex_file(pathlib.Path(self.folder.name) / "mount.mtx", [SPRINGS[name] for name in names])
@@ -62,15 +68,29 @@ class ImportedComplex(unittest.TestCase):
         for one, other in zip(left["results"], right["results"], strict=True):
             self.assertEqual(one["name"], other["name"])
             for a, b in zip(one["complex"], other["complex"], strict=True):
-                self.assertLessEqual(abs(complex(*a) - complex(*b)), within * max(abs(complex(*v)) for v in other["complex"]), one["name"])
+                self.assertLessEqual(
+                    abs(complex(*a) - complex(*b)),
+                    within * max(abs(complex(*v)) for v in other["complex"]),
+                    one["name"],
+                )
 
     def test_one_loss_factor_for_all_becomes_that_loss_factor(self):
         imported, given = self.imported("stiff"), self.bushings("stiff")
         self.assert_same(self.answer("response", imported), self.answer("response", given), 1e-12)
-        facts = subprocess.run([TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "stiff", "--json"], capture_output=True, text=True, timeout=60)
+        facts = subprocess.run(
+            [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "stiff", "--json"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
         self.assertAlmostEqual(json.loads(facts.stdout)["loss_factor"], 0.3)
         self.answer("response", imported)  # writes the model again
-        facts = subprocess.run([TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "mount", "--json"], capture_output=True, text=True, timeout=60)
+        facts = subprocess.run(
+            [TRIVET, "element", pathlib.Path(self.folder.name) / "model.toml", "mount", "--json"],
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
         self.assertAlmostEqual(json.loads(facts.stdout)["loss_factor"], 0.3, delta=1e-12)
 
     def test_different_losses_in_one_matrix_answer_like_the_elements_they_come_from(self):
@@ -81,16 +101,26 @@ class ImportedComplex(unittest.TestCase):
         for one, other in zip(left, right):
             self.assertAlmostEqual(one["angular_frequency"] / other["angular_frequency"], 1, delta=1e-7)
             self.assertAlmostEqual(one["amplitude"] / other["amplitude"], 1, delta=1e-9)
-        roots = [[complex(*r["eigenvalue"]) for r in self.answer("roots", e)["roots"] if r["eigenvalue"][1] > 0] for e in (imported, given)]
+        roots = [
+            [complex(*r["eigenvalue"]) for r in self.answer("roots", e)["roots"] if r["eigenvalue"][1] > 0]
+            for e in (imported, given)
+        ]
         for one, other in zip(*(sorted(r, key=abs) for r in roots), strict=True):
             self.assertLessEqual(abs(one - other), 1e-8 * abs(other))
 
     def test_its_scale_multiplies_both_parts_and_statics_take_the_real_one(self):
         imported, given = self.imported("soft", "stiff"), self.bushings("soft", "stiff")
         twice = ("--set", "elements.soft.scale=2", "--set", "elements.stiff.scale=2")
-        self.assert_same(self.answer("response", imported, "--set", "elements.mount.scale=2"), self.answer("response", given, *twice), 1e-11)
+        self.assert_same(
+            self.answer("response", imported, "--set", "elements.mount.scale=2"),
+            self.answer("response", given, *twice),
+            1e-11,
+        )
         pull = '[excitations.pull]\ntype = "constant"\non = "machine"\nat = [0, 0, 0]\nforce = [0, 0, 100]\n'
-        values = [[r["value"] for r in self.answer("static", e + pull)["results"] if r["name"].startswith("machine")] for e in (imported, given)]
+        values = [
+            [r["value"] for r in self.answer("static", e + pull)["results"] if r["name"].startswith("machine")]
+            for e in (imported, given)
+        ]
         for one, other in zip(*values, strict=True):
             self.assertAlmostEqual(one, other, delta=1e-12)
 

@@ -35,10 +35,22 @@ class Place:
             (self.folder / part).mkdir()
         for source in files:
             shutil.copy(source, self.folder)
-        self.environment = dict(os.environ, TMPDIR=str(self.folder / "temporary"), TRIVET_CACHE=str(self.folder / "cache"), TRIVET_TEST=self.mark)
+        self.environment = dict(
+            os.environ,
+            TMPDIR=str(self.folder / "temporary"),
+            TRIVET_CACHE=str(self.folder / "cache"),
+            TRIVET_TEST=self.mark,
+        )
 
     def start(self):
-        return subprocess.Popen([TRIVET, *self.arguments], cwd=self.folder, env=self.environment, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen(
+            [TRIVET, *self.arguments],
+            cwd=self.folder,
+            env=self.environment,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
 
     def empty_cache(self):
         for entry in (self.folder / "cache").iterdir():
@@ -88,8 +100,14 @@ class Place:
     def complaints_about_result(self, folder):
         listed = {entry["path"]: entry for entry in json.loads((folder / "manifest.json").read_text())["files"]}
         there = {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-        found = [f"missing or half: {path}" for path, entry in listed.items() if hashlib.sha256(there.get(path, b"")).hexdigest() != entry["sha256"]]
-        found += [f"not ours: {path}" for path in there if path not in listed and path not in ("manifest.json", "note.txt")]
+        found = [
+            f"missing or half: {path}"
+            for path, entry in listed.items()
+            if hashlib.sha256(there.get(path, b"")).hexdigest() != entry["sha256"]
+        ]
+        found += [
+            f"not ours: {path}" for path in there if path not in listed and path not in ("manifest.json", "note.txt")
+        ]
         if there.get("note.txt") != b"mine":
             found.append("the note is gone")
         return found
@@ -169,7 +187,12 @@ class Interrupts(unittest.TestCase):
     def test_an_ignored_hangup_stays_ignored(self):
         place = places()[0]
         self.addCleanup(shutil.rmtree, place.folder, True)
-        process = subprocess.Popen(["sh", "-c", f'trap "" HUP; exec "{TRIVET}" run many.toml -o work/out'], cwd=place.folder, env=place.environment, stdout=subprocess.DEVNULL)
+        process = subprocess.Popen(
+            ["sh", "-c", f'trap "" HUP; exec "{TRIVET}" run many.toml -o work/out'],
+            cwd=place.folder,
+            env=place.environment,
+            stdout=subprocess.DEVNULL,
+        )
         wait_until(lambda: list((place.folder / "work").iterdir()))
         process.send_signal(signal.SIGHUP)
         self.assertEqual(process.wait(timeout=300), 0)
@@ -182,7 +205,9 @@ class Interrupts(unittest.TestCase):
                 self.addCleanup(shutil.rmtree, place.folder, True)
                 programs = place.folder / "programs"
                 programs.mkdir()
-                (programs / "gmsh").write_text(f"#!/bin/sh\ntrap '' INT TERM HUP\nsleep 1000 &\ntouch '{place.folder}/begun'\nsleep 1000\n")
+                (programs / "gmsh").write_text(
+                    f"#!/bin/sh\ntrap '' INT TERM HUP\nsleep 1000 &\ntouch '{place.folder}/begun'\nsleep 1000\n"
+                )
                 (programs / "gmsh").chmod(0o755)
                 place.environment["PATH"] = f"{programs}:{os.environ['PATH']}"
                 process = place.start()

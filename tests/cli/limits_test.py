@@ -43,7 +43,12 @@ class Messages(Refused):
         self.assertFalse(json.loads(found.stdout)["ok"])
 
     def test_control_characters_of_the_command_line_do_not_reach_the_terminal(self):
-        for arguments in (("modes", PAPER, "--case", "\x1b[31mred"), ("element", PAPER, "a\x07b"), ("check", PAPER, "--set", "bodies.\x1b[2J=1"), ("check", self.folder / "\x1b[2J.toml")):
+        for arguments in (
+            ("modes", PAPER, "--case", "\x1b[31mred"),
+            ("element", PAPER, "a\x07b"),
+            ("check", PAPER, "--set", "bodies.\x1b[2J=1"),
+            ("check", self.folder / "\x1b[2J.toml"),
+        ):
             done = trivet(*arguments)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertNotRegex(done.stderr, r"[\x00-\x08\x0b-\x1f\x7f]")
@@ -59,7 +64,13 @@ class Messages(Refused):
 
 class Frequencies(InTemporaryFolder):
     def test_units_are_on_all_values_or_on_none(self):
-        for option, text in (("--at", "1,5 Hz"), ("--at", "0,5 Hz"), ("--at", "1 Hz,5"), ("--at", "1,2.7,15 Hz"), ("--band", "10,50 Hz")):
+        for option, text in (
+            ("--at", "1,5 Hz"),
+            ("--at", "0,5 Hz"),
+            ("--at", "1 Hz,5"),
+            ("--at", "1,2.7,15 Hz"),
+            ("--band", "10,50 Hz"),
+        ):
             done = trivet("response", PAPER, option, text)
             self.assertEqual(done.returncode, 2, text)
             self.assertIn("some values have a unit and some have none", done.stderr)
@@ -68,8 +79,12 @@ class Frequencies(InTemporaryFolder):
 
     def test_lists_that_are_clear_are_accepted(self):
         self.assertEqual(answer("response", PAPER, "--at", "1,5")["angular_frequency"], [1, 5])
-        self.assertAlmostEqual(answer("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12)
-        self.assertEqual(trivet("response", PAPER, "--band", "0,5 Hz").returncode, 0)  # 0 is 0 in every unit, and a band has two ends
+        self.assertAlmostEqual(
+            answer("response", PAPER, "--at", "1.5 Hz")["angular_frequency"][0], 9.42477796076938, places=12
+        )
+        self.assertEqual(
+            trivet("response", PAPER, "--band", "0,5 Hz").returncode, 0
+        )  # 0 is 0 in every unit, and a band has two ends
 
     def test_a_band_has_two_ends(self):
         for band in ("0,1e-300", "1,1.0000000000000002", "0,1e13"):
@@ -82,14 +97,23 @@ class Extremes(InTemporaryFolder):
     def test_a_motion_in_space_under_an_accelerated_ground_has_no_largest_amplitude(self):
         base = '[excitations.floor]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n[analyses]\nresponse = {of = ["b"], band = [5, 500]}\n[limits]\n"b.z" = 1\n"b.relative.z" = 1\n'
         done = trivet("response", self.file(BODY + mount("m") + base))
-        rows = {line.split()[0]: line.split() for line in done.stdout.splitlines() if line.strip().startswith("b.") and " met" in line}
+        rows = {
+            line.split()[0]: line.split()
+            for line in done.stdout.splitlines()
+            if line.strip().startswith("b.") and " met" in line
+        }
         self.assertEqual(rows["b.z"][4], "∞", done.stdout[-600:])
         self.assertEqual(rows["b.relative.z"][4], rows["b.relative.z"][2])
 
 
 class Foundations(InTemporaryFolder):
     def test_a_mode_of_a_foundation_that_moves_no_mount_has_no_nan(self):
-        text = BODY + mount("m", more='foundation = "deck"') + FORCE + '[foundations.deck]\ntype = "modal"\nmodes = [{frequency = "12 Hz", modal_mass = 800, damping = 0.02, shapes = {m = [0, 0, 0]}}]\n'
+        text = (
+            BODY
+            + mount("m", more='foundation = "deck"')
+            + FORCE
+            + '[foundations.deck]\ntype = "modal"\nmodes = [{frequency = "12 Hz", modal_mass = 800, damping = 0.02, shapes = {m = [0, 0, 0]}}]\n'
+        )
         project = self.file(text + "[analyses]\nmodes = {}\nroots = {}\n")
         for more in ((), ("--json",), ("--csv",)):
             done = trivet("modes", project, *more)

@@ -45,18 +45,35 @@ class MapMessages(unittest.TestCase):
 
     def map(self, text, *arguments, code=0):
         self.project.write_text(text)
-        done = subprocess.run([TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300)
+        done = subprocess.run(
+            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300
+        )
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stderr if code else done.stdout
 
     def test_errors_of_both_axes_are_reported_at_once(self):
-        misspelt = self.map(BODY.replace(SCALE, 'parameter = "elements.q.scale", from = 1, to = 2').replace(DAMPING, 'parameter = "bodies.m.mas", from = 1, to = 2'), code=2)
+        misspelt = self.map(
+            BODY.replace(SCALE, 'parameter = "elements.q.scale", from = 1, to = 2').replace(
+                DAMPING, 'parameter = "bodies.m.mas", from = 1, to = 2'
+            ),
+            code=2,
+        )
         self.assertIn('no "q" there', misspelt)
         self.assertIn("bodies.m.mas = unknown key", misspelt)
-        units = self.map(BODY.replace(SCALE, 'parameter = "bodies.m.mass", from = "1 s", to = "2 s"').replace(DAMPING, 'parameter = "elements.s.damping.proportional", from = "1 kg", to = "2 kg"'), code=2)
+        units = self.map(
+            BODY.replace(SCALE, 'parameter = "bodies.m.mass", from = "1 s", to = "2 s"').replace(
+                DAMPING, 'parameter = "elements.s.damping.proportional", from = "1 kg", to = "2 kg"'
+            ),
+            code=2,
+        )
         self.assertIn('bodies.m.mass = "1 s"', units)
         self.assertIn('elements.s.damping.proportional = "1 kg"', units)
-        both = self.map(BODY.replace(SCALE, SCALE.replace(".scale", ".scal") + ', spacing = "log"').replace(DAMPING, 'parameter = "bodies.m.mas", from = -1, to = "5 kg"'), code=2)
+        both = self.map(
+            BODY.replace(SCALE, SCALE.replace(".scale", ".scal") + ', spacing = "log"').replace(
+                DAMPING, 'parameter = "bodies.m.mas", from = -1, to = "5 kg"'
+            ),
+            code=2,
+        )
         self.assertIn("elements.s.scal = unknown key", both)
         self.assertIn("bodies.m.mas = unknown key", both)
 
@@ -70,8 +87,15 @@ class MapMessages(unittest.TestCase):
         self.assertIn("at least one excitation is expected", self.map(BODY + "excitations = []\n", code=2))
 
     def test_numbers_have_enough_digits_to_differ(self):
-        self.assertRegex(self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n'), "m.z reaches 0.0001 m at 0 rad/s, allowed 9.99999e-05")
-        narrow = self.map(BODY.replace("to = 1.5", "to = 0.5000000001").replace('limits = {', 'band = ["99.9999 rad/s", "100.0001 rad/s"]\nlimits = {'))
+        self.assertRegex(
+            self.map(BODY.replace('"1 mm"', '"0.0999999 mm"') + 'band = [0, 1e-9]\n'),
+            "m.z reaches 0.0001 m at 0 rad/s, allowed 9.99999e-05",
+        )
+        narrow = self.map(
+            BODY.replace("to = 1.5", "to = 0.5000000001").replace(
+                'limits = {', 'band = ["99.9999 rad/s", "100.0001 rad/s"]\nlimits = {'
+            )
+        )
         self.assertIn("0.5 … 0.5000000001", narrow)
         self.assertIn("99.9999 … 100.0001 rad/s", narrow)
 

@@ -66,13 +66,24 @@ class Map(unittest.TestCase):
 
     def test_the_text_reports_region_best_design_and_cases(self):
         text = run("map", self.project)[0]
-        for words in ("Map of 81 designs", "Feasible: ", "Best design: ", "no peak of mass.z", "good (2, 90 ms): meets every rule", "base model (1, 50 ms): VIOLATES", "poles and residues"):
+        for words in (
+            "Map of 81 designs",
+            "Feasible: ",
+            "Best design: ",
+            "no peak of mass.z",
+            "good (2, 90 ms): meets every rule",
+            "base model (1, 50 ms): VIOLATES",
+            "poles and residues",
+        ):
             self.assertIn(words, text)
 
     def test_json_and_csv_contain_the_same_designs(self):
         found = json.loads(run("map", self.project, "--json", "--points", "5x4")[0])
         rows = list(csv.reader(io.StringIO(run("map", self.project, "--csv", "--points", "5x4")[0])))
-        self.assertEqual(rows[0], ["elements.spring.scale", "elements.spring.damping.proportional [ms]", "margin", "governing", "kept"])
+        self.assertEqual(
+            rows[0],
+            ["elements.spring.scale", "elements.spring.damping.proportional [ms]", "margin", "governing", "kept"],
+        )
         self.assertEqual(len(rows), 21)
         for margin, governing, row in zip(found["grid"]["margin"], found["grid"]["governing"], rows[1:]):
             self.assertEqual(margin, None if row[2] == "inf" else float(row[2]))
@@ -85,7 +96,7 @@ class Map(unittest.TestCase):
         self.assertGreater(len(points), 8)
         for scale, milliseconds in points:
             zeta = 0.5e-3 * milliseconds * (225 * scale) ** 0.5
-            rise = 1 / (2 * zeta * (1 - zeta * zeta) ** 0.5) if zeta < 0.5 ** 0.5 else 1
+            rise = 1 / (2 * zeta * (1 - zeta * zeta) ** 0.5) if zeta < 0.5**0.5 else 1
             margin = min(0.03 * 900 * scale / 18 / rise, 1.01 / rise)
             self.assertAlmostEqual(margin, 1, delta=1e-4)
 
@@ -94,7 +105,13 @@ class Map(unittest.TestCase):
         self.assertIn("Map of 9 designs of case good", text)
 
     def refused_picture(self, target, words, **options):
-        done = subprocess.run([TRIVET, "map", self.project, "--points", "5", "--picture", str(target)], capture_output=True, text=True, timeout=300, **options)
+        done = subprocess.run(
+            [TRIVET, "map", self.project, "--points", "5", "--picture", str(target)],
+            capture_output=True,
+            text=True,
+            timeout=300,
+            **options,
+        )
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertIn(words, done.stderr)
 
@@ -105,7 +122,9 @@ class Map(unittest.TestCase):
         old.write_text('<?xml version="1.0"?>\n<svg xmlns="http://www.w3.org/2000/svg"/>')
         self.refused_picture(drawing, "this is the project file")
         self.refused_picture(note, "exists and is not an SVG picture; choose another name")
-        self.assertEqual((pathlib.Path(self.project).read_text(), note.read_text()), (ONE_MASS, "<html><svg></svg></html>"))
+        self.assertEqual(
+            (pathlib.Path(self.project).read_text(), note.read_text()), (ONE_MASS, "<html><svg></svg></html>")
+        )
         run("map", self.project, "--points", "5", "--picture", str(old))
         self.assertIn("stiffness scale of spring", old.read_text())
 
@@ -118,7 +137,13 @@ class Map(unittest.TestCase):
         picture = self.folder / "map.svg"
         picture.write_text("<svg>old</svg>")
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
-        done = subprocess.run([TRIVET, "map", self.project, "--picture", str(picture)], capture_output=True, text=True, timeout=300, preexec_fn=limit)
+        done = subprocess.run(
+            [TRIVET, "map", self.project, "--picture", str(picture)],
+            capture_output=True,
+            text=True,
+            timeout=300,
+            preexec_fn=limit,
+        )
         self.assertEqual(done.returncode, 1)
         self.assertIn("cannot write", done.stderr)
         self.assertIn("Best design", done.stdout)
@@ -130,7 +155,14 @@ class Map(unittest.TestCase):
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
         xml.etree.ElementTree.fromstring(svg)
-        for words in ("proportional damping δ of spring [ms]", "elements.spring.damping.proportional", "every rule is met", "margin = limit / value", "good", "mass.z ≤ 0.03 m"):
+        for words in (
+            "proportional damping δ of spring [ms]",
+            "elements.spring.damping.proportional",
+            "every rule is met",
+            "margin = limit / value",
+            "good",
+            "mass.z ≤ 0.03 m",
+        ):
             self.assertIn(words, svg)
 
     def test_a_picture_is_named_svg_before_anything_is_computed(self):
@@ -156,26 +188,45 @@ class Map(unittest.TestCase):
         self.assertEqual(len(ticks), len(set(ticks)))
 
     def test_a_picture_lists_the_warnings_of_its_map(self):
-        inertia = ONE_MASS.replace("mass = 4", 'mass = 4\nallow_unphysical = true\ninertia = {about = "center_of_mass", xx = 50, yy = 2, zz = 2}')
+        inertia = ONE_MASS.replace(
+            "mass = 4",
+            'mass = 4\nallow_unphysical = true\ninertia = {about = "center_of_mass", xx = 50, yy = 2, zz = 2}',
+        )
         pathlib.Path(self.project).write_text(inertia)
-        words = "Warning: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
+        words = (
+            "Warning: bodies.mass: no real body has these numbers (allow_unphysical is set); every design is doubtful."
+        )
         self.assertIn(words, self.picture())
         run("run", self.project, "-o", str(self.folder / "out"))
         self.assertIn(words, (self.folder / "out" / "00-base" / "map.svg").read_text())
-        self.assertGreater((self.folder / "out" / "report.html").read_text().count("every design is doubtful"), 2)  # picture, section, warnings
+        self.assertGreater(
+            (self.folder / "out" / "report.html").read_text().count("every design is doubtful"), 2
+        )  # picture, section, warnings
 
     def test_a_picture_names_no_case_on_the_boundary(self):
         """At the end of the boundary a label to the right of its point would be on the boundary."""
-        pathlib.Path(self.project).write_text(ONE_MASS.replace("elements.spring.scale = 2", "elements.spring.scale = 0.6").replace('"90 ms"', '"200 ms"'))
+        pathlib.Path(self.project).write_text(
+            ONE_MASS.replace("elements.spring.scale = 2", "elements.spring.scale = 0.6").replace('"90 ms"', '"200 ms"')
+        )
         svg = self.picture()
         x, y = map(float, re.search(r'<text x="([0-9.]+)" y="([0-9.]+)"[^>]*>good<', svg).groups())
-        lines = [[tuple(map(float, p.split(","))) for p in points.split()] for points in re.findall(r'points="([^"]*)" stroke="#000" stroke-width="2.4"', svg)]
-        steps = [((1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1]) for line in lines for a, b in zip(line, line[1:]) for t in (k / 50 for k in range(51))]
+        lines = [
+            [tuple(map(float, p.split(","))) for p in points.split()]
+            for points in re.findall(r'points="([^"]*)" stroke="#000" stroke-width="2.4"', svg)
+        ]
+        steps = [
+            ((1 - t) * a[0] + t * b[0], (1 - t) * a[1] + t * b[1])
+            for line in lines
+            for a, b in zip(line, line[1:])
+            for t in (k / 50 for k in range(51))
+        ]
         self.assertGreater(len(steps), 100)
         self.assertFalse([p for p in steps if x - 1 < p[0] < x + 25 and y - 10 < p[1] < y + 2])
 
     def test_the_picture_names_the_cases_that_it_does_not_show(self):
-        pathlib.Path(self.project).write_text(ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n')
+        pathlib.Path(self.project).write_text(
+            ONE_MASS + '[cases.far]\nelements.spring.scale = 9\n[cases.heavy]\nbodies.mass.mass = 8\n'
+        )
         picture = self.folder / "map.svg"
         run("map", self.project, "--picture", str(picture))
         svg = picture.read_text()
@@ -184,7 +235,9 @@ class Map(unittest.TestCase):
 
     def test_the_picture_shows_the_nearest_design_if_none_is_feasible(self):
         picture = self.folder / "map.svg"
-        text = run("map", self.project, "--set", "analyses.map.limits={\"mass.z\"=\"1 mm\"}", "--picture", str(picture))[0]
+        text = run(
+            "map", self.project, "--set", "analyses.map.limits={\"mass.z\"=\"1 mm\"}", "--picture", str(picture)
+        )[0]
         self.assertIn("No design is feasible; the nearest: ", text)
         self.assertIn("nearest design: margin 0.2", picture.read_text())
 
@@ -211,11 +264,13 @@ class Map(unittest.TestCase):
         best = re.search("Best design: .*", text).group()
         self.assertTrue(best.startswith("Best design: stiffness scale of spring = 4, "), best)
         self.assertIn(best, report)
-        pathlib.Path(self.project).write_text(ONE_MASS.replace("30 mm", "1 m").replace("300 ms", "60 ms"))  # now peaks govern most designs
+        pathlib.Path(self.project).write_text(
+            ONE_MASS.replace("30 mm", "1 m").replace("300 ms", "60 ms")
+        )  # now peaks govern most designs
         text = run("run", self.project, "-o", str(self.folder / "wide"))[0]
         report = (self.folder / "wide" / "report.html").read_text()
         for page in (text, report):
-            table = page[page.index("governs, feasible"):]
+            table = page[page.index("governs, feasible") :]
             self.assertLess(table.index("no peak of mass.z"), table.index("mass.z ≤ 1 m"))
 
     def test_nothing_moves_without_a_load(self):
@@ -226,7 +281,9 @@ class Map(unittest.TestCase):
 
     def test_numbers_of_lines_have_a_background_above_all_lines(self):
         svg = self.picture()
-        lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[:svg.index("margin = limit / value")])][:-1]  # the last is in the legend
+        lines = [m.start() for m in re.finditer('stroke-dasharray="4,3"', svg[: svg.index("margin = limit / value")])][
+            :-1
+        ]  # the last is in the legend
         grounds = [m.start() for m in re.finditer('rx="3" fill="white"', svg)]
         self.assertGreater(len(grounds), 0)
         self.assertGreater(min(grounds), max(lines))
@@ -278,8 +335,18 @@ class Map(unittest.TestCase):
         self.assertIn("add map = ", run("map", str(SOURCE / "examples/paper/corrected.toml"), code=2)[1])
         for points in ("1", "0x5", "axb", "5x", "100000x100000", "-3x4"):
             self.assertIn("--points", run("map", self.project, "--points", points, code=2)[1])
-        self.assertIn("as in 200x150, or one number for both, each 2 or more", run("map", self.project, "--points", "0x0", code=2)[1])
-        impossible = ("--set", "analyses.map.x.parameter=\"bodies.mass.mass\"", "--set", "analyses.map.x.from=-4", "--set", "analyses.map.x.to=-1")
+        self.assertIn(
+            "as in 200x150, or one number for both, each 2 or more",
+            run("map", self.project, "--points", "0x0", code=2)[1],
+        )
+        impossible = (
+            "--set",
+            "analyses.map.x.parameter=\"bodies.mass.mass\"",
+            "--set",
+            "analyses.map.x.from=-4",
+            "--set",
+            "analyses.map.x.to=-1",
+        )
         self.assertIn("none of the 81 designs", run("map", self.project, *impossible, code=1)[1])
 
     def test_no_figure_of_the_paper_is_feasible_for_the_corrected_body(self):

@@ -44,7 +44,9 @@ class MapWarnings(unittest.TestCase):
 
     def map(self, text, *arguments):
         self.project.write_text(text)
-        done = subprocess.run([TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300)
+        done = subprocess.run(
+            [TRIVET, "map", str(self.project), *arguments], capture_output=True, text=True, timeout=300
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         return done
 
@@ -54,22 +56,33 @@ class MapWarnings(unittest.TestCase):
         self.assertIn(words, done.stderr)
         found = json.loads(self.map(text, "--json").stdout)["warnings"]
         self.assertTrue(any(words in json.dumps(w, ensure_ascii=False) for w in found), found)
-        run = subprocess.run([TRIVET, "run", str(self.project), "-o", str(self.folder / "out")], capture_output=True, text=True, timeout=300)
+        run = subprocess.run(
+            [TRIVET, "run", str(self.project), "-o", str(self.folder / "out")],
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
         self.assertIn(words, run.stdout)
         self.assertIn(words, (self.folder / "out" / "report.html").read_text())
         return done
 
     def test_a_range_in_another_unit_than_the_model(self):
-        text = BODY.replace('"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 0.5, to = 1.5')
+        text = BODY.replace(
+            '"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 0.5, to = 1.5'
+        )
         self.warned(text, "the model itself has 1e+06, far from all designs of the map")
-        near = BODY.replace('"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 5e7, to = 2e8')
+        near = BODY.replace(
+            '"elements.s.scale", from = 0.5, to = 1.5', '"elements.s.translation.x", from = 5e7, to = 2e8'
+        )
         self.assertNotIn("far from all designs", self.map(near).stderr)
 
     def test_a_sound_map_has_no_warning(self):
         self.assertEqual(self.map(BODY).stderr, "")
 
     def test_a_case_that_contradicts_the_designs_around_it(self):
-        strip = BODY.replace('limits = {"m.x" = "1 mm"}', 'limits = {"m.x" = "1 mm"}\nband = ["99.9 rad/s", "100.1 rad/s"]')
+        strip = BODY.replace(
+            'limits = {"m.x" = "1 mm"}', 'limits = {"m.x" = "1 mm"}\nband = ["99.9 rad/s", "100.1 rad/s"]'
+        )
         done = self.warned(strip, "violates a rule that all designs of the grid around it meet")
         self.assertIn("use more points, or narrower ranges around it", done.stderr)
         self.assertIn("unreliable: a case contradicts all designs around it", done.stdout)
@@ -85,18 +98,31 @@ class MapWarnings(unittest.TestCase):
         self.warned(BODY.replace("force = [100, 0, 0]", "force = [0, 0, 0]"), "all results are 0")
 
     def test_warnings_of_the_model_itself(self):
-        guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace('"m.x" = "1 mm"', '"ground.force.x" = "1 kN"')
+        guided = BODY.replace("mass = 100", 'mass = 100\nfree = ["x"]').replace(
+            '"m.x" = "1 mm"', '"ground.force.x" = "1 kN"'
+        )
         self.warned(guided, "without the forces of constraints")
 
     def test_an_axis_that_changes_nothing(self):
-        self.warned(BODY.replace('x = {parameter = "elements.s.scale", from = 0.5, to = 1.5', 'x = {parameter = "excitations.p.phase", from = 0, to = 3'), "no result changes along this axis")
+        self.warned(
+            BODY.replace(
+                'x = {parameter = "elements.s.scale", from = 0.5, to = 1.5',
+                'x = {parameter = "excitations.p.phase", from = 0, to = 3',
+            ),
+            "no result changes along this axis",
+        )
 
     def test_a_moving_foundation_that_drifts_off_at_rest(self):
-        moved = BODY.replace('type = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [100, 0, 0]', 'type = "base"\ntranslation = ["1 mm/s", 0, 0]\nquantity = "velocity"')
+        moved = BODY.replace(
+            'type = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [100, 0, 0]',
+            'type = "base"\ntranslation = ["1 mm/s", 0, 0]\nquantity = "velocity"',
+        )
         done = self.warned(moved, "has no bounded displacement at ω = 0")
         self.assertIn("start the band of the map above 0", done.stderr)
         self.assertIn("m.x is unbounded at 0 rad/s, allowed 0.001 m", done.stdout)
-        self.assertNotIn("bounded", self.map(moved.replace("[analyses.map]", '[analyses.map]\nband = ["1 Hz", "60 Hz"]')).stderr)
+        self.assertNotIn(
+            "bounded", self.map(moved.replace("[analyses.map]", '[analyses.map]\nband = ["1 Hz", "60 Hz"]')).stderr
+        )
 
     def test_cases_with_rules_of_their_own(self):
         strict = BODY + '[cases.strict]\nanalyses.map.limits = {"m.x" = "1 um"}\n[cases.same]\nelements.s.scale = 1\n'

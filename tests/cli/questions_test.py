@@ -92,13 +92,24 @@ class Questions(unittest.TestCase):
                     whole.pop("warnings"), alone.pop("warnings")  # a run also has those of the other questions
                 self.assertEqual(alone, whole, f"{question} of {project}")
                 first = TABLES.get(question, [question])[0]
-                self.assertEqual(trivet(question, project, "--csv").stdout, (tables / f"{first}.csv").read_text(), f"{question} of {project}")
+                self.assertEqual(
+                    trivet(question, project, "--csv").stdout,
+                    (tables / f"{first}.csv").read_text(),
+                    f"{question} of {project}",
+                )
         self.assertEqual(met, set(QUESTIONS))
 
     def test_name_what_is_missing_in_the_file(self):
         bare = self.folder / "bare.toml"
-        bare.write_text(MACHINE[:MACHINE.index("[limit_lines")])
-        for question, words in (("orders", "speed"), ("transmissibility", "force"), ("shapes", "at ="), ("shock_spectrum", "band"), ("earthquake", "direction"), ("limit_lines", "[limit_lines.NAME]")):
+        bare.write_text(MACHINE[: MACHINE.index("[limit_lines")])
+        for question, words in (
+            ("orders", "speed"),
+            ("transmissibility", "force"),
+            ("shapes", "at ="),
+            ("shock_spectrum", "band"),
+            ("earthquake", "direction"),
+            ("limit_lines", "[limit_lines.NAME]"),
+        ):
             said = trivet(question, bare, code=2).stderr
             self.assertIn(question + ": no", said)
             self.assertIn(words, said)
@@ -111,7 +122,11 @@ class Questions(unittest.TestCase):
             text = trivet(question, self.machine).stdout
             for line in text.splitlines():
                 if line.startswith("  "):
-                    self.assertLessEqual(len(line), WIDEST + 100 * line.lstrip().startswith(("backward", "rows between", "searched")), line)
+                    self.assertLessEqual(
+                        len(line),
+                        WIDEST + 100 * line.lstrip().startswith(("backward", "rows between", "searched")),
+                        line,
+                    )
         parts = trivet("response", self.machine).stdout.split("\n\n")
         self.assertGreater(len(parts), 1)
         self.assertTrue(all("ω [rad/s]" in part for part in parts))

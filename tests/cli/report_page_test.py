@@ -93,17 +93,33 @@ class Page(Folder):
 class Browser(Folder):
     def seen(self, report, view=""):
         """The page after its scripts have run, in a window that is higher than the page."""
-        arguments = [BROWSER, "--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking",
-                     "--enable-logging=stderr", "--window-size=1280,8000", "--virtual-time-budget=5000",
-                     f"--user-data-dir={self.folder}/profile", "--dump-dom", report.as_uri() + view]
+        arguments = [
+            BROWSER,
+            "--headless",
+            "--no-sandbox",
+            "--disable-gpu",
+            "--disable-background-networking",
+            "--enable-logging=stderr",
+            "--window-size=1280,8000",
+            "--virtual-time-budget=5000",
+            f"--user-data-dir={self.folder}/profile",
+            "--dump-dom",
+            report.as_uri() + view,
+        ]
         done = subprocess.run(arguments, check=True, capture_output=True, text=True, timeout=300)
         self.assertEqual(re.findall("CONSOLE.*", done.stderr), [], view)
         return SCRIPTS.sub("", done.stdout)
 
     def test_every_view_has_its_charts_and_no_error(self):
         report = self.report(text=WITH_FORCES)
-        for view in ("", "#ylog&xlog&hz", "#case=1&zoom=5,20", "#xlog&zoom=14,16", "#hide=mass.z",
-                     "#compare=ground.force.z&ylog"):
+        for view in (
+            "",
+            "#ylog&xlog&hz",
+            "#case=1&zoom=5,20",
+            "#xlog&zoom=14,16",
+            "#hide=mass.z",
+            "#compare=ground.force.z&ylog",
+        ):
             page = self.seen(report, view)
             # Amplitude and phase of motion and of forces and moments on the ground, and the comparison of the cases.
             self.assertEqual(page.count("<canvas"), 7, view)
@@ -116,8 +132,11 @@ class Browser(Folder):
 
     def test_marks_have_their_numbers(self):
         page = self.seen(self.report())
-        for mark in ('class="peak"[^>]*title="peak of z: [0-9.]+ mm\nω = 1[0-9.]+ rad/s, f = 2.[0-9]+ Hz',
-                     'class="mode"[^>]*title="mode 1, ω = 15.0000 rad/s, f = 2.38732 Hz', "<b>limit z 12 mm</b>"):
+        for mark in (
+            'class="peak"[^>]*title="peak of z: [0-9.]+ mm\nω = 1[0-9.]+ rad/s, f = 2.[0-9]+ Hz',
+            'class="mode"[^>]*title="mode 1, ω = 15.0000 rad/s, f = 2.38732 Hz',
+            "<b>limit z 12 mm</b>",
+        ):
             self.assertTrue(re.search(mark, page), mark)
 
 

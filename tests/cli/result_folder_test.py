@@ -61,7 +61,13 @@ class InFolder(unittest.TestCase):
         self.target = self.work / "out"
 
     def run_trivet(self, project=None, target=None, **options):
-        return subprocess.run([TRIVET, "run", str(project or self.project), "-o", str(target or self.target)], capture_output=True, text=True, timeout=120, **options)
+        return subprocess.run(
+            [TRIVET, "run", str(project or self.project), "-o", str(target or self.target)],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            **options,
+        )
 
     def succeeds(self, **options):
         done = self.run_trivet(**options)
@@ -116,7 +122,9 @@ class SecondRun(InFolder):
         self.assertEqual((self.target / "03-empty").stat().st_mode & 0o777, 0o750)
         self.assertEqual(os.readlink(self.target / "link"), str(self.project))
         self.assertTrue((self.target / "pipe").is_fifo())
-        self.assertEqual(sorted(os.listdir(self.target)), sorted(OURS + ["note.txt", "2026-05-01", "03-empty", "link", "pipe"]))
+        self.assertEqual(
+            sorted(os.listdir(self.target)), sorted(OURS + ["note.txt", "2026-05-01", "03-empty", "link", "pipe"])
+        )
         self.nothing_beside()
 
     def test_a_case_that_no_longer_exists_goes_unless_the_user_keeps_something_in_it(self):
@@ -133,7 +141,9 @@ class SecondRun(InFolder):
         edited = self.target / "00-base" / "modes.csv"
         edited.write_text("my own numbers")
         done = self.succeeds()
-        self.assertIn("00-base/modes.csv was changed since trivet wrote it; it is kept as 00-base/modes.kept-1.csv", done.stderr)
+        self.assertIn(
+            "00-base/modes.csv was changed since trivet wrote it; it is kept as 00-base/modes.kept-1.csv", done.stderr
+        )
         self.assertEqual((self.target / "00-base" / "modes.kept-1.csv").read_text(), "my own numbers")
         edited.write_text("other numbers")
         self.succeeds()
@@ -203,7 +213,9 @@ class Rejection(InFolder):
         digest = hashlib.sha256(b"text").hexdigest()
         for path in ("../victim", str(victim), "00-base/../../victim", "link/victim"):
             manifest = json.loads((self.target / "manifest.json").read_text())
-            manifest["files"] = [{"path": path, "size": 4, "sha256": digest}] + [f for f in manifest["files"] if "victim" not in f["path"]]
+            manifest["files"] = [{"path": path, "size": 4, "sha256": digest}] + [
+                f for f in manifest["files"] if "victim" not in f["path"]
+            ]
             (self.target / "manifest.json").write_text(json.dumps(manifest))
             if not (self.target / "link").exists():
                 (self.target / "link").symlink_to(self.work)
@@ -211,8 +223,16 @@ class Rejection(InFolder):
             self.assertEqual(victim.read_text(), "text")
 
     def test_files_that_are_not_manifests(self):
-        for text in ("", "{", "[]", '{"format": "other"}', '{"format": "trivet-manifest", "files": 3}', '{"format": "trivet-manifest", "files": [{"path": 3}]}',
-                     '{"format": "trivet-manifest", "files": [{"path": "a", "size": -1, "sha256": "x"}]}', "\0" * 100):
+        for text in (
+            "",
+            "{",
+            "[]",
+            '{"format": "other"}',
+            '{"format": "trivet-manifest", "files": 3}',
+            '{"format": "trivet-manifest", "files": [{"path": 3}]}',
+            '{"format": "trivet-manifest", "files": [{"path": "a", "size": -1, "sha256": "x"}]}',
+            "\0" * 100,
+        ):
             self.target.mkdir(exist_ok=True)
             (self.target / "manifest.json").write_text(text)
             self.refused("exists and is not an earlier result")
@@ -234,7 +254,12 @@ class Rejection(InFolder):
         self.refused("is the current folder", target=".", cwd=self.work)
         gone = self.work / "gone"
         gone.mkdir()
-        done = subprocess.run(["sh", "-c", f'cd "{gone}" && rmdir "{gone}" && exec "{os.path.abspath(TRIVET)}" run "{self.project}"'], capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            ["sh", "-c", f'cd "{gone}" && rmdir "{gone}" && exec "{os.path.abspath(TRIVET)}" run "{self.project}"'],
+            capture_output=True,
+            text=True,
+            timeout=60,
+        )
         self.assertEqual(done.returncode, 1)
         self.assertIn("current folder", done.stderr)
         self.assertNotIn("filesystem", done.stderr)
@@ -245,8 +270,15 @@ class AtOnce(InFolder):
         fewer = self.without_case("stiff")
         for begin in ("none", "earlier result"):
             with self.subTest(begin=begin):
-                runs = [subprocess.Popen([TRIVET, "run", str(fewer if i % 2 else self.project), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-                        for i in range(8)]
+                runs = [
+                    subprocess.Popen(
+                        [TRIVET, "run", str(fewer if i % 2 else self.project), "-o", str(self.target)],
+                        stdout=subprocess.DEVNULL,
+                        stderr=subprocess.PIPE,
+                        text=True,
+                    )
+                    for i in range(8)
+                ]
                 results = [(run.communicate(timeout=120)[1], run.returncode) for run in runs]
                 self.assertEqual(results, [("", 0)] * 8)
                 self.assertTrue(is_whole(self.target))
@@ -257,7 +289,14 @@ class AtOnce(InFolder):
     def test_the_name_always_contains_a_whole_result(self):
         self.succeeds()
         (self.target / "note.txt").write_text("mine")
-        runs = [subprocess.Popen([TRIVET, "run", str(self.project), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) for _ in range(4)]
+        runs = [
+            subprocess.Popen(
+                [TRIVET, "run", str(self.project), "-o", str(self.target)],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
+            for _ in range(4)
+        ]
         looks = 0
         while any(run.poll() is None for run in runs):
             folder = os.open(self.target, os.O_RDONLY | os.O_DIRECTORY)  # fails if the name is missing for a moment
@@ -272,7 +311,11 @@ class AtOnce(InFolder):
 class AfterAKill(InFolder):
     def stopped_in_the_making(self):
         """Kills a run while its working folder exists."""
-        run = subprocess.Popen([TRIVET, "run", str(self.slow()), "-o", str(self.target)], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        run = subprocess.Popen(
+            [TRIVET, "run", str(self.slow()), "-o", str(self.target)],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+        )
         while not any(name.startswith(".trivet-") for name in os.listdir(self.work)):
             self.assertIsNone(run.poll())
             time.sleep(0.001)

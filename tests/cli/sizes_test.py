@@ -8,36 +8,66 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 
 class Sizes(Refused):
     def test_two_hundred_free_bodies(self):
-        text = "trivet = 1\n" + "".join(f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(200))
+        text = "trivet = 1\n" + "".join(
+            f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(200)
+        )
         self.refused("1200 free coordinates", "at most 600", text=text, command="run")
 
     def test_twenty_thousand_answers(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))
         names = ", ".join(f'"b.p{i}.{c}"' for i in range(4000) for c in "xyzxy")
-        self.refused("20000 results", "one analysis has at most 2000", text=BODY + points + mount("m") + FORCE + f"[analyses]\nresponse = {{of = [{names}]}}\n")
+        self.refused(
+            "20000 results",
+            "one analysis has at most 2000",
+            text=BODY + points + mount("m") + FORCE + f"[analyses]\nresponse = {{of = [{names}]}}\n",
+        )
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(400))
         names = ", ".join(f'"b.p{i}"' for i in range(400))
-        self.refused("2400 curves", "at most 2000", text=BODY + points + mount("m") + FORCE + f"[analyses]\npeaks = {{of = [{names}]}}\n")
+        self.refused(
+            "2400 curves",
+            "at most 2000",
+            text=BODY + points + mount("m") + FORCE + f"[analyses]\npeaks = {{of = [{names}]}}\n",
+        )
 
     def test_five_hundred_coherent_inputs(self):
-        text = BODY + mount("m") + "".join(
-            f'[excitations.e{i}]\ntype = "random"\non = "b"\nat = [{i}e-3, 0, 0]\nforce = [0, 0, 1]\npsd = {{flat = 1, band = ["1 Hz", "50 Hz"]}}\n'
-            + (f'coherence = {{with = "e{i - 1}", value = 0.1}}\n' if i % 2 else "") for i in range(500))
+        text = (
+            BODY
+            + mount("m")
+            + "".join(
+                f'[excitations.e{i}]\ntype = "random"\non = "b"\nat = [{i}e-3, 0, 0]\nforce = [0, 0, 1]\npsd = {{flat = 1, band = ["1 Hz", "50 Hz"]}}\n'
+                + (f'coherence = {{with = "e{i - 1}", value = 0.1}}\n' if i % 2 else "")
+                for i in range(500)
+            )
+        )
         self.refused("250 random excitations with a coherence", "at most 100", text=text + "[analyses]\nrandom = {}\n")
 
     def test_a_thousand_cases_of_a_thousand_elements(self):
-        text = BODY + "".join(mount(f"m{i}") for i in range(1000)) + "".join(f"[cases.c{i}]\nbodies.b.mass = {100 + i}\n" for i in range(1000))
+        text = (
+            BODY
+            + "".join(mount(f"m{i}") for i in range(1000))
+            + "".join(f"[cases.c{i}]\nbodies.b.mass = {100 + i}\n" for i in range(1000))
+        )
         self.refused("1001000 bodies, elements and excitations", "at most 50000", text=text)
 
     def test_tables_that_are_too_long_or_too_wide(self):
         table = '[elements.t]\ntype = "table"\non = "b"\nat = [0, 0, 0]\nfrom_at = [0, 0, -0.1]\nfile = "t.csv"\n'
         rows = "frequency_hz,k_z,k_z_loss\n" + "".join(f"{1 + i * 1e-3:.3f},1e5,1e4\n" for i in range(20001))
         self.refused("more than 20000 rows", text=BODY + table, files=[("t.csv", rows)])
-        self.refused("200000 columns", "at most 2000 columns", text=BODY + table, files=[("t.csv", ",".join(f"c{i}" for i in range(200000)) + "\n")])
+        self.refused(
+            "200000 columns",
+            "at most 2000 columns",
+            text=BODY + table,
+            files=[("t.csv", ",".join(f"c{i}" for i in range(200000)) + "\n")],
+        )
 
     def test_peaks_of_a_large_system_are_rejected_before_the_search(self):
-        text = "trivet = 1\n" + "".join(f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(60))
-        text += "".join(mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)) + FORCE.replace('"b"', '"b0"')
+        text = "trivet = 1\n" + "".join(
+            f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n'
+            for i in range(60)
+        )
+        text += "".join(
+            mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)
+        ) + FORCE.replace('"b"', '"b0"')
         self.refused("hours of search", "name fewer results in `of`", text=text + "[analyses]\npeaks = {}\n")
         done = trivet("peaks", self.file(text))  # requested only by the command line
         self.assertEqual(done.returncode, 1)
@@ -49,7 +79,10 @@ class Extremes(InTemporaryFolder):
         example = (SOURCE / "examples/optical_table/table.toml").read_text()
         for file in (SOURCE / "examples/optical_table").glob("*.csv"):
             (self.folder / file.name).write_text(file.read_text())
-        done = trivet("random", self.file(example.replace("translation = [14000, 14000, 9500]", "translation = [1.4e15, 14000, 9500]", 1)))
+        done = trivet(
+            "random",
+            self.file(example.replace("translation = [14000, 14000, 9500]", "translation = [1.4e15, 14000, 9500]", 1)),
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("too far apart for partial fractions", done.stdout)
 

@@ -90,6 +90,7 @@ def elements(p, *types):
 def mass(factor):
     def slip(p):
         first_body(p)["mass"] = times(first_body(p)["mass"], factor)
+
     return slip
 
 
@@ -99,6 +100,7 @@ def inertia(factor):
         for key in j:
             if key != "about":
                 j[key] = times(j[key], factor)
+
     return slip
 
 
@@ -110,6 +112,7 @@ def places(factor):
             for key in ("at", "from_at"):
                 if key in e:
                     e[key] = times(e[key], factor)
+
     return slip
 
 
@@ -120,6 +123,7 @@ def stiffness(factor):
             key = "stiffness" if e["type"] == "matrix" else "translation"
             e[key] = times(e[key], factor)
         return bool(typed)
+
     return slip
 
 
@@ -139,6 +143,7 @@ def per_degree(p):
 def gravity(vector):
     def slip(p):
         p["gravity"] = vector
+
     return slip
 
 
@@ -195,8 +200,13 @@ def ask_in_time(p, **transient):
 
 
 def short_transient(p):
-    p["excitations"]["+shock"] = {"type": "time", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
-                                  "history": {"half_sine": {"amplitude": "100 N", "duration": "20 ms", "start": "30 ms"}}}
+    p["excitations"]["+shock"] = {
+        "type": "time",
+        "on": first_name(p),
+        "at": [0, 0, 0],
+        "force": [0, 0, 1],
+        "history": {"half_sine": {"amplitude": "100 N", "duration": "20 ms", "start": "30 ms"}},
+    }
     ask_in_time(p, to="35 ms", step="1 ms")
     without_cases(p)
 
@@ -209,8 +219,13 @@ def missed_band(p):
 
 
 def missed_spectrum(p):
-    p["excitations"]["+noise"] = {"type": "random", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
-                                  "psd": {"flat": 1.0, "band": ["900 Hz", "2000 Hz"]}}
+    p["excitations"]["+noise"] = {
+        "type": "random",
+        "on": first_name(p),
+        "at": [0, 0, 0],
+        "force": [0, 0, 1],
+        "psd": {"flat": 1.0, "band": ["900 Hz", "2000 Hz"]},
+    }
     p["analyses"]["random"] = {}
     without_cases(p)
 
@@ -230,8 +245,15 @@ def same_place(p):
 
 
 def heavy_rotor(p):
-    p["excitations"]["+rotor"] = {"type": "unbalance", "on": first_name(p), "at": [0, 0, 0], "axis": "x", "grade": 6.3,
-                                  "rotor_mass": 3 * kilograms(first_body(p)), "service_speed": "1500 rpm"}
+    p["excitations"]["+rotor"] = {
+        "type": "unbalance",
+        "on": first_name(p),
+        "at": [0, 0, 0],
+        "axis": "x",
+        "grade": 6.3,
+        "rotor_mass": 3 * kilograms(first_body(p)),
+        "service_speed": "1500 rpm",
+    }
 
 
 def points_in_millimetres(p):
@@ -262,23 +284,40 @@ def viscous_in_newtons_per_mm(p):
 
 
 def pulse_in_seconds(p):
-    p["excitations"]["+shock"] = {"type": "time", "on": first_name(p), "at": [0, 0, 0], "force": [0, 0, 1],
-                                  "history": {"half_sine": {"amplitude": "100 N", "duration": 33}}}
+    p["excitations"]["+shock"] = {
+        "type": "time",
+        "on": first_name(p),
+        "at": [0, 0, 0],
+        "force": [0, 0, 1],
+        "history": {"half_sine": {"amplitude": "100 N", "duration": 33}},
+    }
     ask_in_time(p, to=40, step="10 ms")
     without_cases(p)
 
 
 def speed_in_rpm(p):
-    p["excitations"]["+rotor"] = {"type": "unbalance", "on": first_name(p), "at": [0, 0, 0], "axis": "x", "grade": 6.3,
-                                  "rotor_mass": 0.1 * kilograms(first_body(p)), "service_speed": 1500}
+    p["excitations"]["+rotor"] = {
+        "type": "unbalance",
+        "on": first_name(p),
+        "at": [0, 0, 0],
+        "axis": "x",
+        "grade": 6.3,
+        "rotor_mass": 0.1 * kilograms(first_body(p)),
+        "service_speed": 1500,
+    }
 
 
 def soft_foundation(p):
     """A floor twice as stiff as a mount under each of them, in N/mm typed as N/m."""
     typed = [e for e in p["elements"].values() if "from" not in e]
-    if not typed or any(e["type"] != "bushing" or "foundation" in e or any(isinstance(v, str) for v in e["translation"]) for e in typed):
+    if not typed or any(
+        e["type"] != "bushing" or "foundation" in e or any(isinstance(v, str) for v in e["translation"]) for e in typed
+    ):
         return False
-    p.setdefault("foundations", {})["+floor"] = {"type": "impedance", "translation": [2e-3 * max(typed[0]["translation"])] * 3}
+    p.setdefault("foundations", {})["+floor"] = {
+        "type": "impedance",
+        "translation": [2e-3 * max(typed[0]["translation"])] * 3,
+    }
     for e in typed:
         e["foundation"] = "+floor"
     without_cases(p)
@@ -308,7 +347,11 @@ def scale_in_percent(p):
 
 def one_without_damping(p):
     typed = elements(p, "bushing")
-    if len({(toml(e["translation"]), e["on"], e.get("from"), "damping" in e) for e in typed}) != 1 or len(typed) < 3 or "damping" not in typed[0]:
+    if (
+        len({(toml(e["translation"]), e["on"], e.get("from"), "damping" in e) for e in typed}) != 1
+        or len(typed) < 3
+        or "damping" not in typed[0]
+    ):
         return False
     typed[0].pop("damping")
     without_cases(p)
@@ -358,24 +401,41 @@ def one_damper(p):
 
 
 SLIPS = {
-    "mass in grams": ("mass", mass(1e3)), "mass in tonnes": ("mass", mass(1e-3)),
-    "places in millimetres": ("places", places(1e3)), "places in centimetres": ("places", places(1e2)),
-    "inertia in kg cm²": ("inertia", inertia(1e4)), "inertia in t m²": ("inertia", inertia(1e-3)),
-    "N/mm as N/m": ("stiffness", stiffness(1e-3)), "N/m as N/mm": ("stiffness", stiffness(1e3)),
+    "mass in grams": ("mass", mass(1e3)),
+    "mass in tonnes": ("mass", mass(1e-3)),
+    "places in millimetres": ("places", places(1e3)),
+    "places in centimetres": ("places", places(1e2)),
+    "inertia in kg cm²": ("inertia", inertia(1e4)),
+    "inertia in t m²": ("inertia", inertia(1e-3)),
+    "N/mm as N/m": ("stiffness", stiffness(1e-3)),
+    "N/m as N/mm": ("stiffness", stiffness(1e3)),
     "stiffness per degree": ("stiffness per degree", per_degree),
-    "gravity upwards": ("gravity", gravity([0, 0, G])), "gravity in g": ("gravity", gravity([0, 0, -1])),
+    "gravity upwards": ("gravity", gravity([0, 0, G])),
+    "gravity in g": ("gravity", gravity([0, 0, -1])),
     "gravity in mm/s²": ("gravity", gravity([0, 0, -9806.65])),
-    "modal damping in percent": ("modal damping", modal_percent), "loss factor in percent": ("loss factor", loss_percent),
-    "products with the other sign": ("products of inertia", products), "Rayleigh's numbers exchanged": ("rayleigh", rayleigh),
-    "mount at 12 times its load": ("rated load", overloaded), "transient ends before its shock": ("transient", short_transient),
-    "band misses all resonances": ("band", missed_band), "spectrum misses all resonances": ("spectrum", missed_spectrum),
-    "two mounts at one place": ("same place", same_place), "rotor heavier than machine": ("rotor", heavy_rotor),
-    "points in millimetres": ("points", points_in_millimetres), "viscous damping in N s/mm": ("viscous damping", viscous_in_newtons_per_mm),
-    "pulse of ms in s": ("pulse", pulse_in_seconds), "speed in rpm": ("speed", speed_in_rpm),
+    "modal damping in percent": ("modal damping", modal_percent),
+    "loss factor in percent": ("loss factor", loss_percent),
+    "products with the other sign": ("products of inertia", products),
+    "Rayleigh's numbers exchanged": ("rayleigh", rayleigh),
+    "mount at 12 times its load": ("rated load", overloaded),
+    "transient ends before its shock": ("transient", short_transient),
+    "band misses all resonances": ("band", missed_band),
+    "spectrum misses all resonances": ("spectrum", missed_spectrum),
+    "two mounts at one place": ("same place", same_place),
+    "rotor heavier than machine": ("rotor", heavy_rotor),
+    "points in millimetres": ("points", points_in_millimetres),
+    "viscous damping in N s/mm": ("viscous damping", viscous_in_newtons_per_mm),
+    "pulse of ms in s": ("pulse", pulse_in_seconds),
+    "speed in rpm": ("speed", speed_in_rpm),
     "floor in N/mm": ("stiffness", soft_foundation),
-    "one direction in N/mm": ("stiffness", one_direction_in_newtons_per_mm), "scale in percent": ("scale", scale_in_percent),
-    "one mount without damping": ("unequal mounts", one_without_damping), "grade times 1000": ("rotor", grade_times_thousand),
-    "limit in mm": ("limit", limit_in_millimetres), "limit in mm/s": ("limit", velocity_limit_in_millimetres),
-    "limit line in mm/s": ("limit", limit_line_in_millimetres), "ground without its quantity": ("ground motion", no_quantity), "speed of a motor in rpm": ("speed", motor_speed),
+    "one direction in N/mm": ("stiffness", one_direction_in_newtons_per_mm),
+    "scale in percent": ("scale", scale_in_percent),
+    "one mount without damping": ("unequal mounts", one_without_damping),
+    "grade times 1000": ("rotor", grade_times_thousand),
+    "limit in mm": ("limit", limit_in_millimetres),
+    "limit in mm/s": ("limit", velocity_limit_in_millimetres),
+    "limit line in mm/s": ("limit", limit_line_in_millimetres),
+    "ground without its quantity": ("ground motion", no_quantity),
+    "speed of a motor in rpm": ("speed", motor_speed),
     "one damper in kN s/m": ("viscous damping", one_damper),
 }

@@ -66,8 +66,12 @@ class Strictness(unittest.TestCase):
         self.assertEqual(self.code("check", path, "--strict"), DONE)
 
     def test_an_exceeded_limit_line_is_3(self):
-        path = self.file('[limit_lines.severity]\nof = "mass.z"\nquantity = "displacement"\nlevel = "zero_to_peak"\nrows = [[1, 1e-3], [6, 1e-3]]\n')
-        self.assertEqual(self.code("run", path, "-o", pathlib.Path(self.folder.name) / "results", "--strict"), OVER_A_LIMIT)
+        path = self.file(
+            '[limit_lines.severity]\nof = "mass.z"\nquantity = "displacement"\nlevel = "zero_to_peak"\nrows = [[1, 1e-3], [6, 1e-3]]\n'
+        )
+        self.assertEqual(
+            self.code("run", path, "-o", pathlib.Path(self.folder.name) / "results", "--strict"), OVER_A_LIMIT
+        )
 
     def test_warnings_alone_are_4(self):
         path = self.file("")
@@ -77,14 +81,20 @@ class Strictness(unittest.TestCase):
             self.assertEqual(self.code(command, path, *warned, "--strict"), WITH_WARNINGS, command)
 
     def test_a_map_without_a_feasible_design_is_3(self):
-        path = self.file('map = {x = {parameter = "elements.spring.scale", from = 0.9, to = 1.1}, y = {parameter = "elements.spring.damping.proportional", from = 0.004, to = 0.006}, limits = {"mass.z" = "1 nm"}}\n')
+        path = self.file(
+            'map = {x = {parameter = "elements.spring.scale", from = 0.9, to = 1.1}, y = {parameter = "elements.spring.damping.proportional", from = 0.004, to = 0.006}, limits = {"mass.z" = "1 nm"}}\n'
+        )
         self.assertEqual(self.code("map", path, "--points", 3), DONE)
         self.assertEqual(self.code("map", path, "--points", 3, "--strict"), OVER_A_LIMIT)
 
     def test_worse_codes_come_first(self):
         path = self.file('[limits]\n"mass.z" = "2 mm"\n')
         self.assertEqual(self.code("response", path, "--strict", "--case", "none"), WRONG_INPUT)
-        path.write_text(path.read_text().replace("[limits]", 'earthquake = {direction = "z", rows = [[1e-5, 1], [2e-5, 1]]}\n[limits]'))
+        path.write_text(
+            path.read_text().replace(
+                "[limits]", 'earthquake = {direction = "z", rows = [[1e-5, 1], [2e-5, 1]]}\n[limits]'
+            )
+        )
         refused = trivet("run", path, "--strict", "-o", pathlib.Path(self.folder.name) / "results")
         self.assertEqual(refused.returncode, NOT_COMPUTED, refused.stderr)
 

@@ -47,6 +47,7 @@ class InTemporaryFolder(unittest.TestCase):
 
     def all_checked(self, projects):
         """[(name, project, folder of its files or None)] → finished checks, in order."""
+
         def one(numbered):
             number, (_, project, files) = numbered
             folder = self.folder / str(number)
@@ -55,6 +56,7 @@ class InTemporaryFolder(unittest.TestCase):
             else:
                 folder.mkdir()
             return check(written(folder, project))
+
         with concurrent.futures.ThreadPoolExecutor(THREADS) as threads:
             return list(threads.map(one, enumerate(projects)))
 
@@ -121,18 +123,29 @@ def sound_machine(r):
     k = m * (2 * math.pi * hertz) ** 2 / count
     k_lateral = k * r.uniform(0.2, 1)
     angles = [2 * math.pi * (i + 0.5) / count for i in range(count)]
-    around = [(math.copysign(a / 2, math.cos(t)), math.copysign(b / 2, math.sin(t))) for t in angles] if count == 4 else \
-        [(0.5 * a * math.cos(t), 0.5 * b * math.sin(t)) for t in angles]
+    around = (
+        [(math.copysign(a / 2, math.cos(t)), math.copysign(b / 2, math.sin(t))) for t in angles]
+        if count == 4
+        else [(0.5 * a * math.cos(t), 0.5 * b * math.sin(t)) for t in angles]
+    )
     mounts = {}
     for i, (x, y) in enumerate(around):
         at, axis = [x, y, 0], "z"
         if pose == "wall":
             at, axis, centre_wall = [0, x, y], "x", [c / 2 * r.uniform(0.6, 1.2), 0, 0]
-        e = {"type": "bushing", "on": "machine", "at": at, "axis": axis, "translation": [k_lateral, k_lateral, k * r.uniform(0.8, 1.25)],
-             "damping": r.choice([{"loss_factor": 0.1}, {"proportional": 0.06 / (2 * math.pi * hertz)}, {"loss_factor": 0.25}])}
+        e = {
+            "type": "bushing",
+            "on": "machine",
+            "at": at,
+            "axis": axis,
+            "translation": [k_lateral, k_lateral, k * r.uniform(0.8, 1.25)],
+            "damping": r.choice(
+                [{"loss_factor": 0.1}, {"proportional": 0.06 / (2 * math.pi * hertz)}, {"loss_factor": 0.25}]
+            ),
+        }
         if r.random() < 0.5:
             radius = r.uniform(0.03, 0.1) * edge
-            e["rotation"] = [k * radius ** 2] * 2 + [k_lateral * radius ** 2]
+            e["rotation"] = [k * radius**2] * 2 + [k_lateral * radius**2]
         mounts[f"mount {i + 1}"] = e
     if pose == "wall":
         centre = centre_wall
@@ -144,11 +157,20 @@ def sound_machine(r):
             e["from_at"] = [e["at"][0] + project_position[0], e["at"][1] + project_position[1], 0.2 * edge]
     else:
         project_position = [0, 0, 0]
-    project = {"trivet": 1, "bodies": {"machine": {"mass": m, "center_of_mass": centre,
-                                                   "inertia": {"about": "center_of_mass", "xx": jx, "yy": jy, "zz": jz},
-                                                   "points": {"top": [0.3 * a, 0.2 * b, 2 * up]}}}, "elements": mounts,
-               "excitations": {"motor": {"type": "harmonic", "on": "machine", "at": centre, "force": [0, 0, 0.01 * m * G]}},
-               "analyses": {"modes": {}, "response": {"band": [0, f"{4 * hertz} Hz"]}}}
+    project = {
+        "trivet": 1,
+        "bodies": {
+            "machine": {
+                "mass": m,
+                "center_of_mass": centre,
+                "inertia": {"about": "center_of_mass", "xx": jx, "yy": jy, "zz": jz},
+                "points": {"top": [0.3 * a, 0.2 * b, 2 * up]},
+            }
+        },
+        "elements": mounts,
+        "excitations": {"motor": {"type": "harmonic", "on": "machine", "at": centre, "force": [0, 0, 0.01 * m * G]}},
+        "analyses": {"modes": {}, "response": {"band": [0, f"{4 * hertz} Hz"]}},
+    }
     if r.random() < 0.7:
         project["gravity"] = [0, 0, -G]
     add_parts(project, extra, m, edge, hertz, k)
@@ -163,14 +185,25 @@ def add_parts(project, extra, m, edge, hertz, k):
         project["limits"] = {"machine.z": 10 ** extra.uniform(-6, -1.5) * edge}
     if extra.random() < 0.3:
         duration = 10 ** extra.uniform(-1.3, 1) / hertz
-        excitations["shock"] = {"type": "time", "on": "machine", "at": [0, 0, 0], "force": [0, 0, 1],
-                                "history": {"half_sine": {"amplitude": 0.1 * m * G, "duration": duration}}}
+        excitations["shock"] = {
+            "type": "time",
+            "on": "machine",
+            "at": [0, 0, 0],
+            "force": [0, 0, 1],
+            "history": {"half_sine": {"amplitude": 0.1 * m * G, "duration": duration}},
+        }
         ask_in_time(project, to=duration + 20 / hertz, step=min(duration, 1 / hertz) / 40)
     if extra.random() < 0.3:
         rpm = 10 ** extra.uniform(2.5, 4 - 0.15 * math.log10(m))
-        excitations["rotor"] = {"type": "unbalance", "on": "machine", "at": [0, 0, 0], "axis": "x",
-                                "grade": extra.choice([0.4, 2.5, 6.3, 16, 40, 250]), "rotor_mass": m * extra.uniform(0.05, 0.5),
-                                "service_speed": f"{rpm} rpm"}
+        excitations["rotor"] = {
+            "type": "unbalance",
+            "on": "machine",
+            "at": [0, 0, 0],
+            "axis": "x",
+            "grade": extra.choice([0.4, 2.5, 6.3, 16, 40, 250]),
+            "rotor_mass": m * extra.uniform(0.05, 0.5),
+            "service_speed": f"{rpm} rpm",
+        }
     if extra.random() < 0.2:
         for e in mounts.values():
             e["damping"] = {"translation": [2 * extra.uniform(0.02, 0.4) * math.sqrt(k * m / len(mounts))] * 3}
@@ -246,7 +279,9 @@ class Acceptances(InTemporaryFolder):
     def test_those_of_a_foundation_are_accepted_there(self):
         mount = next(iter(self.machine["elements"].values()))
         mount["foundation"] = "deck"
-        self.machine["foundations"] = {"deck": {"type": "impedance", "translation": [1e8, 1e8, 1e8], "damping": {"loss_factor": 0.8}}}
+        self.machine["foundations"] = {
+            "deck": {"type": "impedance", "translation": [1e8, 1e8, 1e8], "damping": {"loss_factor": 0.8}}
+        }
         done = self.check(self.machine)
         self.assertEqual(reported_kinds(done), ["loss factor"])
         self.assertIn("foundations.deck.damping.loss_factor", done.stderr)
@@ -264,7 +299,9 @@ class Acceptances(InTemporaryFolder):
             self.assertEqual(len(found), 1, command)
             self.assertIn("400 kg if typed in grams", found[0])
             self.assertRegex(found[0], r"slipped.toml:\d+: ")
-        done = subprocess.run([TRIVET, "run", str(path), "-o", str(self.folder / "out")], capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [TRIVET, "run", str(path), "-o", str(self.folder / "out")], capture_output=True, text=True, timeout=60
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("400 kg if typed in grams", (self.folder / "out/report.html").read_text())
         self.assertIn("400 kg if typed in grams", (self.folder / "out/results.json").read_text())

@@ -35,7 +35,9 @@ def mobility(hertz):
 
 
 def project(offset):
-    mounts = "".join(MOUNT.format(i + 1, x, y) for i, (x, y) in enumerate([(0.6, 0.4), (0.6, -0.4), (-0.6, 0.4), (-0.6, -0.4)]))
+    mounts = "".join(
+        MOUNT.format(i + 1, x, y) for i, (x, y) in enumerate([(0.6, 0.4), (0.6, -0.4), (-0.6, 0.4), (-0.6, -0.4)])
+    )
     return f"""trivet = 1
 [bodies.table]
 mass = "320 kg"
@@ -72,7 +74,9 @@ class SymmetricTable(unittest.TestCase):
 
     def answer(self, command, offset=0):
         (self.folder / "table.toml").write_text(project(offset))
-        done = subprocess.run([TRIVET, command, "table.toml", "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [TRIVET, command, "table.toml", "--json"], cwd=self.folder, capture_output=True, text=True, timeout=60
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         return json.loads(done.stdout)
 
@@ -96,26 +100,32 @@ class SymmetricTable(unittest.TestCase):
         for natural, _, _ in FLOOR:
             self.assertTrue(any(abs(f / natural - 1) < MOVED_BY_MOUNTS for f in found), (natural, found))
 
-
     def test_limits_are_judged_if_the_table_begins_above_rest(self):
-        more = ('response = {of = ["table.z"], excitations = ["shaken"]}\n[limits]\n"table.z" = 1\n'
-                '[excitations.shaken]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n')
+        more = (
+            'response = {of = ["table.z"], excitations = ["shaken"]}\n[limits]\n"table.z" = 1\n'
+            '[excitations.shaken]\ntype = "base"\nquantity = "acceleration"\ntranslation = [0, 0, 1]\n'
+        )
         (self.folder / "table.toml").write_text(project(0) + more)
-        done = subprocess.run([TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=60)
+        done = subprocess.run(
+            [TRIVET, "response", "table.toml"], cwd=self.folder, capture_output=True, text=True, timeout=60
+        )
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("largest at any ω", done.stdout)
 
 
 class SymmetricBox(unittest.TestCase):
     def test_on_equal_mounts_with_relaxation(self):
-        mounts = "".join(f"""[elements.r{i}]
+        mounts = "".join(
+            f"""[elements.r{i}]
 type = "bushing"
 on = "box"
 at = [{x}, {y}, 0.1]
 translation = [18e3, 14e3, 30e3]
 rotation = [2, 2, 2]
 damping = {{zener = {{ratio = 0.6, time = "4 ms"}}}}
-""" for i, (x, y) in enumerate((x, y) for x in (-0.2, 0, 0.2) for y in (-0.15, 0.15)))
+"""
+            for i, (x, y) in enumerate((x, y) for x in (-0.2, 0, 0.2) for y in (-0.15, 0.15))
+        )
         text = f"""trivet = 1
 [bodies.box]
 mass = 24

@@ -69,7 +69,9 @@ class Faults(unittest.TestCase):
         for folder in (self.temporary, self.cache, self.work):
             folder.mkdir()
         self.mark = str(uuid.uuid4())
-        self.environment = dict(os.environ, TMPDIR=str(self.temporary), TRIVET_CACHE=str(self.cache), TRIVET_TEST=self.mark)
+        self.environment = dict(
+            os.environ, TMPDIR=str(self.temporary), TRIVET_CACHE=str(self.cache), TRIVET_TEST=self.mark
+        )
         self.project = self.file(ONE_MASS)
         for name in ("pump.toml", "hour_glass.step"):
             shutil.copy(STEP / name, self.folder)
@@ -80,7 +82,13 @@ class Faults(unittest.TestCase):
         return path
 
     def run_trivet(self, *arguments, environment=None, **options):
-        done = subprocess.run([TRIVET, *map(str, arguments)], capture_output=True, timeout=120, env=dict(self.environment, **(environment or {})), **options)
+        done = subprocess.run(
+            [TRIVET, *map(str, arguments)],
+            capture_output=True,
+            timeout=120,
+            env=dict(self.environment, **(environment or {})),
+            **options,
+        )
         done.stdout, done.stderr = (text.decode(errors="replace") for text in (done.stdout, done.stderr))
         for word in LIBRARY_WORDS:
             self.assertNotIn(word, done.stdout + done.stderr)
@@ -105,15 +113,38 @@ class Faults(unittest.TestCase):
 class TemporaryFiles(Faults):
     def test_no_place_for_them(self):
         file = self.file("")
-        for place, words in ((self.folder / "missing", "No such file or directory"), (file, "Not a directory"), ("/proc", "set TMPDIR"), (self.folder / ("n" * 300), "File name too long")):
+        for place, words in (
+            (self.folder / "missing", "No such file or directory"),
+            (file, "Not a directory"),
+            ("/proc", "set TMPDIR"),
+            (self.folder / ("n" * 300), "File name too long"),
+        ):
             with self.subTest(place=place):
-                done = self.fails("set TMPDIR to a folder with write permission", "element", self.folder / "pump.toml", "left mount", environment={"TMPDIR": str(place)})
+                done = self.fails(
+                    "set TMPDIR to a folder with write permission",
+                    "element",
+                    self.folder / "pump.toml",
+                    "left mount",
+                    environment={"TMPDIR": str(place)},
+                )
                 self.assertIn(words, done.stderr)
-        self.fails("set TMPDIR", "run", self.folder / "pump.toml", "-o", self.work / "out", environment={"TMPDIR": str(self.folder / "missing")})
+        self.fails(
+            "set TMPDIR",
+            "run",
+            self.folder / "pump.toml",
+            "-o",
+            self.work / "out",
+            environment={"TMPDIR": str(self.folder / "missing")},
+        )
         self.assertEqual(os.listdir(self.work), [])
 
     def test_commands_that_need_none_succeed(self):
-        self.assertEqual(self.run_trivet("run", self.project, "-o", self.work / "out", environment={"TMPDIR": "/missing"}).returncode, 0)
+        self.assertEqual(
+            self.run_trivet(
+                "run", self.project, "-o", self.work / "out", environment={"TMPDIR": "/missing"}
+            ).returncode,
+            0,
+        )
 
     def test_a_full_quota(self):
         limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (1000, 1000))
@@ -142,9 +173,16 @@ class Cache(Faults):
         def damaged():
             entry.write_bytes(content[:-8] + b"\0" * 8)
 
-        makers = {"folder": entry.mkdir, "pipe": lambda: os.mkfifo(entry), "link": lambda: entry.symlink_to(secret), "link to an entry": lambda: entry.symlink_to(copy),
-                  "link to nothing": lambda: entry.symlink_to(self.folder / "nothing"), "damaged": damaged, "empty": lambda: entry.write_bytes(b""),
-                  "huge": lambda: (entry.touch(), os.truncate(entry, 1 << 40))}
+        makers = {
+            "folder": entry.mkdir,
+            "pipe": lambda: os.mkfifo(entry),
+            "link": lambda: entry.symlink_to(secret),
+            "link to an entry": lambda: entry.symlink_to(copy),
+            "link to nothing": lambda: entry.symlink_to(self.folder / "nothing"),
+            "damaged": damaged,
+            "empty": lambda: entry.write_bytes(b""),
+            "huge": lambda: (entry.touch(), os.truncate(entry, 1 << 40)),
+        }
         for name, make in makers.items():
             with self.subTest(name=name):
                 entry.unlink()
@@ -187,9 +225,14 @@ class Gmsh(Faults):
         return {"PATH": f"{programs}:{os.environ['PATH']}", "TRIVET_GMSH_SECONDS": "60"}
 
     def rejected(self, words, script, environment=None, **options):
-        for command in (("element", self.folder / "pump.toml", "left mount"), ("run", self.folder / "pump.toml", "-o", self.work / "out")):
+        for command in (
+            ("element", self.folder / "pump.toml", "left mount"),
+            ("run", self.folder / "pump.toml", "-o", self.work / "out"),
+        ):
             with self.subTest(command=command[0]):
-                self.fails(words, *command, environment=dict(self.fake(script), **(environment or {})), lines=6, **options)
+                self.fails(
+                    words, *command, environment=dict(self.fake(script), **(environment or {})), lines=6, **options
+                )
                 self.nothing_left()
                 self.assertEqual((os.listdir(self.work), os.listdir(self.cache)), ([], []))
 
@@ -200,7 +243,11 @@ class Gmsh(Faults):
         self.rejected("gmsh cannot be started: No such file or directory", "#!/no/such/program\n")
 
     def test_failure_is_reported_although_our_parent_ignores_the_end_of_children(self):
-        self.rejected("gmsh failed (exit code 3)", "#!/bin/sh\nexit 3\n", preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN))
+        self.rejected(
+            "gmsh failed (exit code 3)",
+            "#!/bin/sh\nexit 3\n",
+            preexec_fn=lambda: signal.signal(signal.SIGCHLD, signal.SIG_IGN),
+        )
 
     def test_no_output_or_nonsense_is_rejected(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nexit 0\n")
@@ -208,19 +255,35 @@ class Gmsh(Faults):
             self.rejected("which is not a file", f"#!/bin/sh\n{odd}\n")
         for name in ("faces.txt", "faces.msh"):
             self.rejected("", f"#!/bin/sh\nhead -c 100000 /dev/urandom > {name}\n")
-        self.rejected("", "#!/bin/sh\nprintf '1e18 nan -1\\n999999999999999999 1 2 3' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$Nodes\\n99999999999\\n' > faces.msh\n")
-        self.rejected("", "#!/bin/sh\nprintf '1\\n1\\n1\\n1\\n1 1 0 0 0\\n' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n9\\n' > faces.msh\n")
+        self.rejected(
+            "",
+            "#!/bin/sh\nprintf '1e18 nan -1\\n999999999999999999 1 2 3' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$Nodes\\n99999999999\\n' > faces.msh\n",
+        )
+        self.rejected(
+            "",
+            "#!/bin/sh\nprintf '1\\n1\\n1\\n1\\n1 1 0 0 0\\n' > faces.txt\nprintf '$MeshFormat\\n2.2 0 8\\n$EndMeshFormat\\n$Nodes\\n9\\n' > faces.msh\n",
+        )
 
     def test_a_hanging_one_is_stopped(self):
-        self.rejected("gmsh had not finished after 0.5 s and was stopped", "#!/bin/sh\nsleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
-        self.rejected("gmsh had not finished", "#!/bin/sh\ntrap '' TERM INT HUP\nsleep 1000 & sleep 1000\n", environment={"TRIVET_GMSH_SECONDS": "0.5"})
+        self.rejected(
+            "gmsh had not finished after 0.5 s and was stopped",
+            "#!/bin/sh\nsleep 1000\n",
+            environment={"TRIVET_GMSH_SECONDS": "0.5"},
+        )
+        self.rejected(
+            "gmsh had not finished",
+            "#!/bin/sh\ntrap '' TERM INT HUP\nsleep 1000 & sleep 1000\n",
+            environment={"TRIVET_GMSH_SECONDS": "0.5"},
+        )
 
     def test_endless_output_is_stopped(self):
         self.rejected("ended after 100 MB of messages", "#!/bin/sh\nexec yes\n")
 
     def test_its_time_must_be_a_time(self):
         for wrong in ("0", "-1", "nan", "inf", "1e9", "soon", "1 s"):
-            self.rejected(f'TRIVET_GMSH_SECONDS = "{wrong}"', "#!/bin/sh\nexit 0\n", environment={"TRIVET_GMSH_SECONDS": wrong})
+            self.rejected(
+                f'TRIVET_GMSH_SECONDS = "{wrong}"', "#!/bin/sh\nexit 0\n", environment={"TRIVET_GMSH_SECONDS": wrong}
+            )
 
     def test_its_children_end_with_it(self):
         self.rejected("hour_glass.step", "#!/bin/sh\nsleep 1000 &\nexit 0\n")
@@ -234,7 +297,9 @@ class Files(Faults):
             self.fails("this is a pipe or a device", "check", name)
         history = '[excitations.ramp]\ntype = "time"\non = "mass"\nat = [0, 0, 0]\nfile = "pipe"\nforce = {z = "f"}\n'
         table = '[elements.t]\ntype = "table"\non = "mass"\nat = [0, 0, 0.1]\naxis = "z"\nfile = "pipe"\n'
-        matrix = '[elements.m]\ntype = "imported"\non = "mass"\nat = [0, 0, 0.1]\nfile = "pipe"\nformat = "matrix_market"\n'
+        matrix = (
+            '[elements.m]\ntype = "imported"\non = "mass"\nat = [0, 0, 0.1]\nfile = "pipe"\nformat = "matrix_market"\n'
+        )
         catalogue = ONE_MASS.replace("trivet = 1", 'trivet = 1\ncatalogues = ["pipe"]')
         for text in (ONE_MASS + history, ONE_MASS + table, ONE_MASS + matrix, catalogue):
             self.fails("pipe", "check", self.file(text, "piped.toml"), lines=10)
@@ -248,28 +313,57 @@ class Files(Faults):
         done = self.run_trivet("run", self.file(long_body + cases, "long.toml"), "-o", self.work / "out")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual([len(case.name.encode()) for case in sorted((self.work / "out").glob("0*"))], [7, 103, 103])
-        self.fails("at most 100 bytes", "check", self.file(long_body.replace(name, name + "ä"), "longer.toml"), lines=10)
-        self.fails("File name too long", "map", SOURCE / "examples/paper/map.toml", "--points", "3", "--picture", self.work / ("n" * 300 + ".svg"))
+        self.fails(
+            "at most 100 bytes", "check", self.file(long_body.replace(name, name + "ä"), "longer.toml"), lines=10
+        )
+        self.fails(
+            "File name too long",
+            "map",
+            SOURCE / "examples/paper/map.toml",
+            "--points",
+            "3",
+            "--picture",
+            self.work / ("n" * 300 + ".svg"),
+        )
 
     def test_names_that_are_not_utf_8(self):
         raw = os.fsencode(self.folder) + b"/\xff\xfe\x80.toml"
         shutil.copy(os.fsencode(self.project), raw)
         target = os.fsencode(self.work) + b"/out\xff"
-        done = subprocess.run([TRIVET, b"run", raw, b"-o", target], capture_output=True, env=self.environment, timeout=60)
+        done = subprocess.run(
+            [TRIVET, b"run", raw, b"-o", target], capture_output=True, env=self.environment, timeout=60
+        )
         self.assertEqual((done.returncode, done.stderr), (0, b""))
         self.assertIn(b"results.json", os.listdir(target))
-        for arguments in ((b"check", raw, b"--json"), (b"modes", raw, b"--json"), (b"check", b"/missing\xff", b"--json"), (b"modes", raw, b"--case", b"\xff"),
-                          (b"modes", raw, b"--set", b"\xff=1", b"--json"), (b"element", raw, b"\xff"), (b"check", raw + b"x")):
+        for arguments in (
+            (b"check", raw, b"--json"),
+            (b"modes", raw, b"--json"),
+            (b"check", b"/missing\xff", b"--json"),
+            (b"modes", raw, b"--case", b"\xff"),
+            (b"modes", raw, b"--set", b"\xff=1", b"--json"),
+            (b"element", raw, b"\xff"),
+            (b"check", raw + b"x"),
+        ):
             with self.subTest(arguments=arguments):
                 self.run_trivet(*(os.fsdecode(argument) for argument in arguments))
 
     def test_the_current_folder_is_gone(self):
         gone = self.folder / "gone"
         gone.mkdir()
-        for arguments, codes in ((f'check "{self.project}"', (0,)), ("check one.toml", (2,)), (f'element "{self.folder}/pump.toml" "left mount"', (0, 1, 2)),
-                                 (f'map "{SOURCE}/examples/paper/map.toml" --points 3 --picture map.svg', (2,))):
+        for arguments, codes in (
+            (f'check "{self.project}"', (0,)),
+            ("check one.toml", (2,)),
+            (f'element "{self.folder}/pump.toml" "left mount"', (0, 1, 2)),
+            (f'map "{SOURCE}/examples/paper/map.toml" --points 3 --picture map.svg', (2,)),
+        ):
             with self.subTest(arguments=arguments):
-                done = subprocess.run(["sh", "-c", f'mkdir -p "{gone}" && cd "{gone}" && rmdir "{gone}" && exec "{TRIVET}" {arguments}'], capture_output=True, text=True, env=self.environment, timeout=120)
+                done = subprocess.run(
+                    ["sh", "-c", f'mkdir -p "{gone}" && cd "{gone}" && rmdir "{gone}" && exec "{TRIVET}" {arguments}'],
+                    capture_output=True,
+                    text=True,
+                    env=self.environment,
+                    timeout=120,
+                )
                 self.assertIn(done.returncode, codes, done.stderr)
                 for word in LIBRARY_WORDS:
                     self.assertNotIn(word, done.stderr)
@@ -281,7 +375,16 @@ class Files(Faults):
         link = self.work / "map.svg"
         for target in (victim, self.folder / "nothing.svg"):
             link.symlink_to(target)
-            self.fails("this is a symbolic link", "map", SOURCE / "examples/paper/map.toml", "--points", "3", "--picture", link, codes=(2,))
+            self.fails(
+                "this is a symbolic link",
+                "map",
+                SOURCE / "examples/paper/map.toml",
+                "--points",
+                "3",
+                "--picture",
+                link,
+                codes=(2,),
+            )
             self.assertTrue(link.is_symlink())
             link.unlink()
         self.assertEqual(victim.read_text(), "<svg/>")

@@ -61,7 +61,9 @@ class Examples(InTemporaryFolder):
             trivet("run", PAPER, "-o", self.folder / name)
         for path in sorted((self.folder / "a").rglob("*")):
             if path.is_file():
-                self.assertEqual(path.read_bytes(), (self.folder / "b" / path.relative_to(self.folder / "a")).read_bytes(), path)
+                self.assertEqual(
+                    path.read_bytes(), (self.folder / "b" / path.relative_to(self.folder / "a")).read_bytes(), path
+                )
 
     def test_the_starter_file_passes_its_check(self):
         starter = self.file(trivet("new").stdout)
@@ -75,7 +77,15 @@ class Contract(InTemporaryFolder):
         found = answer("modes", PAPER)
         self.assertEqual(found["bodies"], ["aggregate"])
         self.assertEqual(len(found["modes"]), 6)
-        for key in ("eigenvalue_squared", "angular_frequency", "frequency_hz", "shape", "kinetic_energy_share", "strain_energy_share", "name"):
+        for key in (
+            "eigenvalue_squared",
+            "angular_frequency",
+            "frequency_hz",
+            "shape",
+            "kinetic_energy_share",
+            "strain_energy_share",
+            "name",
+        ):
             self.assertIn(key, found["modes"][0])
         self.assertEqual(found["warnings"], [])
 
@@ -125,8 +135,14 @@ class Contract(InTemporaryFolder):
 
     def test_case_and_set(self):
         base = answer("modes", PAPER)["modes"][0]["angular_frequency"]
-        self.assertAlmostEqual(answer("modes", PAPER, "--case", "Figure 8")["modes"][0]["angular_frequency"], base * 3 ** 0.5, places=9)
-        self.assertAlmostEqual(answer("modes", PAPER, "--set", "elements.suspension.scale=4")["modes"][0]["angular_frequency"], 2 * base, places=9)
+        self.assertAlmostEqual(
+            answer("modes", PAPER, "--case", "Figure 8")["modes"][0]["angular_frequency"], base * 3**0.5, places=9
+        )
+        self.assertAlmostEqual(
+            answer("modes", PAPER, "--set", "elements.suspension.scale=4")["modes"][0]["angular_frequency"],
+            2 * base,
+            places=9,
+        )
         done = trivet("modes", PAPER, "--case", "Figur 8")
         self.assertEqual(done.returncode, 2)
         self.assertIn('did you mean "Figure 8"', done.stderr)
@@ -148,6 +164,7 @@ class Contract(InTemporaryFolder):
 
     def test_schema_accepts_examples_and_finds_a_typing_error(self):
         import jsonschema
+
         schema = json.loads(trivet("schema").stdout)
         validator = jsonschema.Draft7Validator(schema)
         for example in EXAMPLES:
@@ -158,7 +175,11 @@ class Contract(InTemporaryFolder):
         self.assertFalse(validator.is_valid(wrong))
 
     def test_what_cannot_be_computed_does_not_stop_the_rest(self):
-        text = (SOURCE / "examples/free_pair/coupled_bodies.toml").read_text().replace("peaks = {}", "peaks = {}\nstatic = {}")
+        text = (
+            (SOURCE / "examples/free_pair/coupled_bodies.toml")
+            .read_text()
+            .replace("peaks = {}", "peaks = {}\nstatic = {}")
+        )
         path = self.file("gravity = [0, 0, -9.81]\n" + text)
         done = trivet("run", path, "-o", self.folder / "out")
         self.assertEqual(done.returncode, 1)
@@ -179,8 +200,14 @@ class Faults(InTemporaryFolder):
         (self.folder / "zeros.toml").write_bytes(b"trivet = 1\0")
         with open(self.folder / "huge.toml", "wb") as huge:
             huge.truncate(1 << 30)
-        for name, words in (("missing.toml", "o such file"), (".", "directory"), ("empty.toml", "empty"), ("blank.toml", "empty"),
-                            ("zeros.toml", "NUL bytes"), ("huge.toml", "larger than 16 MiB")):
+        for name, words in (
+            ("missing.toml", "o such file"),
+            (".", "directory"),
+            ("empty.toml", "empty"),
+            ("blank.toml", "empty"),
+            ("zeros.toml", "NUL bytes"),
+            ("huge.toml", "larger than 16 MiB"),
+        ):
             started = time.monotonic()
             done = trivet("check", self.folder / name)
             self.assertEqual(done.returncode, 2, name)
@@ -194,8 +221,17 @@ class Faults(InTemporaryFolder):
         self.assertIn("Permission denied", trivet("check", path).stderr)
 
     def test_wrong_arguments(self):
-        for arguments in (("modes",), ("mode", PAPER), ("response", PAPER, "--at", "1,x"), ("response", PAPER, "--at", "-1"), ("response", PAPER, "--band", "5,1"),
-                          ("modes", PAPER, "--json", "--csv"), ("element", PAPER, "suspensio"), ("modes", PAPER, "--set", "nonsense"), ()):
+        for arguments in (
+            ("modes",),
+            ("mode", PAPER),
+            ("response", PAPER, "--at", "1,x"),
+            ("response", PAPER, "--at", "-1"),
+            ("response", PAPER, "--band", "5,1"),
+            ("modes", PAPER, "--json", "--csv"),
+            ("element", PAPER, "suspensio"),
+            ("modes", PAPER, "--set", "nonsense"),
+            (),
+        ):
             self.assertEqual(trivet(*arguments).returncode, 2, arguments)
 
     def test_a_foreign_folder_is_not_overwritten(self):
@@ -246,11 +282,30 @@ class Faults(InTemporaryFolder):
     def test_a_reader_that_leaves_is_no_error(self):
         mount = SOURCE / "examples/rubber_mounts/compressor.toml"
         element = next(iter(tomllib.loads(mount.read_text())["elements"]))
-        commands = [[which, PAPER, *form] for which in ("modes", "roots", "peaks") for form in ((), ("--json",), ("--csv",))]
-        commands += [[which, SOURCE / "examples" / example, *form] for form in ((), ("--json",), ("--csv",))
-                     for which, example in (("static", "skew_mounts/machine.toml"), ("orders", "genset/genset.toml"), ("random", "optical_table/table.toml"))]
-        commands += [["response", PAPER, "--csv"], ["check", PAPER], ["check", PAPER, "--json"], ["element", mount, element], ["explain", PAPER], ["suspension", PAPER],
-                     ["map", SOURCE / "examples/paper/map.toml", "--points", "5", "--json"], ["schema"], ["new"], ["run", PAPER, "-o", self.folder / "out"]]
+        commands = [
+            [which, PAPER, *form] for which in ("modes", "roots", "peaks") for form in ((), ("--json",), ("--csv",))
+        ]
+        commands += [
+            [which, SOURCE / "examples" / example, *form]
+            for form in ((), ("--json",), ("--csv",))
+            for which, example in (
+                ("static", "skew_mounts/machine.toml"),
+                ("orders", "genset/genset.toml"),
+                ("random", "optical_table/table.toml"),
+            )
+        ]
+        commands += [
+            ["response", PAPER, "--csv"],
+            ["check", PAPER],
+            ["check", PAPER, "--json"],
+            ["element", mount, element],
+            ["explain", PAPER],
+            ["suspension", PAPER],
+            ["map", SOURCE / "examples/paper/map.toml", "--points", "5", "--json"],
+            ["schema"],
+            ["new"],
+            ["run", PAPER, "-o", self.folder / "out"],
+        ]
         for command in commands:
             with self.subTest(command=command):
                 reader, writer = os.pipe()
@@ -263,9 +318,19 @@ class Faults(InTemporaryFolder):
         self.assertTrue((self.folder / "out" / "report.html").exists())
 
     def test_closed_streams_get_no_file_of_ours(self):
-        for closed, code, words in ((">&-", 1, "Bad file descriptor"), ("<&- >&- 2>&-", 1, ""), ("2>&-", 0, ""), ("<&-", 0, ""), ("<&- 2>&-", 0, "")):
+        for closed, code, words in (
+            (">&-", 1, "Bad file descriptor"),
+            ("<&- >&- 2>&-", 1, ""),
+            ("2>&-", 0, ""),
+            ("<&-", 0, ""),
+            ("<&- 2>&-", 0, ""),
+        ):
             with self.subTest(closed=closed):
-                done = subprocess.run(["sh", "-c", f'exec "{os.path.abspath(TRIVET)}" run "{PAPER}" -o "{self.folder}/out" {closed}'], capture_output=True, text=True)
+                done = subprocess.run(
+                    ["sh", "-c", f'exec "{os.path.abspath(TRIVET)}" run "{PAPER}" -o "{self.folder}/out" {closed}'],
+                    capture_output=True,
+                    text=True,
+                )
                 self.assertEqual(done.returncode, code, done.stderr)
                 self.assertIn(words, done.stderr)
         self.assertEqual(os.listdir(self.folder), ["out"])
@@ -274,7 +339,11 @@ class Faults(InTemporaryFolder):
         picture = self.folder / "map.svg"
         reader, writer = os.pipe()
         os.close(reader)
-        done = subprocess.run([TRIVET, "map", str(SOURCE / "examples/paper/map.toml"), "--points", "5", "--picture", str(picture)], stdout=writer, stderr=subprocess.PIPE)
+        done = subprocess.run(
+            [TRIVET, "map", str(SOURCE / "examples/paper/map.toml"), "--points", "5", "--picture", str(picture)],
+            stdout=writer,
+            stderr=subprocess.PIPE,
+        )
         os.close(writer)
         self.assertEqual(done.returncode, 141)
         self.assertIn("</svg>", picture.read_text())
@@ -291,7 +360,12 @@ class Faults(InTemporaryFolder):
             text += f'[elements.e{i}]\ntype = "bushing"\non = "b{i}"\nat = [0, 0, 0]\ntranslation = [1e5, 2e5, 3e5]\nrotation = [1e4, 1e4, 2e4]\ndamping = {{loss_factor = 0.001}}\n'
             text += f'from = "b{i - 1}"\n' if i else ""
         text += '[excitations.f]\ntype = "harmonic"\non = "b0"\nat = [0, 0, 0]\nforce = [1, 1, 1]\nmoment = [1, 1, 1]\n[analyses]\npeaks = {}\nresponse = {}\n'
-        process = subprocess.Popen([TRIVET, "run", str(self.file(text)), "-o", str(self.folder / "out")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [TRIVET, "run", str(self.file(text)), "-o", str(self.folder / "out")],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         deadline = time.monotonic() + 60
         while not any(p.name.startswith(".trivet-") for p in self.folder.iterdir()) and time.monotonic() < deadline:
             time.sleep(0.01)

@@ -21,8 +21,18 @@ run("cmake", "--install", build, "--prefix", str(work / "installed"))
 
 
 def built(source, name):
-    run("cmake", "-S", source, "-B", str(work / name), "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={work / 'installed'}",
-        f"-DCMAKE_CXX_COMPILER={compiler}", f"-DCMAKE_CXX_FLAGS={flags}")
+    run(
+        "cmake",
+        "-S",
+        source,
+        "-B",
+        str(work / name),
+        "-G",
+        "Ninja",
+        f"-DCMAKE_PREFIX_PATH={work / 'installed'}",
+        f"-DCMAKE_CXX_COMPILER={compiler}",
+        f"-DCMAKE_CXX_FLAGS={flags}",
+    )
     run("cmake", "--build", str(work / name))
     return work / name
 

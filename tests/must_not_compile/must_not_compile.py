@@ -8,7 +8,11 @@ compiler, source, *options = sys.argv[1:]
 
 
 def compiles(program, *more):
-    done = subprocess.run([compiler, "-std=c++20", "-fsyntax-only", f"-I{source}", *options, *more, str(program)], capture_output=True, text=True)
+    done = subprocess.run(
+        [compiler, "-std=c++20", "-fsyntax-only", f"-I{source}", *options, *more, str(program)],
+        capture_output=True,
+        text=True,
+    )
     return done.returncode == 0, done.stderr
 
 

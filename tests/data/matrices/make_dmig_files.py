@@ -8,11 +8,24 @@ from pyNastran.bdf.bdf import BDF
 
 def write(file_name, name, matrix, nodes, form, number_type, size, is_double):
     rows = [(node, component) for node in nodes for component in range(1, 7)]
-    entries = [(i, j) for j in range(len(rows)) for i in range(len(rows)) if matrix[i, j] != 0 and (form != 6 or i >= j)]
+    entries = [
+        (i, j) for j in range(len(rows)) for i in range(len(rows)) if matrix[i, j] != 0 and (form != 6 or i >= j)
+    ]
     model = BDF(debug=False)
     values = np.array([matrix[i, j] for i, j in entries])
     arguments = {"Complex": values.imag} if number_type > 2 else {}
-    model.add_dmig(name, form, number_type, 0, 0, len(rows), [rows[j] for i, j in entries], [rows[i] for i, j in entries], values.real, **arguments)
+    model.add_dmig(
+        name,
+        form,
+        number_type,
+        0,
+        0,
+        len(rows),
+        [rows[j] for i, j in entries],
+        [rows[i] for i, j in entries],
+        values.real,
+        **arguments
+    )
     text = io.StringIO()
     for card in model.dmig.values():
         text.write(card.write_card(size, is_double))

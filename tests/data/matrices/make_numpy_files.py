@@ -20,8 +20,14 @@ def beam(length):
     put([5, 11], G * J / length * rod)
     for inertia, rows, sign in ((IY, [0, 4, 6, 10], 1), (IX, [1, 3, 7, 9], -1)):
         s, l = sign, length
-        bending = np.array([[12, s * 6 * l, -12, s * 6 * l], [s * 6 * l, 4 * l * l, -s * 6 * l, 2 * l * l],
-                            [-12, -s * 6 * l, 12, -s * 6 * l], [s * 6 * l, 2 * l * l, -s * 6 * l, 4 * l * l]])
+        bending = np.array(
+            [
+                [12, s * 6 * l, -12, s * 6 * l],
+                [s * 6 * l, 4 * l * l, -s * 6 * l, 2 * l * l],
+                [-12, -s * 6 * l, 12, -s * 6 * l],
+                [s * 6 * l, 2 * l * l, -s * 6 * l, 4 * l * l],
+            ]
+        )
         put(rows, E * inertia / l**3 * bending)
     return k
 
@@ -29,14 +35,16 @@ def beam(length):
 def chain():
     k = np.zeros((6 * (ELEMENTS + 1),) * 2)
     for i in range(ELEMENTS):
-        k[6 * i:6 * i + 12, 6 * i:6 * i + 12] += beam(LENGTH)
+        k[6 * i : 6 * i + 12, 6 * i : 6 * i + 12] += beam(LENGTH)
     return k
 
 
 whole = beam(LENGTH * ELEMENTS)
 lossy = whole * (1 + 0.02j)
 np.save("beam.npy", whole)
-np.save("beam_by_columns.npy", np.asfortranarray(whole + np.triu(np.ones((12, 12)))))  # unsymmetric, to detect a wrong order
+np.save(
+    "beam_by_columns.npy", np.asfortranarray(whole + np.triu(np.ones((12, 12))))
+)  # unsymmetric, to detect a wrong order
 np.save("beam_complex.npy", lossy)
 np.save("chain.npy", chain())
 with open("beam_version_2.npy", "wb") as file:
