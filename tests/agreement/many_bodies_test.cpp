@@ -133,6 +133,7 @@ std::vector<double> scan(const Eigen::VectorXcd& poles, double to) {
 }
 
 TEST(PeaksOfManyBodies, AreAllThatAScanAroundEveryPoleFinds) {
+  int seen = 0;
   for (const double damping : {0.3, 0.01})
     for (const Graph& graph : graphs(8)) {
       const DynamicMatrices m = system_of(graph, 4, damping);
@@ -147,7 +148,6 @@ TEST(PeaksOfManyBodies, AreAllThatAScanAroundEveryPoleFinds) {
       const numerics::PeakRefinement refinement(system);
       const std::vector<double> omega = scan(poles, 1.1 * poles.imag().maxCoeff());
       const Eigen::MatrixXcd q = numerics::sweep(m, load, omega).response;
-      int seen = 0;
       for (std::size_t c = 0; c < curves.size(); ++c) {
         const Eigen::VectorXd y = q.row(rows[c]).cwiseAbs().transpose();
         const double size = y.maxCoeff();
@@ -167,8 +167,8 @@ TEST(PeaksOfManyBodies, AreAllThatAScanAroundEveryPoleFinds) {
           EXPECT_NEAR(peak->amplitude, refined.amplitude, nine_digits * refined.amplitude);
         }
       }
-      EXPECT_GT(seen, 10) << graph.name;
     }
+  EXPECT_GT(seen, 100) << "the test means nothing without peaks";
 }
 
 }  // namespace

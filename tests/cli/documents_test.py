@@ -56,6 +56,7 @@ ELSEWHERE = {
     "build/release/benchmarks/rubber_mount": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/transient": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/random_response": (IDLE, ".ci/run", COMPILED),
+    "build/release/benchmarks/solid_condensation": (IDLE, ".ci/run", COMPILED),
 }
 COMMAND_ELSEWHERE = re.compile(r"(scripts/|\.ci/|cmake |python3 |build/\w+/(tests|benchmarks)/)")
 
