@@ -98,8 +98,11 @@ Eigen::MatrixXd contributions(const Modes& modes, const Eigen::MatrixXd& A, cons
 }
 
 /// @param parts  contributions of the modes to the root, whose |λ| is `size`
-std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, double size, Eigen::Index massive) {
-  if (modes.list.empty()) return std::nullopt;
+/// @param all    |v|² in scaled coordinates, with those without mass: a relaxation inside elements moves no mass
+std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, double all, double size,
+                             Eigen::Index massive) {
+  constexpr double round_off = 1e-20;  // of squares
+  if (modes.list.empty() || !(parts.sum() > round_off * all)) return std::nullopt;
   Eigen::Index largest = 0;
   if (parts.maxCoeff(&largest) > 0.5 * parts.sum()) return modes.list[to_size(largest)].number;
   return nearest_mode(modes, size, massive);
@@ -132,6 +135,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
   if (assembled.frequency_dependent()) make_exact(assembled, all.at_rest, raw, result.remarks, inexact);
   result.poles = numerics::poles(all);
   const Eigen::MatrixXd parts = contributions(modes, m.A, raw.vectors);
+  const Eigen::VectorXd per_unit = numerics::unit_scale(m).cwiseInverse();
   for (Eigen::Index k = 0; k < raw.lambda.size(); ++k) {
     Root root = classified(raw.lambda(k), scale, all.at_rest);
     // With a loss factor only the half plane of ω > 0 has a meaning.
@@ -140,7 +144,8 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     root.shape.resize(6 * to_index(system.bodies().size()));
     for (std::size_t b = 0; b < system.bodies().size(); ++b)
       root.shape.segment<6>(6 * to_index(b)) = assembled.layout.of_body(b, raw.vectors.col(k));
-    root.nearest_mode = mode_like(modes, parts.col(k), std::abs(raw.lambda(k)), massive);
+    root.nearest_mode = mode_like(modes, parts.col(k), (per_unit.asDiagonal() * raw.vectors.col(k)).squaredNorm(),
+                                  std::abs(raw.lambda(k)), massive);
     result.list.push_back(std::move(root));
   }
   std::stable_sort(result.list.begin(), result.list.end(), [](const Root& a, const Root& b) {

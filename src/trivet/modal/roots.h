@@ -21,7 +21,8 @@ struct Root {
   std::optional<double> damping_ratio;             ///< −Re λ/|λ|
   Eigen::VectorXcd shape;                          ///< six per body at the poles, largest (mass-weighted) component 1
   /// Number of the undamped mode that contributes more than half of the shape's mass-weighted norm squared, summed over
-  /// the modes. If damping couples the modes so that none does, the mode nearest in |λ|.
+  /// the modes. If damping couples the modes so that none does, the mode nearest in |λ|. Empty for a relaxation inside
+  /// elements, which moves no mass.
   std::optional<int> nearest_mode;
   bool exact = true;  ///< false: root of the nearest linear system of frequency-dependent elements
 };
