@@ -10,6 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/sparse_system.h"
 #include "trivet/numerics/linalg/state_form.h"
 
 namespace trivet::numerics {
@@ -89,12 +90,7 @@ namespace {
 /// (λ²A + λB + K) v = 0 in extended precision, solved by Newton's method with the factors of a double Jacobian.
 class RootRefinement {
  public:
-  explicit RootRefinement(const DynamicMatrices& m)
-      : m_(m),
-        stiffness_(m.complex_stiffness()),
-        A_(m.A.cast<ExtendedComplex>()),
-        B_(m.B.cast<ExtendedComplex>()),
-        K_(stiffness_.cast<ExtendedComplex>()) {}
+  explicit RootRefinement(const DynamicMatrices& m) : m_(m), stiffness_(m.complex_stiffness()), entries_(m) {}
 
   struct Root {
     ExtendedComplex lambda;
@@ -111,7 +107,7 @@ class RootRefinement {
     const PivotedLu<Complex> jacobian(bordered(start, root.v.cast<Complex>()));
     const Eigen::Index n = m_.size();
     for (int step = 0; step < steps; ++step) {
-      const ExtendedVector residual = root.lambda * (root.lambda * (A_ * root.v) + B_ * root.v) + K_ * root.v;
+      const ExtendedVector residual = entries_.polynomial(root.lambda, root.v);
       Eigen::VectorXcd right = Eigen::VectorXcd::Zero(n + 1);
       right.head(n) = -residual.cast<Complex>();
       const Eigen::VectorXcd change = jacobian.solve(right);
@@ -142,7 +138,7 @@ class RootRefinement {
 
   const DynamicMatrices& m_;
   Eigen::MatrixXcd stiffness_;
-  ExtendedMatrix A_, B_, K_;
+  SparseSystem entries_;
 };
 
 }  // namespace

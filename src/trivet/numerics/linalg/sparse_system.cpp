@@ -3,6 +3,8 @@
 
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseLU>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -90,6 +92,27 @@ SparseSystem::Vector<Real> SparseSystem::product(int derivative, Real omega, con
 template SparseSystem::Vector<double> SparseSystem::product(int, double, const Vector<double>&, bool) const;
 template SparseSystem::Vector<long double> SparseSystem::product(int, long double, const Vector<long double>&,
                                                                  bool) const;
+
+SparseSystem::Vector<long double> SparseSystem::polynomial(const std::complex<long double>& lambda,
+                                                           const Vector<long double>& x) const {
+  using Extended = long double;
+  const std::complex<Extended> square = lambda * lambda;
+  Vector<Extended> y = Vector<Extended>::Zero(size_);
+  for (const Entry& e : entries_) {
+    const Extended re = Extended(e.k.real()) + lambda.real() * Extended(e.b) + square.real() * Extended(e.a),
+                   im = Extended(e.k.imag()) + lambda.imag() * Extended(e.b) + square.imag() * Extended(e.a);
+    const std::complex<Extended>& of = x(e.column);
+    std::complex<Extended>& sum = y(e.row);
+    sum = {sum.real() + (re * of.real() - im * of.imag()), sum.imag() + (re * of.imag() + im * of.real())};
+  }
+  return y;
+}
+
+double SparseSystem::largest_entry(double omega) const {
+  double largest = 0;
+  for (const Entry& e : entries_) largest = std::max(largest, std::norm(coefficient(e, 0, omega)));
+  return std::sqrt(largest);
+}
 
 Eigen::MatrixXcd SparseSystem::dense(double omega, bool transposed) const {
   Eigen::MatrixXcd z = Eigen::MatrixXcd::Zero(size_, size_);

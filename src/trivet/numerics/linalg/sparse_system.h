@@ -44,6 +44,12 @@ class SparseSystem {
   template <typename Real>
   [[nodiscard]] Vector<Real> product(int derivative, Real omega, const Vector<Real>& x, bool transposed = false) const;
 
+  /// (λ²A + λB + K + iK_loss) x in extended precision.
+  [[nodiscard]] Vector<long double> polynomial(const std::complex<long double>& lambda,
+                                               const Vector<long double>& x) const;
+  /// Largest |Z_ij|.
+  [[nodiscard]] double largest_entry(double omega) const;
+
   /// Factors of Z or Zᵀ: sparse, in an order with little fill, if most entries are zero; else dense.
   [[nodiscard]] SystemFactors factors(double omega, bool transposed = false) const;
 

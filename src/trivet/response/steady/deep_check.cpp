@@ -111,6 +111,9 @@ class SecondSystem {
     }
     add_bodies(assembled.layout);
     stiffness_ += assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n_, n_).cast<ExtendedComplex>();
+    stiffness_terms_ = stiffness_.cwiseAbs();
+    damping_terms_ = damping_.cwiseAbs();
+    mass_terms_ = mass_.cwiseAbs();
   }
 
   [[nodiscard]] Eigen::Index size() const { return n_; }
@@ -124,8 +127,7 @@ class SecondSystem {
     const Extended w = omega;
     Equations e;
     e.z = stiffness_ + ExtendedComplex(0, w) * damping_ - w * w * mass_;
-    e.z_terms = stiffness_.cwiseAbs().cast<ExtendedComplex>() + w * damping_.cwiseAbs().cast<ExtendedComplex>() +
-        w * w * mass_.cwiseAbs().cast<ExtendedComplex>();
+    e.z_terms = (stiffness_terms_ + w * damping_terms_ + w * w * mass_terms_).cast<ExtendedComplex>();
     e.h = loading_.force.head(n_).at(omega).cast<ExtendedComplex>();
     e.h_terms = e.h.cwiseAbs().cast<ExtendedComplex>();
     const auto drive = [&](const std::vector<Eigen::Index>& rows, const ExtendedVector& load) {
@@ -206,6 +208,8 @@ class SecondSystem {
   PrescribedEnds ends_;
   Eigen::Index n_ = 0;
   ExtendedMatrix stiffness_, damping_, mass_, driven_damping_;
+  Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> stiffness_terms_, damping_terms_,
+      mass_terms_;  ///< magnitudes
   std::vector<Dependent> dependent_;
   std::vector<Driven> driven_;
 };
