@@ -80,9 +80,8 @@ TEST(LimitLine, FindsTheLeastMarginBesideANarrowPeak) {
   const auto found = velocity_of_mass(line, {1, 1000}, ratio);
   EXPECT_THAT(found.least_margin,
               RelativelyNear(30 * mass * 2 * ratio * std::sqrt(1 - ratio * ratio) / force, round_off));
-  // Of the width of the peak: the root of the round-off ε/ratio of the values there.
-  constexpr double of_light_damping = 1e-5;
-  EXPECT_THAT(found.least_margin_at, RelativelyNear(natural, of_light_damping * ratio));
+  // The line moves the minimum by ζ² of the frequency, a millionth of the width of the peak, which is the scale here.
+  EXPECT_THAT(found.least_margin_at, RelativelyNear(natural / std::sqrt(1 - 2 * ratio * ratio), flat_minimum * ratio));
 }
 
 TEST(LimitLine, HasItsLowerValueAtAStep) {
