@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/cholesky.h"
 
+#include <cassert>
+
 #include <Eigen/Cholesky>
 
 #include "trivet/foundation/constants.h"
@@ -20,6 +22,7 @@ Right ldlt_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainO
 Eigen::VectorXd ldlt_pivots(const Eigen::MatrixXd& A) { return Eigen::LDLT<Eigen::MatrixXd>(A).vectorD(); }
 
 bool is_positive_definite(const Eigen::MatrixXd& A) {
+  assert(A.rows() == A.cols());
   if (!A.allFinite() || !(A.diagonal().minCoeff() > 0)) return false;
   const Eigen::VectorXd d = A.diagonal().cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd shifted = d.asDiagonal() * A * d.asDiagonal();
@@ -28,6 +31,7 @@ bool is_positive_definite(const Eigen::MatrixXd& A) {
 }
 
 bool is_positive_semidefinite(const Eigen::MatrixXd& A) {
+  assert(A.rows() == A.cols());
   const Eigen::VectorXd diagonal = A.diagonal();
   if (!A.allFinite() || !(diagonal.size() == 0 || diagonal.minCoeff() >= 0)) return false;
   for (Eigen::Index i = 0; i < A.rows(); ++i)

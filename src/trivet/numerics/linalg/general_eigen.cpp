@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/general_eigen.h"
 
+#include <cassert>
+
 #include <Eigen/Eigenvalues>
 
 #include "trivet/numerics/linalg/lapack.h"
@@ -10,6 +12,7 @@ namespace {
 
 template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
+  assert(A.rows() == A.cols());
   if (A.rows() > lapack::worth_it && lapack::is_available()) {
     GeneralEigen found;
     found.converged = lapack::general_eigen(A, found.values, with_vectors ? &found.vectors : nullptr);

@@ -3,6 +3,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -95,6 +96,7 @@ GeneralizedModes general_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& 
 }  // namespace
 
 GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric) {
+  assert(K.rows() == A.rows() && K.cols() == A.cols());
   const Eigen::VectorXd d = unit_scale(A);
   const Eigen::MatrixXd k = d.asDiagonal() * K * d.asDiagonal();
   const Eigen::MatrixXd a = d.asDiagonal() * A * d.asDiagonal();

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/load.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -34,6 +35,7 @@ std::complex<double> LoadTerm::factor(std::complex<double> omega) const {
 
 void Load::add(LoadTerm term) {
   if (term.value.size() == 0 || term.value.isZero(0)) return;
+  assert(term.value.size() == size_);
   const auto same = std::find_if(terms_.begin(), terms_.end(),
                                  [&](const LoadTerm& t) { return t.power == term.power && t.delay == term.delay; });
   if (same == terms_.end()) terms_.push_back(std::move(term));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/quadratic_form.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -8,6 +9,7 @@
 namespace trivet::numerics {
 
 QuadraticForm::QuadraticForm(const Eigen::MatrixXd& M) : diagonal_(M.diagonal()) {
+  assert(M.rows() == M.cols());
   end_of_.reserve(to_size(M.cols()));
   for (Eigen::Index j = 0; j < M.cols(); ++j) {
     for (Eigen::Index i = 0; i < j; ++i)
@@ -18,6 +20,7 @@ QuadraticForm::QuadraticForm(const Eigen::MatrixXd& M) : diagonal_(M.diagonal())
 }
 
 long double QuadraticForm::operator()(const Eigen::Ref<const Eigen::VectorXd>& v) const {
+  assert(v.size() == diagonal_.size());
   using Extended = long double;
   Extended sum = 0;
   std::size_t e = 0;
@@ -30,6 +33,7 @@ long double QuadraticForm::operator()(const Eigen::Ref<const Eigen::VectorXd>& v
 }
 
 double QuadraticForm::terms(const Eigen::Ref<const Eigen::VectorXd>& v) const {
+  assert(v.size() == diagonal_.size());
   double sum = 0;
   std::size_t e = 0;
   for (Eigen::Index j = 0; j < v.size(); ++j) {

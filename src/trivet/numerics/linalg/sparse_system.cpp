@@ -4,6 +4,7 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseLU>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -55,6 +56,7 @@ struct SystemFactors::Data {
 };
 
 Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
+  assert(data_ && "factors come from SparseSystem::factors");
   if (data_->dense) return data_->dense->solve(b);
   Eigen::VectorXcd ordered(b.size()), x(b.size());
   for (Eigen::Index i = 0; i < b.size(); ++i) ordered(data_->place[to_size(i)]) = b(i);
@@ -64,6 +66,7 @@ Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
 }
 
 SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetric_(m.symmetric) {
+  assert(m.B.rows() == size_ && m.K.cols() == size_ && "A, B and K have one size");
   for (Eigen::Index j = 0; j < size_; ++j)
     for (Eigen::Index i = 0; i < size_; ++i) {
       const double loss = m.lossy() ? m.K_loss(i, j) : 0;
@@ -78,6 +81,7 @@ SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetri
 template <typename Real>
 SparseSystem::Vector<Real> SparseSystem::product(int derivative, Real omega, const Vector<Real>& x,
                                                  bool transposed) const {
+  assert(x.size() == size_);
   Vector<Real> y = Vector<Real>::Zero(size_);
   for (const Entry& e : entries_) {
     const std::complex<Real> c = coefficient(e, derivative, omega), &of = x(transposed ? e.row : e.column);
@@ -97,6 +101,7 @@ SparseSystem::Vector<long double> SparseSystem::polynomial(const std::complex<lo
                                                            const Vector<long double>& x) const {
   using Extended = long double;
   const std::complex<Extended> square = lambda * lambda;
+  assert(x.size() == size_);
   Vector<Extended> y = Vector<Extended>::Zero(size_);
   for (const Entry& e : entries_) {
     const Extended re = Extended(e.k.real()) + lambda.real() * Extended(e.b) + square.real() * Extended(e.a),

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/state_form.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -19,6 +20,7 @@ std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::
 }
 
 StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given_sides) {
+  assert(given_sides.rows() == given.size());
   const Eigen::VectorXd d = unit_scale(given);
   const DynamicMatrices m = scaled(given, d);
   const Eigen::MatrixXcd h = d.asDiagonal() * given_sides;
@@ -57,6 +59,7 @@ StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given
 }
 
 GeneralEigen eigen_of_states(const StateForm& form) {
+  assert(form.state.rows() == form.state.cols());
   GeneralEigen found = form.real ? general_eigen(Eigen::MatrixXd(form.state.real())) : general_eigen(form.state);
   if (!found.converged) throw foundation::NotComputable("the eigensolver of the state matrix did not converge");
   return found;

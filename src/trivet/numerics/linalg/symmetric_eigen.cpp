@@ -3,6 +3,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <cassert>
 #include <type_traits>
 
 #include "trivet/numerics/linalg/lapack.h"
@@ -20,6 +21,7 @@ using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic,
 
 template <typename Matrix>
 SymmetricEigen<Matrix> solved(const Matrix& S, bool with_vectors) {
+  assert(S.rows() == S.cols());
   if constexpr (std::is_same_v<Matrix, Eigen::MatrixXd>)
     if (S.rows() > lapack::worth_it && lapack::is_available()) {
       SymmetricEigen<Matrix> found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/peaks/response_series.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -107,6 +108,7 @@ ResponseSeries::ResponseSeries(const DynamicMatrices& matrices, const Load& load
       system_(matrices_) {}
 
 Eigen::MatrixXcd ResponseSeries::about(double centre, double radius, int order) const {
+  assert(radius > 0 && order >= 0);
   const Eigen::MatrixXcd h = load_series(load_, centre, radius, order);
   if (matrices_.size() <= most_formed) {
     const Eigen::MatrixXcd A = matrices_.A.cast<Complex>(), B = matrices_.B.cast<Complex>();

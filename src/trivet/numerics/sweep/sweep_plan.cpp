@@ -2,6 +2,7 @@
 #include "trivet/numerics/sweep/sweep_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "trivet/foundation/index.h"
@@ -43,6 +44,7 @@ std::vector<FreeEntry> entries_of(const FrequencyPart& part, Eigen::Index n) {
 
 SweepPlan::SweepPlan(const DynamicMatrices& matrices, const Load& load, FrequencyPart part)
     : scale_(unit_scale(matrices)), load_(load.scaled(scale_)), part_(std::move(part)) {
+  assert(load.vanishes() || load.size() == matrices.size());
   // Measured with AVX-512 from 7 to 14 coordinates, all coupled: blocks take 0.5 … 0.9 of the time of loops over all
   // coordinates, including their check.
   if (matrices.symmetric && (part_ || matrices.size() > sweep_kernels::most_fixed)) {
