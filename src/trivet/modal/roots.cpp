@@ -98,7 +98,7 @@ Eigen::MatrixXd contributions(const Modes& modes, const Eigen::MatrixXd& A, cons
 }
 
 /// @param parts  contributions of the modes to the root, whose |λ| is `size`
-/// @param all    |v|² in scaled coordinates, with those without mass: a relaxation inside elements moves no mass
+/// @param all    |v|² of all coordinates, scaled; a relaxation inside elements moves only those without mass
 std::optional<int> mode_like(const Modes& modes, const Eigen::VectorXd& parts, double all, double size,
                              Eigen::Index massive) {
   constexpr double round_off = 1e-20;  // of squares
@@ -164,6 +164,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
 
 bool cannot_grow(const assembly::Assembled& assembled, const Modes& modes) {
   const numerics::DynamicMatrices& m = assembled.matrices;
+  if (assembled.frequency_dependent()) return false;  // the matrices are those of the nearest linear system
   const bool stable_modes = m.symmetric && modes.route == numerics::ModeRoute::definite_mass &&
       to_index(modes.list.size()) == m.size() &&
       std::all_of(modes.list.begin(), modes.list.end(), [](const Mode& mode) { return mode.eigenvalue_squared >= 0; });

@@ -38,8 +38,8 @@ struct Roots {
 [[nodiscard]] Roots roots(const model::System& system, const assembly::Assembled& assembled, const Modes& modes);
 [[nodiscard]] Roots roots(const model::System& system);
 
-/// True if no free vibration can grow, whatever the roots: A positive definite, K, B and the loss positive
-/// semidefinite. False does not mean that one grows.
+/// True if no free vibration can grow, whatever the roots: constant matrices, A positive definite, K, B and the loss
+/// positive semidefinite. False does not mean that one grows.
 [[nodiscard]] bool cannot_grow(const assembly::Assembled& assembled, const Modes& modes);
 
 [[nodiscard]] const char* name(RootKind kind);

@@ -27,8 +27,8 @@ const modal::Roots& CaseContext::roots() const {
 }
 
 Eigen::VectorXcd CaseContext::resonances() const {
-  constexpr Eigen::Index large = 60;
-  if (roots_ || assembled.matrices.size() <= large || assembled.frequency_dependent()) return roots().poles;
+  constexpr Eigen::Index large = 60;  // whose roots take some hundredths of a second
+  if (assembled.matrices.size() <= large || assembled.frequency_dependent()) return roots().poles;
   Eigen::VectorXcd natural(to_index(modes.list.size()));
   for (std::size_t i = 0; i < modes.list.size(); ++i)
     natural(to_index(i)) = {0, modes.list[i].angular_frequency.value_or(0)};

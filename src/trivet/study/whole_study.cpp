@@ -102,7 +102,8 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     const modal::Modes modes = modal::modes(variant.system, assembled);
     found.warnings = variant.warnings;
     found.warnings.add(modes.warnings);
-    found.warnings.add(modal::roots(variant.system, assembled, modes).warnings);
+    if (!modal::cannot_grow(assembled, modes))
+      found.warnings.add(modal::roots(variant.system, assembled, modes).warnings);
     found.lines = check_lines(variant);
     if (!cases.empty())
       std::erase_if(found.lines, [&](const CheckLine& line) {

@@ -7,6 +7,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/modal/roots.h"
 
 namespace {
 
@@ -108,6 +109,22 @@ TEST(Roots, FollowTheTextbookForOneMass) {
   const modal::Roots none = roots_of(0);
   EXPECT_EQ(none.list[0].eigenvalue.real(), 0);
   EXPECT_EQ(*none.list[0].damping_ratio, 0);
+}
+
+TEST(Roots, CannotGrowIfStiffnessDampingAndLossTakeEnergy) {
+  const auto project = test::project(test::chain({2, 3}, {1800, 700}, {12, 0}, {0.1, 0}));
+  const model::System& system = project.base().system;
+  assembly::Assembled assembled = assembly::assemble(system);
+  modal::Modes modes = modal::modes(system, assembled);
+  EXPECT_TRUE(modal::cannot_grow(assembled, modes));
+  assembled.matrices.B(1, 1) -= 1;  // a damper that feeds energy
+  EXPECT_FALSE(modal::cannot_grow(assembled, modes));
+  assembled.matrices.B(1, 1) += 1;
+  assembled.matrices.symmetric = false;
+  EXPECT_FALSE(modal::cannot_grow(assembled, modes)) << "modes of an unsymmetric system do not prove it";
+  assembled.matrices.symmetric = true;
+  modes.list[0].eigenvalue_squared = -1;
+  EXPECT_FALSE(modal::cannot_grow(assembled, modes));
 }
 
 TEST(Roots, LieInThePositiveHalfPlaneForALossFactor) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <limits>
 #include <random>
 
 #include "trivet/numerics/linalg/cholesky.h"
@@ -64,6 +65,14 @@ TEST(LargeEigenproblem, ComplexMatrixHasSmallResiduals) {
   const Eigen::MatrixXcd rest = A * found.vectors - found.vectors * found.values.asDiagonal();
   EXPECT_LE(rest.cwiseAbs().maxCoeff(), round_off * A.norm());
   EXPECT_LE(std::abs(general_eigenvalues(A).values.sum() - A.trace()), round_off * A.norm());
+}
+
+TEST(LargeEigenproblem, IsNotConvergedForNan) {
+  Eigen::MatrixXd A = random(9);
+  A(5, 6) = A(6, 5) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(general_eigen(A).converged);
+  EXPECT_FALSE(general_eigen(Eigen::MatrixXcd(A.cast<std::complex<double>>())).converged);
+  EXPECT_FALSE(symmetric_eigen(Eigen::MatrixXd(A + A.transpose())).converged);
 }
 
 TEST(QuadraticForm, IsThatOfTheWholeMatrix) {

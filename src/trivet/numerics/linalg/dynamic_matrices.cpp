@@ -5,6 +5,13 @@
 
 namespace trivet::numerics {
 
+std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows) {
+  std::vector<Eigen::Index> result;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (!std::binary_search(rows.begin(), rows.end(), i)) result.push_back(i);
+  return result;
+}
+
 std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A) {
   std::vector<Eigen::Index> rows;
   for (Eigen::Index i = 0; i < A.rows(); ++i)

@@ -42,7 +42,11 @@ struct DynamicMatrices {
 /// only.
 [[nodiscard]] std::vector<Eigen::Index> massive_rows(const Eigen::MatrixXd& A);
 
-/// The same; a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the others.
+/// The rows 0 … n − 1 that are not in the ascending list `rows`.
+[[nodiscard]] std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows);
+
+/// The scale of a system; a coordinate without mass is scaled so that its stiffness is the largest K_ii / A_ii of the
+/// others.
 [[nodiscard]] Eigen::VectorXd unit_scale(const DynamicMatrices& m);
 
 /// The matrices in coordinates q̃, q = D q̃.

@@ -13,9 +13,11 @@ namespace {
 template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
   assert(A.rows() == A.cols());
-  if (A.rows() > lapack::worth_it && lapack::is_available()) {
+  if (!A.allFinite()) return {Eigen::VectorXcd(A.rows()), {}, false};  // LAPACK may not return from NaN
+  if (A.rows() > lapack::least_size && lapack::is_available()) {
     GeneralEigen found;
     found.converged = lapack::general_eigen(A, found.values, with_vectors ? &found.vectors : nullptr);
+    if (!found.converged) found.vectors.resize(0, 0);
     return found;
   }
   const Solver solver(A, with_vectors);

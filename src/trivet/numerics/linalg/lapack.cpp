@@ -2,11 +2,10 @@
 #include "trivet/numerics/linalg/lapack.h"
 
 #include <dlfcn.h>
+#include <pthread.h>
+#include <signal.h>
 
 #include <complex>
-#include <cstdlib>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "trivet/foundation/index.h"
@@ -24,8 +23,6 @@ using Zgeev = void(const char* left, const char* right, const int* n, Complex* a
                    Complex* left_vectors, const int* left_rows, Complex* right_vectors, const int* right_rows,
                    Complex* work, const int* work_size, double* real_work, int* info);
 
-constexpr const char* threads_variable = "OPENBLAS_NUM_THREADS";
-
 /// The library is loaded when it is first needed: most models never need it, and linked to the program, OpenBLAS would
 /// start its threads before main blocks signals, and receive them.
 struct Library {
@@ -34,19 +31,20 @@ struct Library {
   Zgeev* zgeev = nullptr;
 
   Library() {
-    // One thread: its threads would wait actively, and sums in pieces of another size would round differently from
-    // machine to machine.
-    const char* const found = std::getenv(threads_variable);
-    const std::optional<std::string> chosen = found ? std::optional<std::string>(found) : std::nullopt;
-    setenv(threads_variable, "1", 1);
+    sigset_t all, before;
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);  // threads inherit the mask
     void* const handle = dlopen("liblapack.so.3", RTLD_NOW | RTLD_LOCAL);
-    // Programs that we start keep the choice of the user.
-    if (chosen) setenv(threads_variable, chosen->c_str(), 1);
-    else unsetenv(threads_variable);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     if (handle != nullptr) {
       find(handle, "dsyevd_", dsyevd);
       find(handle, "dgeev_", dgeev);
       find(handle, "zgeev_", zgeev);
+      // One thread: OpenBLAS threads wait actively, and sums in pieces of another size would round differently from
+      // machine to machine. Other libraries of LAPACK do not have this function.
+      void (*set_threads)(int) = nullptr;
+      find(handle, "openblas_set_num_threads", set_threads);
+      if (set_threads != nullptr) set_threads(1);
     }
   }
 

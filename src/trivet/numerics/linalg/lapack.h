@@ -3,12 +3,13 @@
 
 #include <Eigen/Core>
 
-/// Eigenproblems of many coordinates by LAPACK, if the library was built with it: blocked algorithms that take a tenth
-/// of the time of Eigen's (docs/decisions/lapack.md).
+/// Eigenproblems of many coordinates by LAPACK, if its library is found at run time: blocked algorithms take a tenth
+/// (symmetric) to a quarter (general) of the time of Eigen's (docs/decisions/many-coordinates.md). Finite matrices
+/// only.
 namespace trivet::numerics::lapack {
 
-/// Size from which LAPACK is faster than Eigen, measured.
-inline constexpr Eigen::Index worth_it = 60;
+/// Larger problems go to LAPACK: measured, from here on it is faster than Eigen.
+inline constexpr Eigen::Index least_size = 60;
 
 [[nodiscard]] bool is_available();
 

@@ -14,10 +14,7 @@ MassiveSystem massive_system(const DynamicMatrices& m) {
   const auto n = to_index(massive.size());
   MassiveSystem result{m.A, m.K, Eigen::MatrixXd::Identity(m.size(), m.size())};
   if (n == m.size()) return result;
-  std::vector<Eigen::Index> massless;
-  for (Eigen::Index i = 0; i < m.size(); ++i)
-    if (!std::binary_search(massive.begin(), massive.end(), i)) massless.push_back(i);
-
+  const std::vector<Eigen::Index> massless = rows_without(m.size(), massive);
   const Eigen::MatrixXd held = m.K(massless, massless);
   const PivotedLu<double> lu(held);
   if (lu.smallest_pivot() == 0)

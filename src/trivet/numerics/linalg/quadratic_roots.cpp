@@ -78,6 +78,8 @@ QuadraticRoots roots_in_modal_basis(const Eigen::VectorXd& omega, const Eigen::M
 
 QuadraticRoots roots_from_states(const DynamicMatrices& matrices) {
   const StateForm form = state_form(matrices, Eigen::MatrixXcd::Zero(matrices.size(), 0));
+  if (!form.state.allFinite())
+    throw foundation::NotComputable("a coordinate without mass is not supported by stiffness or damping");
   const GeneralEigen found = eigen_of_states(form);
   QuadraticRoots result{found.values, form.output * found.vectors};
   const Eigen::VectorXd weight = unit_scale(matrices).cwiseInverse();
@@ -115,10 +117,10 @@ class RootRefinement {
         root.finite = root.last <= Extended(64) * std::numeric_limits<Extended>::epsilon() * std::abs(root.lambda);
         break;  // the Jacobian is singular to working precision: a double root
       }
-      const ExtendedComplex of_lambda = ExtendedComplex(change(n)) * Extended(std::abs(start));
-      root.lambda += of_lambda;
+      const ExtendedComplex change_of_lambda = ExtendedComplex(change(n)) * Extended(std::abs(start));
+      root.lambda += change_of_lambda;
       root.v += change.head(n).cast<ExtendedComplex>();
-      root.last = std::abs(of_lambda);
+      root.last = std::abs(change_of_lambda);
       if (step == 0) root.first = root.last;
     }
     return root;

@@ -5,7 +5,6 @@
 #include <limits>
 
 namespace trivet::numerics {
-
 namespace {
 
 /// Z itself as a system without mass and damping.
@@ -20,26 +19,16 @@ RefinedSolver::RefinedSolver(ExtendedMatrix Z)
     : z_(std::move(Z)), system_(stiffness_alone(z_)), factors_(system_.factors(0)) {}
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
-  constexpr int most_steps = 12;
-  constexpr long double settled = 64 * std::numeric_limits<long double>::epsilon();
-  const auto step = [&](const ExtendedVector& r) -> ExtendedVector {
-    return factors_.solve(Eigen::VectorXcd(r.cast<std::complex<double>>())).cast<std::complex<long double>>();
-  };
-  ExtendedVector x = step(b);
-  long double previous = std::numeric_limits<long double>::infinity();
-  for (int i = 0; i < most_steps; ++i) {
-    const ExtendedVector correction = step(b - z_ * x);
-    const long double size = correction.norm();
-    if (size <= settled * x.norm()) return x + correction;
-    if (!(size < 0.5L * previous)) break;
-    x += correction;
-    previous = size;
-  }
+  if (const auto x =
+          refined_solution(factors_, b, [&](const ExtendedVector& found) -> ExtendedVector { return b - z_ * found; }))
+    return *x;
   // Too ill-conditioned for factors in double: solve in extended precision.
   return lu_solution(z_, b);
 }
 
 double RefinedSolver::condition() const {
+  // With a pivot of exactly 0 the estimate would describe only the other coordinates.
+  if (factors_.singular()) return std::numeric_limits<double>::infinity();
   constexpr int most_steps = 5;
   const SystemFactors transposed = system_.factors(0, true);
   const Eigen::Index n = z_.rows();

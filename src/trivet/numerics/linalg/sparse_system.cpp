@@ -65,6 +65,8 @@ Eigen::VectorXcd SystemFactors::solve(const Eigen::VectorXcd& b) const {
   return x;
 }
 
+bool SystemFactors::singular() const { return data_->dense && !(data_->dense->smallest_pivot() > 0); }
+
 SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetric_(m.symmetric) {
   assert(m.B.rows() == size_ && m.K.cols() == size_ && "A, B and K have one size");
   for (Eigen::Index j = 0; j < size_; ++j)
@@ -84,11 +86,11 @@ SparseSystem::Vector<Real> SparseSystem::product(int derivative, Real omega, con
   assert(x.size() == size_);
   Vector<Real> y = Vector<Real>::Zero(size_);
   for (const Entry& e : entries_) {
-    const std::complex<Real> c = coefficient(e, derivative, omega), &of = x(transposed ? e.row : e.column);
+    const std::complex<Real> c = coefficient(e, derivative, omega), &entry = x(transposed ? e.row : e.column);
     std::complex<Real>& sum = y(transposed ? e.column : e.row);
     // Written out: the product of complex numbers in the standard library checks for NaN.
-    sum = {sum.real() + (c.real() * of.real() - c.imag() * of.imag()),
-           sum.imag() + (c.real() * of.imag() + c.imag() * of.real())};
+    sum = {sum.real() + (c.real() * entry.real() - c.imag() * entry.imag()),
+           sum.imag() + (c.real() * entry.imag() + c.imag() * entry.real())};
   }
   return y;
 }
@@ -106,9 +108,9 @@ SparseSystem::Vector<long double> SparseSystem::polynomial(const std::complex<lo
   for (const Entry& e : entries_) {
     const Extended re = Extended(e.k.real()) + lambda.real() * Extended(e.b) + square.real() * Extended(e.a),
                    im = Extended(e.k.imag()) + lambda.imag() * Extended(e.b) + square.imag() * Extended(e.a);
-    const std::complex<Extended>& of = x(e.column);
+    const std::complex<Extended>& entry = x(e.column);
     std::complex<Extended>& sum = y(e.row);
-    sum = {sum.real() + (re * of.real() - im * of.imag()), sum.imag() + (re * of.imag() + im * of.real())};
+    sum = {sum.real() + (re * entry.real() - im * entry.imag()), sum.imag() + (re * entry.imag() + im * entry.real())};
   }
   return y;
 }
@@ -149,24 +151,33 @@ SystemFactors SparseSystem::factors(double omega, bool transposed) const {
   return result;
 }
 
-SparseSystem::Vector<long double> SparseSystem::solution(const SystemFactors& factors, long double omega,
-                                                         const Vector<long double>& b, bool transposed) const {
+std::optional<ExtendedVector> refined_solution(const SystemFactors& factors, const ExtendedVector& b,
+                                               const std::function<ExtendedVector(const ExtendedVector& x)>& residual) {
   using Extended = long double;
   constexpr int most_steps = 12;
   constexpr Extended settled = 64 * std::numeric_limits<Extended>::epsilon();
-  const auto step = [&](const Vector<Extended>& r) -> Vector<Extended> {
+  const auto step = [&](const ExtendedVector& r) -> ExtendedVector {
     return factors.solve(Eigen::VectorXcd(r.cast<Complex>())).cast<std::complex<Extended>>();
   };
-  Vector<Extended> x = step(b);
+  ExtendedVector x = step(b);
   Extended previous = std::numeric_limits<Extended>::infinity();
   for (int i = 0; i < most_steps; ++i) {
-    const Vector<Extended> correction = step(b - product<Extended>(0, omega, x, transposed));
+    const ExtendedVector correction = step(residual(x));
     const Extended size = correction.norm();
     if (size <= settled * x.norm()) return x + correction;
     if (!(size < 0.5L * previous)) break;
     x += correction;
     previous = size;
   }
+  return std::nullopt;
+}
+
+SparseSystem::Vector<long double> SparseSystem::solution(const SystemFactors& factors, long double omega,
+                                                         const Vector<long double>& b, bool transposed) const {
+  const auto residual = [&](const Vector<long double>& x) -> Vector<long double> {
+    return b - product<long double>(0, omega, x, transposed);
+  };
+  if (const auto refined = refined_solution(factors, b, residual)) return *refined;
   // Too ill-conditioned for factors in double: solve in extended precision.
   ExtendedMatrix z = ExtendedMatrix::Zero(size_, size_);
   for (const Entry& e : entries_) (transposed ? z(e.column, e.row) : z(e.row, e.column)) = coefficient(e, 0, omega);

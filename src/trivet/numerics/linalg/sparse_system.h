@@ -3,18 +3,23 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 
 /// LU factors of Z(ω) at one ω, in double.
 class SystemFactors {
  public:
-  /// Not finite if Z is singular.
+  /// Meaningless if Z is singular.
   [[nodiscard]] Eigen::VectorXcd solve(const Eigen::VectorXcd& b) const;
+  /// True if a pivot is exactly 0.
+  [[nodiscard]] bool singular() const;
 
  private:
   friend class SparseSystem;
@@ -39,6 +44,8 @@ class SparseSystem {
   [[nodiscard]] Eigen::Index size() const { return size_; }
   [[nodiscard]] bool symmetric() const { return symmetric_; }
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
+  /// Whether most entries are zero and the system is large, so that factors are sparse.
+  [[nodiscard]] bool has_sparse_factors() const { return sparse_; }
 
   /// The k-th derivative of Z with respect to ω, times x. Real: double or long double.
   template <typename Real>
@@ -66,5 +73,10 @@ class SparseSystem {
   std::vector<Entry> entries_;       ///< column by column
   std::vector<Eigen::Index> order_;  ///< of the coordinates for sparse factors: place of each one
 };
+
+/// Solution of Z x = b refined with residuals b − Z x in extended precision; empty if it does not converge.
+[[nodiscard]] std::optional<ExtendedVector> refined_solution(
+    const SystemFactors& factors, const ExtendedVector& b,
+    const std::function<ExtendedVector(const ExtendedVector& x)>& residual);
 
 }  // namespace trivet::numerics

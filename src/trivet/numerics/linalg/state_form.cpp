@@ -12,13 +12,6 @@
 
 namespace trivet::numerics {
 
-std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows) {
-  std::vector<Eigen::Index> result;
-  for (Eigen::Index i = 0; i < n; ++i)
-    if (!std::binary_search(rows.begin(), rows.end(), i)) result.push_back(i);
-  return result;
-}
-
 StateForm state_form(const DynamicMatrices& given, const Eigen::MatrixXcd& given_sides) {
   assert(given_sides.rows() == given.size());
   const Eigen::VectorXd d = unit_scale(given);

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/general_eigen.h"
@@ -21,8 +20,5 @@ struct StateForm {
 
 /// @throws foundation::NotComputable if the eigensolver does not converge
 [[nodiscard]] GeneralEigen eigen_of_states(const StateForm& form);
-
-/// The rows 0 … n − 1 that are not in the ascending list `rows`.
-[[nodiscard]] std::vector<Eigen::Index> rows_without(Eigen::Index n, const std::vector<Eigen::Index>& rows);
 
 }  // namespace trivet::numerics

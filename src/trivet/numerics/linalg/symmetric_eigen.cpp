@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cassert>
+#include <limits>
 #include <type_traits>
 
 #include "trivet/numerics/linalg/lapack.h"
@@ -22,8 +23,12 @@ using Computed = std::conditional_t<Matrix::RowsAtCompileTime == Eigen::Dynamic,
 template <typename Matrix>
 SymmetricEigen<Matrix> solved(const Matrix& S, bool with_vectors) {
   assert(S.rows() == S.cols());
+  if (!S.allFinite())  // an eigensolver may not return from NaN
+    return {Eigen::Matrix<double, Matrix::RowsAtCompileTime, 1>::Constant(S.rows(),
+                                                                          std::numeric_limits<double>::quiet_NaN()),
+            S, false};
   if constexpr (std::is_same_v<Matrix, Eigen::MatrixXd>)
-    if (S.rows() > lapack::worth_it && lapack::is_available()) {
+    if (S.rows() > lapack::least_size && lapack::is_available()) {
       SymmetricEigen<Matrix> found;
       found.vectors = S;
       found.converged = lapack::symmetric_eigen(found.vectors, found.values, with_vectors);
