@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <chrono>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace trivet::benchmarks {
 namespace {
