@@ -154,10 +154,10 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
   std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format(
-      "  backward error ≤ {:.1e} at {} frequencies; second solver at {} of them: difference {:.1e}, allowed {:.1e} "
+      "  backward error ≤ {:.1e} at {} frequenc{}; second solver at {}: difference {:.1e}, allowed {:.1e} "
       "(round-off × condition): {}\n",
-      answer.curves.check.worst_backward_error, answer.curves.solves, answer.deep.frequencies,
-      answer.deep.worst_difference, answer.deep.allowed, answer.deep.verdict());
+      answer.curves.check.worst_backward_error, answer.curves.solves, answer.curves.solves == 1 ? "y" : "ies",
+      answer.deep.frequencies, answer.deep.worst_difference, answer.deep.allowed, answer.deep.verdict());
   if (answer.curves.interpolation_error > 0)
     text += fmt::format(
         "  rows between the {} solved frequencies are interpolated by a rational model; its relative error is at most "

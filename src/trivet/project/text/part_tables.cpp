@@ -180,7 +180,7 @@ class PartTable {
     combine_components(row, path, problems_);
     if (const Node* other = parts->find(called)) {
       problems_
-          .error(path, fmt::format("a second one, in {}", foundation::place(origin)),
+          .error(path, fmt::format("defined a second time, in {}", foundation::place(origin)),
                  fmt::format("the name is already used in {}", foundation::place(other->origin)),
                  "names are unique: rename one of them")
           .origin = origin;
