@@ -29,7 +29,6 @@ std::optional<foundation::Problem> first_new_error(Node model, const std::vector
 
 }  // namespace
 
-/// The document without its questions and cases.
 Node without_questions(Node document) {
   for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {

@@ -90,8 +90,8 @@ struct Answers {
 [[nodiscard]] Answers answers(const project::Case& variant, const project::Analyses& analyses,
                               const foundation::Progress& progress = {});
 
-/// Compares the fast solver with a second one at 64 frequencies over the band of the case, under its harmonic forces,
-/// or under a force on every coordinate if it has none.
+/// Compares the fast solver with a second one at up to 64 frequencies over the band of the case, under its harmonic
+/// forces, or under a force on every coordinate if it has none.
 [[nodiscard]] response::DeepCheck deep_check(const project::Case& variant);
 
 }  // namespace trivet::study

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/generalized_modes.h"
-#include "trivet/numerics/linalg/cholesky.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"

@@ -144,8 +144,8 @@ foundation::Problems too_large(const model::Description& description, const Anal
 
 int deep_check_frequencies(Eigen::Index coordinates) {
   constexpr int most = 64, fewest = 4;
-  constexpr double quick =
-      60;  // coordinates whose system is solved in a millisecond; the work grows with the third power
+  // Coordinates of a fully coupled system that is solved in a millisecond; the work grows with the third power.
+  constexpr double quick = 60;
   return std::clamp(
       static_cast<int>(most * std::pow(quick / static_cast<double>(std::max<Eigen::Index>(coordinates, 1)), 3)), fewest,
       most);

@@ -256,8 +256,8 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
 }
 
 std::vector<double> check_frequencies(const Eigen::VectorXcd& poles, double from, double to, int count) {
-  constexpr double oscillating =
-      1e-9;  // of |λ|: complex solvers give an overdamped root an imaginary part of round-off, even 1e-150
+  // Of |λ|: complex solvers give an overdamped root an imaginary part of round-off, even 1e-150.
+  constexpr double oscillating = 1e-9;
   std::vector<double> result;
   for (Eigen::Index k = 0; k < poles.size() && static_cast<int>(result.size()) < count / 2; ++k)
     if (const double at = poles(k).imag(); at > from && at < to && at > oscillating * std::abs(poles(k)))
