@@ -12,7 +12,6 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
-#include "trivet/numerics/sweep/pole_sweep.h"
 
 namespace {
 
@@ -34,24 +33,6 @@ Errors errors(const HardCase& c, const Complex* answers) {
          backward_error(c.system.A, c.system.B, c.system.K, c.system.load, c.omega[i], answers + 6 * i, scale));
   }
   return worst;
-}
-
-/// Solves by poles and residues; false if these are not proven.
-bool by_poles(const numerics::DynamicMatrices& matrices, const HardCase& c, Eigen::MatrixXcd& q) {
-  const auto poles = numerics::PoleSweep::try_build(matrices, c.system.load.cast<Complex>());
-  if (!poles) return false;
-  const Eigen::Map<const Eigen::ArrayXd> omega(c.omega.data(), q.cols());
-  Eigen::ArrayXXd re(q.cols(), 6), im(q.cols(), 6);
-  if (!poles->response(omega, re, im)) return false;
-  q.real() = re.transpose();
-  q.imag() = im.transpose();
-  return true;
-}
-
-/// Goal of the pole path: 1e-11 for general damping of ratio 1e-6, 1e-9 for other light damping.
-double pole_limit(const HardCase& c) {
-  if (!c.lightly_damped) return 0;
-  return c.name.starts_with("general damping, ratio 1e-6") ? 1e-11 : 1e-9;
 }
 
 class Report {
@@ -98,9 +79,6 @@ int main() {
     std::printf("    recomputed with pivoting: %d\n", direct.fallbacks);
 
     Eigen::MatrixXcd q(6, to_index(c.omega.size()));
-    if (by_poles(matrices, c, q)) report.add(c, "Trivet, poles", q.data(), pole_limit(c), backward_limit);
-    else std::puts("  Trivet, poles                declined: solved directly");
-
     const SixCoordinates system{c.system.A.data(), c.system.B.data(), c.system.K.data(), c.system.load.data()};
     for (const auto& [name, solver] :
          {std::pair{"Eigen fixed LU", &eigen_fixed_lu}, std::pair{"LAPACK zgesv", &lapack_zgesv},

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "chain.h"
-#include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
 #include "trivet/foundation/index.h"
@@ -66,8 +65,8 @@ int main() {
   one_thread.threads = 1;
   one_thread.every_backward_error = false;
   grows("frequencies of a direct sweep, 1e3 … 1e6", {1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {
-    return [&, omega = even_frequencies(static_cast<std::size_t>(size)), planes = numerics::SweepPlanes()]() mutable {
-      solve_directly(matrices, m.load, omega, planes);
+    return [&, omega = even_frequencies(static_cast<std::size_t>(size))] {
+      (void)numerics::sweep(matrices, m.load, omega, one_thread);
     };
   });
   grows("designs of modes, 1e2 … 1e6", {1e2, 1e3, 1e4, 1e5, 1e6}, [&](double size) -> std::function<void()> {
@@ -82,8 +81,8 @@ int main() {
     const numerics::DynamicMatrices chain = chain_of(static_cast<int>(size));
     Eigen::VectorXd load = Eigen::VectorXd::Zero(chain.size());
     load.tail(6) = m.load;
-    return [&one_thread, chain, load, omega = even_frequencies(2000, 60), planes = numerics::SweepPlanes()]() mutable {
-      numerics::sweep(chain, load, omega, planes, one_thread);
+    return [&one_thread, chain, load, omega = even_frequencies(2000, 60)] {
+      (void)numerics::sweep(chain, load, omega, one_thread);
     };
   });
 }

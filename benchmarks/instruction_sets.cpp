@@ -3,7 +3,6 @@
 #include "trivet/numerics/lanes/instruction_set.h"
 
 #include "chain.h"
-#include "direct.h"
 #include "measure.h"
 #include "random_designs.h"
 #include "trivet/numerics/roots/design_modes.h"
@@ -23,7 +22,7 @@ void under_each(const Question& question, double items, double limit, double flo
   double worst = 0;
   for (const std::string& set : sets) {
     numerics::use_instruction_set(set);
-    const double difference = (answers() - best).abs().maxCoeff() / best.abs().maxCoeff();
+    const double difference = (answers() - best).cwiseAbs().maxCoeff() / best.cwiseAbs().maxCoeff();
     worst = difference <= worst ? worst : difference;
     Method method = in_process(set, items, [&] { (void)answers(); });
     method.seconds = [set, run = method.seconds] {
@@ -56,12 +55,8 @@ int main() {
   numerics::SweepOptions one_thread;
   one_thread.threads = 1;
   one_thread.every_backward_error = false;
-  numerics::SweepPlanes planes;
   under_each({"instruction sets, direct sweep", "10,000 frequencies", "frequency"}, 10000, 1e-11, 719,
-             [&]() -> const Eigen::ArrayXXd& {
-               solve_directly(matrices, m.load, omega, planes);
-               return planes.re;
-             });
+             [&]() -> Eigen::MatrixXcd { return numerics::sweep(matrices, m.load, omega, one_thread).response; });
   const numerics::Designs designs = random_designs(2048);
   numerics::DesignModesOptions options;
   options.threads = 1;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Peak rates of the machine, measured in the same run as the benchmarks.
+// Peak rate of the machine, measured in the same run as the benchmarks.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "machine_limits.cpp"
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
@@ -31,19 +30,10 @@ double multiply_adds(int rounds, double start) {
 
 double multiply_adds_per_round() { return 12.0 * static_cast<double>(hn::Lanes(Lanes())); }
 
-void stream(double value, double* target, size_t count) {
-  const Lanes d;
-  for (size_t i = 0; i < count; i += hn::Lanes(d)) hn::Stream(hn::Set(d, value), d, target + i);
-  hwy::FlushStream();
-}
-
 }  // namespace trivet::benchmarks::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
-#include <algorithm>
-#include <cstdlib>
-
 #include "measure.h"
 #include "trivet/numerics/lanes/dispatch.h"
 
@@ -52,7 +42,6 @@ namespace trivet::benchmarks {
 using numerics::chosen_variant;
 TRIVET_VARIANTS(multiply_adds);
 TRIVET_VARIANTS(multiply_adds_per_round);
-TRIVET_VARIANTS(stream);
 
 double peak_flops() {
   constexpr int rounds = 40000;
@@ -60,18 +49,6 @@ double peak_flops() {
   const double from = thread_seconds();
   start = TRIVET_DISPATCH(multiply_adds)(rounds, start) * 0.05;
   return 2.0 * rounds * TRIVET_DISPATCH(multiply_adds_per_round)() / (thread_seconds() - from);
-}
-
-double streaming_store_bandwidth() {
-  constexpr size_t count = size_t{1} << 24;
-  static double* const buffer = [] {  // lives as long as the process
-    auto* const warmed = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
-    std::fill_n(warmed, count, 1.0);
-    return warmed;
-  }();
-  const double from = thread_seconds();
-  TRIVET_DISPATCH(stream)(2.0, buffer, count);
-  return sizeof(double) * count / (thread_seconds() - from);
 }
 
 }  // namespace trivet::benchmarks

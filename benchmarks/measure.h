@@ -50,10 +50,9 @@ void compared(const std::string& what, double error, double limit);
 /// CPU time of this thread [s].
 [[nodiscard]] double thread_seconds();
 
-/// Peak rates: multiply-adds in registers, counted as two, with the instruction set in use, and stores past the caches.
-/// One chunk takes about 0.1 ms or 10 ms.
+/// Peak rate of multiply-adds in registers, counted as two, with the instruction set in use. One chunk takes about
+/// 0.1 ms.
 [[nodiscard]] double peak_flops();
-[[nodiscard]] double streaming_store_bandwidth();
 
 /// The machine: "Intel(R) Xeon(R) …, 2 cores, GCC 12.2.0, AVX3". Written with each record.
 [[nodiscard]] std::string machine();

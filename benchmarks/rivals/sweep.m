@@ -2,11 +2,6 @@
 % q(p) = (K - p^2 A + i p B)^-1 H for many p in GNU Octave: the loop of the paper and the best vectorised forms.
 1;
 
-function q = vectorised_modal_in_pieces(A, B, K, H, p)
-  [R, lambda] = poles(A, B, K, H);
-  q = in_pieces(@(some) R * (1 ./ (1i * some - lambda)), p, 1000);
-endfunction
-
 function ways = read(folder)
   A = numbers(folder, "A", 6);
   B = numbers(folder, "B", 6);
@@ -16,7 +11,6 @@ function ways = read(folder)
   ways.loop = @() loop(A, B, K, H, p);
   ways.ldlt = @() in_pieces(@(some) vectorised_ldlt(A, B, K, H, some), p, 2500);
   ways.modal = @() vectorised_modal(A, B, K, H, p);
-  ways.modal_in_pieces = @() vectorised_modal_in_pieces(A, B, K, H, p);
 endfunction
 
 addpath(fileparts(mfilename("fullpath")));
