@@ -169,13 +169,7 @@ TEST_P(SweepKernels, ATailIsSolvedLikeAWholePack) {
   const Eigen::MatrixXcd whole = sweep(m, load, omega, quick).response;
   for (const std::size_t count : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 255, 256, 257, 511}) {
     const std::vector<double> some(omega.begin(), omega.begin() + static_cast<std::ptrdiff_t>(count));
-    SweepPlanes planes;
-    sweep(m, load, some, planes, quick);
-    for (std::size_t i = 0; i < count; ++i)
-      for (Eigen::Index j = 0; j < 6; ++j) {
-        EXPECT_EQ(planes.re(to_index(i), j), whole(j, to_index(i)).real()) << count;
-        EXPECT_EQ(planes.im(to_index(i), j), whole(j, to_index(i)).imag()) << count;
-      }
+    EXPECT_TRUE(sweep(m, load, some, quick).response == whole.leftCols(to_index(count))) << count;
   }
 }
 

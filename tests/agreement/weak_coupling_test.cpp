@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "trivet/numerics/batch/design_peaks.h"
-#include "trivet/numerics/batch/sweep_maxima.h"
 
 namespace {
 
@@ -55,12 +54,6 @@ TEST(WeakCoupling, FarFromTheForceAndAboveAllResonancesHighestValuesHaveNineDigi
     for (const double from : {30.0, 60.0, 200.0, 2000.0}) {
       const Designs designs = chain(masses);
       const Eigen::ArrayXd expected = amplitudes(designs, from);
-      std::vector<double> omega;
-      for (int i = 0; i < 40; ++i) omega.push_back(from * (1 + 0.05 * i));
-      const SweepMaxima on_list =
-          sweep_maxima(designs, omega, {.every_backward_error = false, .threads = 1, .progress = {}});
-      EXPECT_LE((on_list.amplitude.row(0).transpose() / expected - 1).abs().maxCoeff(), nine_digits)
-          << masses << " masses from " << from;
       for (const bool count : {false, true})
         for (const double to : {3 * from, std::numeric_limits<double>::infinity()}) {
           DesignPeakOptions options;

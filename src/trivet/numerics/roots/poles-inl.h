@@ -199,8 +199,9 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
 /// Iterates from the roots of the last diagonal entries until v converges in all lanes: sin² of its last turn is at
 /// most `settled`, and the remaining error is the third power of that angle.
 template <typename Size, int roots>
-HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots], double settled) {
+HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
   constexpr int most_steps = 6;
+  constexpr double settled = 1e-8;
   each(Fixed<roots>(), [&](int r) TRIVET_LANES { start(n, m[r], at[r]); });
   Pack turned = all(1.0);
   for (int i = 0; i < most_steps; ++i) {
@@ -361,7 +362,6 @@ template <typename Size>
 HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
                               PackOfPoles<Size>& result) {
   constexpr int together = Size::most % 2 == 0 && Size::most < 12 ? 2 : 1;
-  constexpr double settled = 1e-8;
   ModalPack<Size> modal;
   in_modes(n, modes, b, h, modal);
   result.good = hn::Eq(all(0.0), all(0.0));
@@ -378,7 +378,7 @@ HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack
         any_real = hn::Or(any_real, result.real[k + r]);
         if (modal.coupled) permute_to_mode(n, modal, k + r, centre[r], pencil[r]);
       }
-      if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at, settled));
+      if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at));
       for (int r = 0; r < together; ++r)
         pole_of_mode(n, modes, modal, k + r, centre[r], at[r], partner * n + k + r, result);
     }

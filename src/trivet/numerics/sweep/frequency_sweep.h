@@ -51,13 +51,6 @@ struct SweepResult : SweepCounts {
   Eigen::VectorXd backward_error;  ///< of each frequency, NaN if Z(ω) is singular; empty unless requested
 };
 
-/// The same by coordinates, one curve each. Kept by the caller: a second sweep of the same size needs no fresh memory,
-/// for which the first access costs more than the solutions.
-struct SweepPlanes : SweepCounts {
-  Eigen::ArrayXXd re, im;         ///< count × n; NaN if Z(ω) is singular
-  Eigen::ArrayXd backward_error;  ///< of each frequency; empty unless requested
-};
-
 /// Response at all ω. Symmetric matrices: LDLᵀ without pivoting, one frequency per lane; frequencies with too much
 /// growth or an error above `accepted_backward_error` are recomputed by LU with partial pivoting. Unsymmetric matrices:
 /// always LU. See docs/decisions/no-pivoting-first.md.
@@ -68,11 +61,5 @@ struct SweepPlanes : SweepCounts {
 /// @throws InvalidInput if the part adds to Z outside its coupled rows
 [[nodiscard]] SweepResult sweep(const DynamicMatrices& matrices, const Load& load, const FrequencyPart& part,
                                 const std::vector<double>& omega, const SweepOptions& options = {});
-
-/// If no backward errors are requested, many frequencies under a constant load are computed by sums over poles, if
-/// these can be proven (pole_sweep.h). Otherwise, and if samples of the sums, put into Z q = h, miss
-/// `accepted_backward_error`, all are solved directly.
-void sweep(const DynamicMatrices& matrices, const Load& load, const std::vector<double>& omega, SweepPlanes& result,
-           const SweepOptions& options = {});
 
 }  // namespace trivet::numerics

@@ -52,26 +52,6 @@ void backward_errors(const Coefficients& z, const Batch& batch) {
     store_pack(backward_error(PackSystem(z, batch, at), q), batch.error + at);
 }
 
-void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {
-  double largest[8], where[8];
-  for (int j = 0; j < n; ++j) {
-    Pack most = all(square[j]), at_most = all(angular_frequency[j]);
-    for (long at = 0; at < batch.count; at += lane_count()) {
-      const Pack here = squared_modulus(load_pack(batch.q, j * batch.q.stride + at));
-      const LaneMask larger = hn::Gt(here, most);
-      most = hn::IfThenElse(larger, here, most);
-      at_most = hn::IfThenElse(larger, load_pack(batch.omega + at), at_most);
-    }
-    store_pack(most, largest);
-    store_pack(at_most, where);
-    for (int lane = 0; lane < lane_count(); ++lane)
-      if (largest[lane] > square[j] || (largest[lane] == square[j] && where[lane] < angular_frequency[j])) {
-        square[j] = largest[lane];
-        angular_frequency[j] = where[lane];
-      }
-  }
-}
-
 }  // namespace
 }  // namespace trivet::numerics::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -117,7 +97,6 @@ namespace trivet::numerics {
 TRIVET_VARIANTS(solve_fixed);
 TRIVET_VARIANTS(solve_pivoted);
 TRIVET_VARIANTS(backward_errors);
-TRIVET_VARIANTS(raise_maxima);
 
 namespace sweep_kernels {
 bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) {
@@ -125,9 +104,6 @@ bool solve_fixed(const Coefficients& z, const Aim* aim, const Batch& batch) {
 }
 bool solve_pivoted(const Coefficients& z, const Batch& batch) { return TRIVET_DISPATCH(solve_pivoted)(z, batch); }
 void backward_errors(const Coefficients& z, const Batch& batch) { TRIVET_DISPATCH(backward_errors)(z, batch); }
-void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency) {
-  TRIVET_DISPATCH(raise_maxima)(n, batch, square, angular_frequency);
-}
 }  // namespace sweep_kernels
 
 }  // namespace trivet::numerics

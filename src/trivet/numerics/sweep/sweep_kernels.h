@@ -64,7 +64,4 @@ struct Batch {
 /// error: ‖Zq − h‖∞ / (‖Z‖∞ ‖q‖∞ + ‖h‖∞) in scaled coordinates, |re| + |im| for the modulus (within √2).
 void backward_errors(const Coefficients& z, const Batch& batch);
 
-/// Raises square[j] to the largest |q_j|² of a batch and stores its frequency, the first if several are equal.
-void raise_maxima(int n, const Batch& batch, double* square, double* angular_frequency);
-
 }  // namespace trivet::numerics::sweep_kernels

@@ -52,7 +52,4 @@ class SweepPlan {
   std::vector<FreeEntry> free_;  ///< for blocks: entries that the part may change
 };
 
-/// Threads for so many solutions of six coordinates: one if a second would start after the first has finished.
-[[nodiscard]] inline int sweep_threads(std::size_t solutions, int wanted) { return solutions < 20000 ? 1 : wanted; }
-
 }  // namespace trivet::numerics

@@ -23,11 +23,6 @@ class SweepWorkspace {
   /// @return where they are
   Planes solve(const double* omega, long count, bool every_backward_error, Planes target = {});
 
-  /// Updates the largest |q_j|² and their frequencies with those of the last chunk.
-  void raise_maxima(const Planes& q, double* square, double* angular_frequency) const {
-    sweep_kernels::raise_maxima(plan_->size(), {omega_.data(), padded_, {}, {}, nullptr, q, nullptr}, square,
-                                angular_frequency);
-  }
   [[nodiscard]] const double* backward_errors() const { return error_.data(); }
   [[nodiscard]] const SweepCounts& counts() const { return counts_; }
 
