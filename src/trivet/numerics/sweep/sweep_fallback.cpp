@@ -9,17 +9,18 @@
 namespace trivet::numerics {
 
 /// Recomputes the marked frequencies and those with a backward error that is not accepted.
-void SweepWorkspace::recompute_rejected(std::vector<char> marked, long count, const Planes& q) {
+void SweepWorkspace::recompute_rejected(std::vector<char> marked, long count) {
   for (std::size_t f = 0; f < to_size(count); ++f)
     if (!(error_.data()[f] <= accepted_backward_error)) {
       marked.resize(to_size(count));
       marked[f] = 1;
     }
-  if (!marked.empty()) recompute(marked, q);
+  if (!marked.empty()) recompute(marked);
 }
 
 /// Recomputes the marked frequencies by LU with partial pivoting in lanes, and those still not accepted one at a time.
-void SweepWorkspace::recompute(const std::vector<char>& marked, const Planes& q) {
+void SweepWorkspace::recompute(const std::vector<char>& marked) {
+  const Planes q = planes_in(q_);
   std::vector<long> which;
   for (std::size_t f = 0; f < marked.size(); ++f)
     if (marked[f]) which.push_back(static_cast<long>(f));
@@ -60,12 +61,7 @@ void SweepWorkspace::recompute(const std::vector<char>& marked, const Planes& q)
     }
   }
   for (std::size_t k = 0; k < settled.size(); ++k)
-    if (!settled[k]) recompute_one(which[k], q);
-  for (long f = static_cast<long>(marked.size()); f < padded_; ++f)
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const long last = i * q.stride + static_cast<long>(marked.size()) - 1;
-      q.put(i * q.stride + f, {q.re[last], q.im[last]});
-    }
+    if (!settled[k]) recompute_one(which[k]);
 }
 
 /// h of one frequency of the chunk in scaled coordinates.
@@ -82,7 +78,8 @@ Eigen::VectorXcd SweepWorkspace::load_at(long f) const {
 }
 
 /// Solves one frequency with partial pivoting and one step of refinement; NaN if Z is singular.
-void SweepWorkspace::recompute_one(long f, const Planes& q) {
+void SweepWorkspace::recompute_one(long f) {
+  const Planes q = planes_in(q_);
   const auto n = to_index(plan_->size());
   Eigen::MatrixXcd z =
       plan_->blocks_ ? plan_->blocks_->scaled_matrix(omega_.data()[f]) : plan_->matrices_.at(omega_.data()[f]);

@@ -23,21 +23,16 @@ const sweep_kernels::Coefficients& SweepWorkspace::plain() {
   return *plain_;
 }
 
-void SweepWorkspace::prepare(const SweepPlan& plan) {
-  plan_ = &plan;
-  plain_.reset();
-  load_filled_ = 0;
+SweepWorkspace::SweepWorkspace(const SweepPlan& plan) : plan_(&plan) {
   for (LineMemory* one : {&omega_, &error_}) one->resize(chunk);
   const long n = plan.size();
   const bool by_blocks = plan.solver() == SweepSolver::blocks,
              one_frequency = plan.solver() == SweepSolver::one_frequency;
   q_.resize(numbers(n));
-  load_.resize(by_blocks || one_frequency ? 0 : numbers(n));
-  amplitude_.resize(plan.solver() == SweepSolver::aimed ? numbers(1) : 0);
-  z_part_.resize(0, 0);
-  if (!plan.part_ || one_frequency) {
-    part_.resize(0);
-  } else if (by_blocks) {
+  if (!by_blocks && !one_frequency) load_.resize(numbers(n));
+  if (plan.solver() == SweepSolver::aimed) amplitude_.resize(numbers(1));
+  if (!plan.part_ || one_frequency) return;
+  if (by_blocks) {
     part_.resize(2 * to_size(parts_together) * (plan.free_.size() + to_size(n)));
     z_part_.setZero(n, n);
   } else {
@@ -118,8 +113,9 @@ void SweepWorkspace::fill_free(long first, long count) {
   }
 }
 
-void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
-  BlockBatch batch{omega_.data(), padded_, {}, {}, q, error_.data(), every_backward_error};
+void SweepWorkspace::solve_blocks(long padded, bool every_backward_error) {
+  const Planes q = planes_in(q_);
+  BlockBatch batch{omega_.data(), padded, {}, {}, q, error_.data(), every_backward_error};
   if (!plan_->part_) {
     plan_->blocks_->solve(batch, blocks_);
     return;
@@ -128,7 +124,7 @@ void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
   batch.count = parts_together;
   batch.free = {part_.data(), part_.data() + part_.size() / 2, parts_together};
   batch.load = {batch.free.re + entries * parts_together, batch.free.im + entries * parts_together, parts_together};
-  for (long first = 0; first < padded_; first += parts_together) {
+  for (long first = 0; first < padded; first += parts_together) {
     fill_free(first, parts_together);
     batch.omega = omega_.data() + first;
     batch.response = {q.re + first, q.im + first, q.stride};
@@ -141,18 +137,18 @@ void SweepWorkspace::solve_blocks(bool every_backward_error, const Planes& q) {
       "list all rows that it couples");
 }
 
-Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error, Planes target) {
-  const long padded = padded_ = sweep_kernels::filled_up(count, sweep_kernels::granule);
+Planes SweepWorkspace::solve(const double* omega, long count, bool every_backward_error) {
+  const long padded = sweep_kernels::filled_up(count, sweep_kernels::granule);
   std::copy_n(omega, count, omega_.data());
   std::fill(omega_.data() + count, omega_.data() + padded, omega[count - 1]);
-  const Planes q = target.re && padded == count ? target : planes_in(q_);
+  const Planes q = planes_in(q_);
   if (plan_->solver() == SweepSolver::one_frequency) {
-    for (long f = 0; f < count; ++f) recompute_one(f, q);
+    for (long f = 0; f < count; ++f) recompute_one(f);
     return q;
   }
   if (plan_->solver() == SweepSolver::blocks) {
-    solve_blocks(every_backward_error, q);
-    recompute_rejected({}, count, q);
+    solve_blocks(padded, every_backward_error);
+    recompute_rejected({}, count);
     return q;
   }
   const int wanted = every_backward_error ? 2 : 1;
@@ -194,9 +190,9 @@ Planes SweepWorkspace::solve(const double* omega, long count, bool every_backwar
   }
   if (every_backward_error) {
     sweep_kernels::backward_errors(plain(), batch);
-    recompute_rejected(untrusted, count, q);
+    recompute_rejected(untrusted, count);
   } else if (!untrusted.empty()) {
-    recompute(untrusted, q);
+    recompute(untrusted);
   }
   return q;
 }
