@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/modal/free_motions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "trivet/foundation/index.h"
@@ -100,8 +102,9 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
       });
       if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
     }
-    words.push_back(std::to_string(rigid.size() - words.size()) +
-                    " more rigid-body mode(s) of single bodies or of bodies relative to each other: " + parts);
+    const std::size_t more = rigid.size() - words.size();
+    words.push_back(fmt::format("{} more {} in which bodies move relative to each other: {}", more,
+                                more == 1 ? "rigid-body mode" : "rigid-body modes", parts));
   }
   return words;
 }

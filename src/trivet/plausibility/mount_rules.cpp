@@ -289,7 +289,7 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
     const double mean = first->translation.trace() / 3;
     found.push_back({"stiffness", "elements." + element.name + ".translation",
                      fmt::format("{:.6g} N/m (mean of three directions)", mean), small,
-                     fmt::format("it would be {:.6g} N/m if given in N/m and typed as N/mm", 1e-3 * mean)});
+                     fmt::format("it would be {:.6g} N/m if the number is in N/m and its unit N/mm a slip", 1e-3 * mean)});
     return;
   }
   found.push_back(

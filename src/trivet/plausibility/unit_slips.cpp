@@ -79,9 +79,9 @@ constexpr Slip slips[] = {
     {.kind = "places", .words = "typed in centimetres", .places = 1e-2},
     {.kind = "points", .words = "typed in millimetres", .points = 1e-3},
     {.kind = "points", .words = "typed in centimetres", .points = 1e-2},
-    {.kind = "viscous damping", .words = "given in N s/m and typed as N s/mm", .damping = 1e-3},
+    {.kind = "viscous damping", .words = "the number is in N s/m and its unit N s/mm a slip", .damping = 1e-3},
     {.kind = "stiffness", .words = "typed in N/mm", .stiffness = 1e3},
-    {.kind = "stiffness", .words = "given in N/m and typed as N/mm", .stiffness = 1e-3},
+    {.kind = "stiffness", .words = "the number is in N/m and its unit N/mm a slip", .stiffness = 1e-3},
     {.kind = "stiffness per degree", .words = "given in N m/deg", .rotation = 180 / std::numbers::pi},
 };
 
