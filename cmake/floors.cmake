@@ -13,6 +13,8 @@ set(TRIVET_WARNINGS -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast
   # In a batch, a constant of one file is global to the next; so only the build without batches checks for shadowed
   # ones.
   $<IF:$<BOOL:${TRIVET_BATCHES}>,$<$<CXX_COMPILER_ID:GNU>:-Wshadow=local>,-Wshadow>
+  # Lossy conversions between numbers. Indices of Eigen are signed and sizes of the standard library are not.
+  $<$<CXX_COMPILER_ID:Clang>:-Wconversion;-Wno-sign-conversion>
   # False alarms of GCC 12 inside the standard library; the pack of eight doubles is used within one file only.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict;-Wno-free-nonheap-object;-Wno-psabi>)
 

@@ -155,11 +155,7 @@ void add_element(CLI::App& app, Options& options) {
   add_picture(*element, "element", options);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  trivet::cli::occupy_closed_streams();
-  trivet::cli::end_cleanly_on_signals();
+int run(int argc, char** argv) {
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
   app.set_version_flag("--version", std::string("trivet ") + trivet::foundation::version());
@@ -195,8 +191,16 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return said_by_parser(app, error);
   }
+  return trivet::cli::exit_code(dispatch(app, options));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  trivet::cli::occupy_closed_streams();
+  trivet::cli::end_cleanly_on_signals();
   try {
-    return trivet::cli::exit_code(dispatch(app, options));
+    return run(argc, argv);
   } catch (const std::exception& error) {
     trivet::cli::write_failure(error);
     return trivet::cli::not_computed;

@@ -41,7 +41,7 @@ bool has_instructions(int variant) {
 
 int best_variant() {
   int variant = 0;
-  while (!has_instructions(variant)) ++variant;
+  while (variant + 1 < variants && !has_instructions(variant)) ++variant;
   return variant;
 }
 
@@ -59,7 +59,8 @@ std::string instruction_set() { return TRIVET_DISPATCH(name_of_target)(); }
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> names;
   for (int variant = 0; variant < variants; ++variant)
-    if (has_instructions(variant)) names.emplace_back(name_of_target_variants[variant]());
+    if (const auto name = name_of_target_variants[variant]; name != nullptr && has_instructions(variant))
+      names.emplace_back(name());
   return names;
 }
 

@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
@@ -132,7 +133,9 @@ HWY_INLINE void divide(int rows, int columns, const ComplexPack* HWY_RESTRICT l,
                                      omega);
     r += count;
   };
+  // NOLINTNEXTLINE(bugprone-infinite-loop): `some` increases r
   while (r + rows_at_once <= rows) some(std::integral_constant<int, rows_at_once>());
+  // NOLINTNEXTLINE(bugprone-infinite-loop)
   while (r < rows) some(std::integral_constant<int, 1>());
 }
 
@@ -166,6 +169,11 @@ HWY_NOINLINE void subtract_tile(int size, const ComplexPack* HWY_RESTRICT left, 
       target[offset + lines.at(r) + s] = sum[r][s];
 }
 
+/// Start of a row of a matrix that is stored by rows.
+HWY_INLINE const ComplexPack* row_of(const ComplexPack* matrix, int row, int length) {
+  return matrix + static_cast<std::ptrdiff_t>(row) * length;
+}
+
 /// target −= left rightᵀ, rows × columns.
 template <int fixed>
 HWY_INLINE void subtract_full(int rows, int columns, int inner, const ComplexPack* HWY_RESTRICT left,
@@ -175,16 +183,16 @@ HWY_INLINE void subtract_full(int rows, int columns, int inner, const ComplexPac
   for (; r + tile <= rows; r += tile) {
     int s = 0;
     for (; s + tile <= columns; s += tile)
-      subtract_tile<fixed, tile, tile, false, false>(inner, left + r * inner, right + s * inner, target, {columns},
-                                                     matrices, r * columns + s, at);
+      subtract_tile<fixed, tile, tile, false, false>(inner, row_of(left, r, inner), row_of(right, s, inner), target,
+                                                     {columns}, matrices, r * columns + s, at);
     for (; s < columns; ++s)
-      subtract_tile<fixed, tile, 1, false, false>(inner, left + r * inner, right + s * inner, target, {columns},
-                                                  matrices, r * columns + s, at);
+      subtract_tile<fixed, tile, 1, false, false>(inner, row_of(left, r, inner), row_of(right, s, inner), target,
+                                                  {columns}, matrices, r * columns + s, at);
   }
   for (; r < rows; ++r)
     for (int s = 0; s < columns; ++s)
-      subtract_tile<fixed, 1, 1, false, false>(inner, left + r * inner, right + s * inner, target, {columns}, matrices,
-                                               r * columns + s, at);
+      subtract_tile<fixed, 1, 1, false, false>(inner, row_of(left, r, inner), row_of(right, s, inner), target,
+                                               {columns}, matrices, r * columns + s, at);
 }
 
 /// The packed lower triangle of target −= left rightᵀ.
@@ -195,15 +203,15 @@ HWY_INLINE void subtract_lower(int rows, int inner, const ComplexPack* HWY_RESTR
   int r = 0;
   for (; r + tile <= rows; r += tile) {
     for (int s = 0; s < r; s += tile)
-      subtract_tile<fixed, tile, tile, false, given>(inner, left + r * inner, right + s * inner, target, {r + 1, true},
-                                                     matrices, packed(r, s), at);
-    subtract_tile<fixed, tile, tile, true, given>(inner, left + r * inner, right + r * inner, target, {r + 1, true},
-                                                  matrices, packed(r, r), at);
+      subtract_tile<fixed, tile, tile, false, given>(inner, row_of(left, r, inner), row_of(right, s, inner), target,
+                                                     {r + 1, true}, matrices, packed(r, s), at);
+    subtract_tile<fixed, tile, tile, true, given>(inner, row_of(left, r, inner), row_of(right, r, inner), target,
+                                                  {r + 1, true}, matrices, packed(r, r), at);
   }
   for (; r < rows; ++r)
     for (int s = 0; s <= r; ++s)
-      subtract_tile<fixed, 1, 1, false, given>(inner, left + r * inner, right + s * inner, target, {}, matrices,
-                                               packed(r, s), at);
+      subtract_tile<fixed, 1, 1, false, given>(inner, row_of(left, r, inner), row_of(right, s, inner), target, {},
+                                               matrices, packed(r, s), at);
 }
 
 /// x ← L⁻¹x

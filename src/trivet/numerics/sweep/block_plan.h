@@ -97,7 +97,7 @@ struct BlockPlan {
     return factors + 2 * widest + (given_load ? 2 : 1) * rows + load.size() + free.size();
   }
   /// Numbers that a solver needs; not 0 even without rows, because empty arrays need an address.
-  [[nodiscard]] std::size_t memory() const { return pack + passes * packs() * pack + 2 * together * rows; }
+  [[nodiscard]] std::size_t memory() const { return pack + passes * packs() * pack + 2 * std::size_t{together} * rows; }
 };
 
 /// Plan for symmetric matrices, q = scale · q̃.

@@ -55,6 +55,7 @@ class BlockSolver {
       set_load(p, p.q);
     }
     for (const BlockPlan::Column& column : plan_.columns) {
+      // NOLINTNEXTLINE(bugprone-branch-clone): they differ in optimised builds
       if (column.size == body) eliminate<written_out>(column);
       else eliminate<0>(column);
     }
@@ -189,6 +190,7 @@ class BlockSolver {
     ComplexPack* const x[passes] = {first, second};
     for (std::size_t j = plan_.columns.size(); j-- > 0;) {
       const BlockPlan::Column& column = plan_.columns[j];
+      // NOLINTNEXTLINE(bugprone-branch-clone): they differ in optimised builds
       if (column.size == body) column_back<written_out>(column, x, all_loaded || column.loaded);
       else column_back<0>(column, x, all_loaded || column.loaded);
     }

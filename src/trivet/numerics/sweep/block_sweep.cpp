@@ -91,7 +91,7 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
   for (int i = 0; i < passes; ++i) {
     Pass& p = solver.pass(i);
     p.q = q + to_size(i) * plan.rows;
-    if (filled(i) > 0) read_pass(plan, batch, first + i * lanes, filled(i), p);
+    if (filled(i) > 0) read_pass(plan, batch, first + to_index(i) * lanes, filled(i), p);
     else read_pass(plan, batch, first, filled(0), p);
   }
   solver.solve();
@@ -102,7 +102,7 @@ int solve_some(const BlockPlan& plan, const BlockBatch& batch, Eigen::Index firs
     doubtful += static_cast<int>(hn::CountTrue(Lanes(), hn::AndNot(certain(error[i]), present)));
   }
   if (doubtful > 0) refine(plan, solver, error);
-  for (int i = 0; i < passes; ++i) write(error[i], filled(i), batch.backward_error + first + i * lanes);
+  for (int i = 0; i < passes; ++i) write(error[i], filled(i), batch.backward_error + first + to_index(i) * lanes);
   return doubtful;
 }
 

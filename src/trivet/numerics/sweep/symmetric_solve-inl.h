@@ -131,7 +131,7 @@ template <int n, bool aimed>
 bool solve_all(const sweep_kernels::Coefficients& z, const sweep_kernels::Aim* aim, const sweep_kernels::Batch& batch) {
   constexpr int packs = aimed ? 2 : 1;
   LaneMask fine = hn::FirstN(Lanes(), 8);
-  for (long at = 0; at < batch.count; at += packs * lane_count())
+  for (long at = 0; at < batch.count; at += long{packs} * lane_count())
     fine = hn::And(fine, solve_packs<n, packs, aimed>(z, aim, batch, at));
   return hn::AllTrue(Lanes(), fine);
 }
