@@ -12,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/modal/highest_frequency.h"
+#include "trivet/numerics/batch/driven_peaks.h"
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/roots/design_modes.h"
@@ -85,45 +86,76 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
   if (options.fast) fit_family(variant);
 }
 
-void DesignEvaluation::fit_family(const project::Case& variant) {
-  const auto plain = [&](const model::System& system) -> PlainDesignOrReason {
+/// @param form  plain_design or driven_design
+template <typename Design, typename Form>
+FamilyOrReason<Design> DesignEvaluation::fitted(const project::Case& variant, const Form& form) const {
+  const auto formed = [&](const model::System& system) -> DesignOrReason<Design> {
     const assembly::Assembled assembled = assembly::assemble(system);
-    PlainDesignOrReason found = plain_design(assembled, channels(system, assembled),
-                                             assembly::harmonic_loading(system, assembled, request_.excitations));
-    if (found.plain && !numerics::is_positive_definite(found.plain->K))
+    DesignOrReason<Design> found = form(assembled, channels(system, assembled),
+                                        assembly::harmonic_loading(system, assembled, request_.excitations));
+    if (found.design && !numerics::is_positive_definite(found.design->K))
       return {{}, "rigid-body modes or unstable motions"};
     return found;
   };
-  report_.family = plain(variant.system).reason;
-  if (!report_.family.empty()) return;
-  FamilyOrReason found = DesignFamily::fitted(
-      [&](const FamilyPoint& point) -> PlainDesignOrReason {
+  const std::string reason = formed(variant.system).reason;
+  if (!reason.empty()) return {{}, reason};
+  return DesignFamily<Design>::fitted(
+      [&](const FamilyPoint& point) -> DesignOrReason<Design> {
         const auto system = system_at({point.x, point.y});
-        return system ? plain(*system) : PlainDesignOrReason{{}, "designs without a valid model"};
+        return system ? formed(*system) : DesignOrReason<Design>{{}, "designs without a valid model"};
       },
       {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
-  family_ = std::move(found.family);
-  report_.family = found.reason;
-  if (!family_) return;
-  report_.family = fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}",
-                               family_->x_nodes(), family_->y_nodes(), std::max(family_->worst_difference(), 1e-16));
-  plan_searches();
+}
+
+void DesignEvaluation::fit_family(const project::Case& variant) {
+  const auto words = [](const auto& family) {
+    return fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}",
+                       family.x_nodes(), family.y_nodes(), std::max(family.worst_difference(), 1e-16));
+  };
+  FamilyOrReason<PlainDesign> plain = fitted<PlainDesign>(variant, plain_design);
+  if (plain.family) {
+    report_.family = words(*plain.family);
+    plain_family_ = std::move(plain.family);
+  } else {
+    FamilyOrReason<DrivenDesign> driven = fitted<DrivenDesign>(variant, driven_design);
+    report_.family = driven.family ? words(*driven.family) : driven.reason;
+    driven_family_ = std::move(driven.family);
+  }
+  if (has_family()) plan_searches();
 }
 
 void DesignEvaluation::plan_searches() {
-  const PlainDesign& first = family_->first();
   const auto of_kind = [&](DesignRule::Kind kind) {
     return std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& r) { return r.kind == kind; });
   };
   search_.count_peaks = of_kind(DesignRule::Kind::no_peak);
   search_.min_prominence = set_.min_prominence;
   search_.threads = 1;
-  search_.rows = first.rows.array();
-  if (!first.rows_on_velocity.isZero(0)) search_.rows_on_velocity = first.rows_on_velocity.array();
-  search_.derivative = first.derivative;
+  if (plain_family_) {
+    const PlainDesign& first = plain_family_->first();
+    search_.rows = first.rows.array();
+    if (!first.rows_on_velocity.isZero(0)) search_.rows_on_velocity = first.rows_on_velocity.array();
+    search_.derivative = first.derivative;
+  }
   const bool whole = set_.band.from == 0 && std::isinf(set_.band.to);
   if (!search_.count_peaks) search_.from = set_.band.from, search_.to = set_.band.to;
   else beyond_band_ = !whole && of_kind(DesignRule::Kind::amplitude);
+}
+
+numerics::DesignPeaks DesignEvaluation::peaks_of_family(const std::vector<FamilyPoint>& places,
+                                                        const numerics::DesignPeakOptions& search) const {
+  if (plain_family_) return numerics::design_peaks(plain_family_->designs(places), search);
+  return numerics::driven_peaks(driven_family_->designs(places),
+                                {search.from, search.to, search.count_peaks, search.min_prominence});
+}
+
+Eigen::ArrayXXd DesignEvaluation::modes_of_family(const std::vector<FamilyPoint>& places) const {
+  const auto lambda = [](const numerics::Designs& designs) {
+    return numerics::design_modes(designs, {.shapes = false, .threads = 1}).lambda;
+  };
+  if (plain_family_) return lambda(plain_family_->designs(places));
+  const numerics::DrivenDesigns driven = driven_family_->designs(places);
+  return lambda({driven.A, driven.B, driven.K, Eigen::ArrayXXd::Zero(1, driven_family_->first().A.rows())});
 }
 
 std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
@@ -141,10 +173,8 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
                                          DesignOutcome* outcomes) {
   std::vector<FamilyPoint> places;
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
-  const numerics::Designs designs = family_->designs(places);
-  numerics::DesignPeaks found = numerics::design_peaks(designs, search_);
-  const numerics::DesignModes modes =
-      counts_modes_ ? numerics::design_modes(designs, {.shapes = false, .threads = 1}) : numerics::DesignModes();
+  numerics::DesignPeaks found = peaks_of_family(places, search_);
+  const Eigen::ArrayXXd squared_frequencies = counts_modes_ ? modes_of_family(places) : Eigen::ArrayXXd();
   const auto good = [](numerics::DesignStatus status) {
     return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
   };
@@ -156,8 +186,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
     in_band.from = set_.band.from;
     in_band.to = set_.band.to;
     in_band.count_peaks = false;
-    const numerics::DesignPeaks inside =
-        again.empty() ? numerics::DesignPeaks() : numerics::design_peaks(family_->designs(there), in_band);
+    const numerics::DesignPeaks inside = again.empty() ? numerics::DesignPeaks() : peaks_of_family(there, in_band);
     for (std::size_t k = 0; k < again.size(); ++k) {
       found.highest.row(to_index(again[k])) = inside.highest.row(to_index(k));
       found.status[again[k]] = std::max(found.status[again[k]], inside.status[k]);  // the worse of both
@@ -176,8 +205,8 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
                                                                     : found.largest_rise(row, channel);
     }
     outcomes[d] = outcome_of(governing(set_, values));
-    for (Eigen::Index k = 0; k < modes.lambda.cols(); ++k)
-      count_mode(modes.lambda(to_index(d), k), set_.band, outcomes[d]);
+    for (Eigen::Index k = 0; k < squared_frequencies.cols(); ++k)
+      count_mode(squared_frequencies(to_index(d), k), set_.band, outcomes[d]);
     ++(found.status[d] == numerics::DesignStatus::proven ? proven : fallback);
   }
   const std::lock_guard lock(noting_);
@@ -219,12 +248,11 @@ bool DesignEvaluation::is_at(const model::System& system, const DesignPoint& poi
       return unit.asDiagonal() * m.dynamic_stiffness(omega, omega) * unit.asDiagonal();
     };
     const Eigen::MatrixXcd of_case = scaled(a);
-    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <=
-          DesignFamily::reproduced_within * of_case.cwiseAbs().maxCoeff()))
+    if (!((of_case - scaled(b)).cwiseAbs().maxCoeff() <= reproduced_within * of_case.cwiseAbs().maxCoeff()))
       return false;
     const Eigen::VectorXcd load = assembly::exact_right_side(a, of_a, omega, omega);
     if (!((load - assembly::exact_right_side(b, of_b, omega, omega)).cwiseAbs().maxCoeff() <=
-          DesignFamily::reproduced_within * load.cwiseAbs().maxCoeff()))
+          reproduced_within * load.cwiseAbs().maxCoeff()))
       return false;
   }
   return true;
@@ -296,14 +324,14 @@ std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count,
                                                       const foundation::Progress& progress) {
   std::vector<DesignOutcome> outcomes(count);
   foundation::parallel_for(count,
-                           {.size = family_ ? lane_piece : assembled_piece,
+                           {.size = has_family() ? lane_piece : assembled_piece,
                             .threads = options_.threads,
                             .progress = progress,
                             .task = "designs"},
                            [&](std::size_t first, std::size_t last) {
                              std::vector<DesignPoint> points;
                              for (std::size_t i = first; i < last; ++i) points.push_back(point(i));
-                             if (family_) return evaluate_in_lanes(first, points, &outcomes[first]);
+                             if (has_family()) return evaluate_in_lanes(first, points, &outcomes[first]);
                              for (std::size_t i = first; i < last; ++i)
                                outcomes[i] = assembled_outcome(i, points[i - first]);
                            });

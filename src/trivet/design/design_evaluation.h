@@ -50,7 +50,13 @@ class DesignEvaluation {
   [[nodiscard]] foundation::Expected<model::System> system_at(const DesignPoint& point) const;
   [[nodiscard]] DesignOutcome assembled_outcome(std::size_t index, const DesignPoint& point);
   void fit_family(const project::Case& variant);
+  template <typename Design, typename Form>
+  [[nodiscard]] FamilyOrReason<Design> fitted(const project::Case& variant, const Form& form) const;
   void plan_searches();
+  [[nodiscard]] bool has_family() const { return plain_family_ || driven_family_; }
+  [[nodiscard]] numerics::DesignPeaks peaks_of_family(const std::vector<FamilyPoint>& places,
+                                                      const numerics::DesignPeakOptions& search) const;
+  [[nodiscard]] Eigen::ArrayXXd modes_of_family(const std::vector<FamilyPoint>& places) const;
   [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
   /// Outcomes of designs first … , computed in lanes; designs that are not proven there are recomputed separately.
   void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
@@ -63,9 +69,10 @@ class DesignEvaluation {
   std::vector<Answer> answers_;
   std::vector<MapRule> rules_;
   RuleSet set_;
-  std::optional<DesignFamily> family_;
+  std::optional<DesignFamily<PlainDesign>> plain_family_;
+  std::optional<DesignFamily<DrivenDesign>> driven_family_;  // if there is no plain one
   numerics::DesignPeakOptions
-      search_;                 // for the family: over all frequencies if there are no-peak rules, else over the band
+      search_;                 // for a family: over all frequencies if there are no-peak rules, else over the band
   bool beyond_band_ = false;   // search_ also finds amplitudes outside the band
   bool counts_modes_ = false;  // natural frequencies may cross the band of the amplitudes between designs
   std::mutex noting_;          // guards the two below

@@ -9,36 +9,11 @@
 #include <numbers>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/dynamic_matrices.h"
 
 namespace trivet::design {
 namespace {
 
 constexpr int most_nodes_along_one = 17;  // along one number
-
-/// Packed lower triangles of A, B, K, then the load.
-Eigen::VectorXd packed(const PlainDesign& design) {
-  const Eigen::Index n = design.load.size(), triangle = n * (n + 1) / 2;
-  Eigen::VectorXd all(3 * triangle + n);
-  Eigen::Index at = 0;
-  for (const Eigen::MatrixXd* m : {&design.A, &design.B, &design.K})
-    for (Eigen::Index i = 0; i < n; ++i)
-      for (Eigen::Index j = 0; j <= i; ++j) all(at++) = (*m)(i, j);
-  all.tail(n) = design.load;
-  return all;
-}
-
-/// Reference magnitude of each packed entry.
-Eigen::VectorXd scales(const PlainDesign& design) {
-  const Eigen::Index n = design.load.size();
-  PlainDesign scale = design;
-  for (Eigen::MatrixXd* m : {&scale.A, &scale.B, &scale.K}) {
-    const Eigen::VectorXd root = m->diagonal().cwiseAbs().cwiseSqrt();
-    *m = root * root.transpose();
-  }
-  scale.load = Eigen::VectorXd::Constant(n, design.load.cwiseAbs().maxCoeff());
-  return packed(scale);
-}
 
 /// Chebyshev nodes, both ends included.
 std::vector<double> nodes_between(double from, double to, int count) {
@@ -63,15 +38,6 @@ double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& ex
   return worst;
 }
 
-/// Reason why two plain designs cannot be in one family; empty if they can.
-std::string reason_for_separate_families(const PlainDesign& a, const PlainDesign& b) {
-  if (a.load.size() != b.load.size()) return "designs with more coordinates than others";
-  if (a.rows != b.rows || a.rows_on_velocity != b.rows_on_velocity)
-    return "results whose definition differs between designs (a force of an element that the numbers change, or a "
-           "point that they move)";
-  return "";
-}
-
 /// A lattice up to the ends, then points between by the additive recurrence of the plastic number, which fills the area
 /// evenly.
 std::vector<FamilyPoint> check_points() {
@@ -88,48 +54,10 @@ std::vector<FamilyPoint> check_points() {
   return shares;
 }
 
-/// A load with all components in phase, rotated to be real.
-std::optional<Eigen::VectorXd> real_load(const numerics::Load& load) {
-  if (load.vanishes()) return Eigen::VectorXd::Zero(load.size());
-  const Eigen::VectorXcd& value = load.terms().front().value;
-  Eigen::Index largest = 0;
-  const double size = value.cwiseAbs().maxCoeff(&largest);
-  const Eigen::VectorXcd turned = value * (std::conj(value(largest)) / size);
-  constexpr double round_off = 1e-15;
-  if (turned.imag().cwiseAbs().maxCoeff() > round_off * size) return std::nullopt;
-  return turned.real();
-}
-
 }  // namespace
 
-PlainDesignOrReason plain_design(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                 const assembly::Loading& loading) {
-  const numerics::DynamicMatrices& m = assembled.matrices;
-  if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
-  if (m.lossy()) return {{}, "loss factors"};
-  if (!m.symmetric) return {{}, "matrices that are not symmetric"};
-  if (to_index(numerics::massive_rows(m.A).size()) < m.size()) return {{}, "coordinates without mass"};
-  if (!loading.motion.vanishes()) return {{}, "a moving ground"};
-  if (!loading.force.is_constant()) return {{}, "a force that changes with frequency"};
-  const auto load = real_load(loading.force);
-  if (!load) return {{}, "forces of different phases"};
-  PlainDesign design{m.A, m.B, m.K, *load, {}, {}, {}};
-  const auto answers = to_index(channels.size());
-  design.rows = Eigen::MatrixXd::Zero(answers, m.size());
-  design.rows_on_velocity = design.rows;
-  for (Eigen::Index c = 0; c < answers; ++c) {
-    const assembly::Channel& channel = channels[to_size(c)];
-    const bool other = !channel.dynamic_forces.empty() || !channel.on_displacement.imag().isZero(0) ||
-        (channel.on_acceleration.size() > 0 && !channel.on_acceleration.isZero(0));
-    if (other) return {{}, "forces of elements with mass or loss"};
-    design.rows.row(c) = channel.on_displacement.real().transpose();
-    if (channel.on_velocity.size() > 0) design.rows_on_velocity.row(c) = channel.on_velocity.transpose();
-    design.derivative.push_back(channel.derivative);
-  }
-  return {std::move(design), ""};
-}
-
-Eigen::VectorXd DesignFamily::Along::weights(double value) const {
+template <typename Design>
+Eigen::VectorXd DesignFamily<Design>::Along::weights(double value) const {
   const double t = logarithmic ? std::log(value) : value;
   Eigen::VectorXd w = Eigen::VectorXd::Ones(to_index(nodes.size()));
   for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -138,13 +66,15 @@ Eigen::VectorXd DesignFamily::Along::weights(double value) const {
   return w;
 }
 
-Eigen::VectorXd DesignFamily::entries(const FamilyPoint& point) const {
+template <typename Design>
+Eigen::VectorXd DesignFamily<Design>::entries(const FamilyPoint& point) const {
   const Eigen::MatrixXd both = x_.weights(point.x) * y_.weights(point.y).transpose();
   return values_ * Eigen::Map<const Eigen::VectorXd>(both.data(), both.size());
 }
 
-std::optional<DesignFamily::Along> DesignFamily::fitted_along(
-    const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable) {
+template <typename Design>
+std::optional<typename DesignFamily<Design>::Along> DesignFamily<Design>::fitted_along(
+    const std::function<std::optional<Design>(double)>& source, const FamilyVariable& variable) {
   constexpr double golden = 0.6180339887498949;
   constexpr int checks = 7;
   std::vector<double> at;
@@ -182,27 +112,29 @@ std::optional<DesignFamily::Along> DesignFamily::fitted_along(
   return std::nullopt;
 }
 
-FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y) {
+template <typename Design>
+FamilyOrReason<Design> DesignFamily<Design>::fitted(const Source& source, const FamilyVariable& x,
+                                                    const FamilyVariable& y) {
   DesignFamily family;
   std::string reason;
   bool has_first = false;
-  const auto plain_design_at = [&](const FamilyPoint& point) -> std::optional<PlainDesign> {
-    PlainDesignOrReason found = source(point);
-    reason = found.plain ? has_first ? reason_for_separate_families(family.first_, *found.plain) : "" : found.reason;
-    if (reason.empty() && !has_first) family.first_ = *found.plain, has_first = true;
-    return reason.empty() ? std::move(found.plain) : std::nullopt;
+  const auto design_at = [&](const FamilyPoint& point) -> std::optional<Design> {
+    DesignOrReason<Design> found = source(point);
+    reason = found.design ? has_first ? reason_for_separate_families(family.first_, *found.design) : "" : found.reason;
+    if (reason.empty() && !has_first) family.first_ = *found.design, has_first = true;
+    return reason.empty() ? std::move(found.design) : std::nullopt;
   };
   const auto not_met_along = [](const std::string& name) {
     return fmt::format("matrices that polynomials on {} nodes do not reproduce within {:.0e} along {}",
                        most_nodes_along_one, reproduced_within, name);
   };
-  const auto declined = [&](const std::string& otherwise) -> FamilyOrReason {
+  const auto declined = [&](const std::string& otherwise) -> FamilyOrReason<Design> {
     return {std::nullopt, reason.empty() ? otherwise : reason};
   };
-  if (!plain_design_at({x.from, y.from})) return declined("");
-  const auto along_x = fitted_along([&](double value) { return plain_design_at({value, 0.5 * (y.from + y.to)}); }, x);
+  if (!design_at({x.from, y.from})) return declined("");
+  const auto along_x = fitted_along([&](double value) { return design_at({value, 0.5 * (y.from + y.to)}); }, x);
   if (!along_x) return declined(not_met_along(x.name));
-  const auto along_y = fitted_along([&](double value) { return plain_design_at({0.5 * (x.from + x.to), value}); }, y);
+  const auto along_y = fitted_along([&](double value) { return design_at({0.5 * (x.from + x.to), value}); }, y);
   if (!along_y) return declined(not_met_along(y.name));
   family.x_ = *along_x;
   family.y_ = *along_y;
@@ -216,13 +148,13 @@ FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& 
   };
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
-      const auto design = plain_design_at({value(x, family.x_, i), value(y, family.y_, j)});
+      const auto design = design_at({value(x, family.x_, i), value(y, family.y_, j)});
       if (!design) return declined("");
       family.values_.col(to_index(j * nx + i)) = packed(*design);
     }
   for (const FamilyPoint& share : check_points()) {
     const FamilyPoint point{x.from + share.x * (x.to - x.from), y.from + share.y * (y.to - y.from)};
-    const auto design = plain_design_at(point);
+    const auto design = design_at(point);
     if (!design) return declined("");
     const double worst = difference(family.entries(point), packed(*design), scales(*design));
     if (worst > reproduced_within)
@@ -234,11 +166,11 @@ FamilyOrReason DesignFamily::fitted(const Source& source, const FamilyVariable& 
   return {std::move(family), ""};
 }
 
-numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) const {
-  const auto count = to_index(points.size()), n = first_.load.size(), triangle = n * (n + 1) / 2;
+template <typename Design>
+Eigen::MatrixXd DesignFamily<Design>::packed_designs(std::span<const FamilyPoint> points) const {
+  const auto count = to_index(points.size());
   const auto nx = to_index(x_.nodes.size()), ny = to_index(y_.nodes.size());
-  numerics::Designs designs{Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, triangle),
-                            Eigen::ArrayXXd(count, triangle), Eigen::ArrayXXd(count, n)};
+  Eigen::MatrixXd result(count, values_.rows());
   for (Eigen::Index first = 0; first < count;) {  // points with the same y share its weights
     const double y = points[to_size(first)].y;
     Eigen::Index last = first;
@@ -248,15 +180,13 @@ numerics::Designs DesignFamily::designs(std::span<const FamilyPoint> points) con
     for (Eigen::Index j = 0; j < ny; ++j) along_x += of_y(j) * values_.middleCols(j * nx, nx);
     Eigen::MatrixXd of_x(last - first, nx);
     for (Eigen::Index d = first; d < last; ++d) of_x.row(d - first) = x_.weights(points[to_size(d)].x).transpose();
-    Eigen::Index row = 0;
-    for (Eigen::ArrayXXd* part : {&designs.A, &designs.B, &designs.K, &designs.load}) {
-      part->middleRows(first, last - first).matrix().noalias() =
-          of_x * along_x.middleRows(row, part->cols()).transpose();
-      row += part->cols();
-    }
+    result.middleRows(first, last - first).noalias() = of_x * along_x.transpose();
     first = last;
   }
-  return designs;
+  return result;
 }
+
+template class DesignFamily<PlainDesign>;
+template class DesignFamily<DrivenDesign>;
 
 }  // namespace trivet::design

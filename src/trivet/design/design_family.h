@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "trivet/assembly/channels.h"
-#include "trivet/assembly/loads.h"
-#include "trivet/numerics/roots/designs.h"
+#include "trivet/design/driven_design.h"
+#include "trivet/design/plain_design.h"
 
 namespace trivet::design {
-
-/// A design that the fast method (poles and residues, several designs at once) can evaluate: real symmetric constant
-/// matrices, one real constant load, results that are real combinations of displacements and velocities.
-struct PlainDesign {
-  Eigen::MatrixXd A, B, K;                 ///< n × n
-  Eigen::VectorXd load;                    ///< n
-  Eigen::MatrixXd rows, rows_on_velocity;  ///< results × n
-  std::vector<int> derivative;             ///< order of the time derivative of each result
-};
-
-/// The design in that form, or the reason why it has no such form: "loss factors", "a moving ground" …
-struct PlainDesignOrReason {
-  std::optional<PlainDesign> plain;
-  std::string reason;
-};
-[[nodiscard]] PlainDesignOrReason plain_design(const assembly::Assembled& assembled,
-                                               const std::vector<assembly::Channel>& channels,
-                                               const assembly::Loading& loading);
 
 /// One of the two variables of a family.
 struct FamilyVariable {
@@ -41,28 +23,41 @@ struct FamilyPoint {
   double x = 0, y = 0;
 };
 
-struct FamilyOrReason;
+/// Entries of K differ from those of a separately assembled design by at most this share of √(K_ii K_jj); the same
+/// holds for the other matrices, the loads and the rows of results, each with its own scale.
+inline constexpr double reproduced_within = 1e-12;
 
-/// Plain designs as smooth functions of two variables: polynomials through a few of them, checked against further
-/// designs.
+template <typename Design>
+class DesignFamily;
+
+/// A family, or the reason why there is none: that of the design that has no suitable form, or "… polynomials … do not
+/// reproduce …".
+template <typename Design>
+struct FamilyOrReason {
+  std::optional<DesignFamily<Design>> family;
+  std::string reason;
+};
+
+/// Designs as smooth functions of two variables: polynomials through a few of them, checked against further designs.
+/// @tparam Design  PlainDesign or DrivenDesign
+template <typename Design>
 class DesignFamily {
  public:
-  /// Entries of K differ from those of a separately assembled design by at most this share of √(K_ii K_jj); the same
-  /// holds for A, B and the loads, each with its own scale.
-  static constexpr double reproduced_within = 1e-12;
-
-  /// The design at a point; if it is not plain, the attempt ends with its reason.
-  using Source = std::function<PlainDesignOrReason(const FamilyPoint&)>;
+  /// The design at a point, or why it has no such form; the attempt then ends with that reason.
+  using Source = std::function<DesignOrReason<Design>(const FamilyPoint&)>;
 
   /// Along each variable, or its logarithm, nodes are doubled until one line through the middle is reproduced; then 25
   /// points of a lattice up to the ends of the ranges and 16 points between them must be reproduced. Returns a reason
-  /// instead of a family if this fails or the rows of the results change.
-  [[nodiscard]] static FamilyOrReason fitted(const Source& source, const FamilyVariable& x, const FamilyVariable& y);
+  /// instead of a family if this fails or two designs cannot be in one family.
+  [[nodiscard]] static FamilyOrReason<Design> fitted(const Source& source, const FamilyVariable& x,
+                                                     const FamilyVariable& y);
 
-  /// Matrices and loads at the points.
-  [[nodiscard]] numerics::Designs designs(std::span<const FamilyPoint> points) const;
+  /// Matrices, loads and rows at the points, for the kernels of many designs.
+  [[nodiscard]] auto designs(std::span<const FamilyPoint> points) const {
+    return unpacked_like(first_, packed_designs(points));
+  }
 
-  [[nodiscard]] const PlainDesign& first() const { return first_; }  ///< rows and derivatives hold for all
+  [[nodiscard]] const Design& first() const { return first_; }  ///< what is not packed holds for all
   [[nodiscard]] double worst_difference() const {
     return worst_;
   }  ///< over the points that were checked, see reproduced_within
@@ -72,6 +67,7 @@ class DesignFamily {
  private:
   DesignFamily() = default;
   [[nodiscard]] Eigen::VectorXd entries(const FamilyPoint& point) const;
+  [[nodiscard]] Eigen::MatrixXd packed_designs(std::span<const FamilyPoint> points) const;  ///< points × entries
 
   /// Chebyshev nodes of one variable.
   struct Along {
@@ -79,20 +75,16 @@ class DesignFamily {
     std::vector<double> nodes;
     [[nodiscard]] Eigen::VectorXd weights(double value) const;  ///< Lagrange's polynomials
   };
-  [[nodiscard]] static std::optional<Along> fitted_along(
-      const std::function<std::optional<PlainDesign>(double)>& source, const FamilyVariable& variable);
+  [[nodiscard]] static std::optional<Along> fitted_along(const std::function<std::optional<Design>(double)>& source,
+                                                         const FamilyVariable& variable);
 
   Along x_, y_;
   Eigen::MatrixXd values_;  ///< entries × (x nodes × y nodes), x fastest
-  PlainDesign first_;
+  Design first_;
   double worst_ = 0;
 };
 
-/// A family, or the reason why there is none: that of the design that is not plain, or "… polynomials … do not
-/// reproduce …".
-struct FamilyOrReason {
-  std::optional<DesignFamily> family;
-  std::string reason;
-};
+extern template class DesignFamily<PlainDesign>;
+extern template class DesignFamily<DrivenDesign>;
 
 }  // namespace trivet::design

@@ -287,9 +287,10 @@ void judge_rotation(const model::System& system, const BodyPicture& picture, Sus
   // Too much translational stiffness has the same effect.
   if (oddness(features(picture, {.stiffness = 1e-3})) < oddness(features(picture, {}))) {
     const double mean = first->translation.trace() / 3;
-    found.push_back({"stiffness", "elements." + element.name + ".translation",
-                     fmt::format("{:.6g} N/m (mean of three directions)", mean), small,
-                     fmt::format("it would be {:.6g} N/m if the number is in N/m and its unit N/mm a slip", 1e-3 * mean)});
+    found.push_back(
+        {"stiffness", "elements." + element.name + ".translation",
+         fmt::format("{:.6g} N/m (mean of three directions)", mean), small,
+         fmt::format("it would be {:.6g} N/m if the number is in N/m and its unit N/mm a slip", 1e-3 * mean)});
     return;
   }
   found.push_back(

@@ -41,16 +41,15 @@ TEST(DesignEvaluation, GroupsDesignsWithoutAModelByKind) {
   EXPECT_LE(map.report.missing.size(), 3u);
 }
 
-TEST(DesignEvaluation, AssemblesElementsWithLossFactorsSeparately) {
+TEST(DesignEvaluation, JudgesDesignsWithLossFactorsByPolesAndResidues) {
   const std::string text = mapped_machine(
       "map = {x = {parameter = \"elements.spring.scale\", from = 0.5, to = 2, points = 3}, y = {parameter = "
       "\"bodies.machine.mass\", from = 5, to = 20, points = 3}, "
       "no_peak = \"coordinates\"}\n");
   const project::Project project = test::project(text, {"elements.spring.damping={loss_factor=0.1}"});
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
-  EXPECT_EQ(map.report.proven + map.report.fallback, 0u);
-  EXPECT_EQ(map.report.assembled_separately, 9u);
-  EXPECT_THAT(map.report.summary(), testing::HasSubstr("loss factors"));
+  EXPECT_EQ(map.report.proven, 9u);
+  EXPECT_EQ(map.report.assembled_separately, 0u);
 }
 
 /// With heavy damping the acceleration rises to F/m = 1 m/s² in every design, and reaches it only at infinity.
@@ -70,12 +69,17 @@ TEST(DesignEvaluation, MeetsALimitThatEveryDesignReachesExactly) {
   }
 }
 
-TEST(DesignEvaluation, ReportsThatRowsOfAnswersChangeBetweenDesigns) {
-  const project::Project project =
-      test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 30}}\n"));
+/// Accelerations on a ground that moves through dampers grow with ω. No kernel for many designs has such curves.
+std::string machine_on_moving_ground(const std::string& cases = "") {
+  return mapped_machine("map = {" + two_axes + ", limits = {\"machine.z\" = \"2 m/s2\"}, band = [0, 30]}\n",
+                        "[excitations.ground]\ntype = \"base\"\ntranslation = [0, 0, 1e-3]\n" + cases);
+}
+
+TEST(DesignEvaluation, ReportsThatResultsGrowWithoutBound) {
+  const project::Project project = test::project(machine_on_moving_ground());
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.assembled_separately, 20u);
-  EXPECT_THAT(map.report.summary(), testing::HasSubstr("whose definition differs between designs"));
+  EXPECT_THAT(map.report.summary(), testing::HasSubstr("grow without bound"));
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {
@@ -88,8 +92,7 @@ TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {
 TEST(DesignEvaluation, IsTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   std::string cases;
   for (int k = 0; k < 12; ++k) cases += fmt::format("[cases.c{}]\nelements.spring.scale = {}\n", k, 0.6 + 0.1 * k);
-  const project::Project project =
-      test::project(mapped_machine("map = {" + two_axes + ", limits = {\"spring.force.z\" = 25}}\n", cases));
+  const project::Project project = test::project(machine_on_moving_ground(cases));
   std::vector<std::string> tasks, texts;
   const foundation::Progress progress = [&](std::string_view task, double) { tasks.emplace_back(task); };
   for (const int threads : {1, 4}) {

@@ -26,11 +26,12 @@ design::PlainDesign design_of(double k, double b) {
 }
 
 TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
-  const auto family =
-      design::DesignFamily::fitted(
-          [](const design::FamilyPoint& p) { return design::PlainDesignOrReason{design_of(p.x * p.x, p.y), ""}; },
-          {0.3, 10, "x"}, {0.01, 0.5, "y"})
-          .family;
+  const auto family = design::DesignFamily<design::PlainDesign>::fitted(
+                          [](const design::FamilyPoint& p) {
+                            return design::DesignOrReason<design::PlainDesign>{design_of(p.x * p.x, p.y), ""};
+                          },
+                          {0.3, 10, "x"}, {0.01, 0.5, "y"})
+                          .family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 3u);  // x² and x² y
   EXPECT_EQ(family->y_nodes(), 2u);
@@ -46,24 +47,27 @@ TEST(DesignFamily, ReproducesDesignsBetweenItsNodes) {
 }
 
 TEST(DesignFamily, UsesLogarithmsIfTheyAreSmoother) {
-  const auto family =
-      design::DesignFamily::fitted(
-          [](const design::FamilyPoint& p) { return design::PlainDesignOrReason{design_of(std::log(p.x), p.y), ""}; },
-          {1, 1000, "x"}, {0.01, 0.5, "y"})
-          .family;
+  const auto family = design::DesignFamily<design::PlainDesign>::fitted(
+                          [](const design::FamilyPoint& p) {
+                            return design::DesignOrReason<design::PlainDesign>{design_of(std::log(p.x), p.y), ""};
+                          },
+                          {1, 1000, "x"}, {0.01, 0.5, "y"})
+                          .family;
   ASSERT_TRUE(family);
   EXPECT_EQ(family->x_nodes(), 2u);
 }
 
 TEST(DesignFamily, RejectsAKinkAndNamesItsParameter) {
   const auto along_x = [](const design::FamilyPoint& p) {
-    return design::PlainDesignOrReason{design_of(std::abs(p.x - 3.3), p.y), ""};
+    return design::DesignOrReason<design::PlainDesign>{design_of(std::abs(p.x - 3.3), p.y), ""};
   };
   const auto along_y = [](const design::FamilyPoint& p) {
-    return design::PlainDesignOrReason{design_of(p.x, std::max(p.y, 0.2)), ""};
+    return design::DesignOrReason<design::PlainDesign>{design_of(p.x, std::max(p.y, 0.2)), ""};
   };
-  const auto of_x = design::DesignFamily::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}),
-             of_y = design::DesignFamily::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
+  const auto of_x =
+                 design::DesignFamily<design::PlainDesign>::fitted(along_x, {0.3, 10, "length"}, {0.01, 0.5, "delta"}),
+             of_y =
+                 design::DesignFamily<design::PlainDesign>::fitted(along_y, {0.3, 10, "length"}, {0.01, 0.5, "delta"});
   EXPECT_FALSE(of_x.family);
   EXPECT_FALSE(of_y.family);
   EXPECT_THAT(of_x.reason, testing::EndsWith("polynomials on 17 nodes do not reproduce within 1e-12 along length"));
@@ -74,19 +78,20 @@ TEST(DesignFamily, RejectsRowsThatChange) {
   const auto changing = [](const design::FamilyPoint& p) {
     design::PlainDesign design = design_of(p.x, p.y);
     design.rows(0, 0) = p.x;
-    return design::PlainDesignOrReason{design, ""};
+    return design::DesignOrReason<design::PlainDesign>{design, ""};
   };
-  const auto found = design::DesignFamily::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
+  const auto found = design::DesignFamily<design::PlainDesign>::fitted(changing, {0.3, 10, "x"}, {0.01, 0.5, "y"});
   EXPECT_FALSE(found.family);
   EXPECT_THAT(found.reason, testing::HasSubstr("whose definition differs between designs"));
 }
 
 TEST(DesignFamily, ReportsWhyADesignInTheMiddleIsNotPlain) {
   const auto lossy = [](const design::FamilyPoint& p) {
-    return p.x > 5 ? design::PlainDesignOrReason{{}, "loss factors"}
-                   : design::PlainDesignOrReason{design_of(p.x, p.y), ""};
+    return p.x > 5 ? design::DesignOrReason<design::PlainDesign>{{}, "loss factors"}
+                   : design::DesignOrReason<design::PlainDesign>{design_of(p.x, p.y), ""};
   };
-  EXPECT_EQ(design::DesignFamily::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason, "loss factors");
+  EXPECT_EQ(design::DesignFamily<design::PlainDesign>::fitted(lossy, {0.3, 10, "x"}, {0.01, 0.5, "y"}).reason,
+            "loss factors");
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ struct ScannedPack {
 };
 
 /// One curve of a pack during the scan.
+template <typename Size>
 struct ScannedCurve {
-  SquaredResponse f;
+  SquaredResponse<Size::most> f;
   Pack best;                      ///< highest value of f found on the band
   Pack sign;                      ///< last known sign of the slope: −1, 1, or 0
   Pack tail;                      ///< sign beyond the scan, up to x = ∞; 0 if there is none
   Pack covered_from, covered_to;  ///< range already known to have no value above `best`
-  LaneMask open[most_pairs];      ///< zones that may contain a higher value
+  LaneMask open[Size::most];      ///< zones that may contain a higher value
   // of the current panel
   Pack p0, p1, p2;   ///< the slope is p0 + p1 (x − centre) + p2 (x − centre)² …
   Pack start, rest;  ///< slope at its start, and error bound of the slope
@@ -55,8 +56,9 @@ constexpr double most_share = 0.43;   ///< largest half width of a panel / dista
 constexpr double least_share = 1e-5;  ///< the scan fails if a sign needs shorter panels
 constexpr double narrowing = 0.7, widening = 1.12;
 constexpr int most_steps = 2000;
-constexpr double round_off =
-    6e-15;  ///< of a sum of C wᵐ over twelve poles and of the polynomial built from it, relative to Σ |C| |w|ᵐ
+/// Of a sum of C wᵐ over all poles and of the polynomial built from it, relative to Σ |C| |w|ᵐ.
+template <typename Size>
+constexpr double round_off_of = Size::most > 12 ? 12e-15 : 6e-15;
 constexpr double low_share = 0.01;  ///< share of the required rise of a peak: a lower curve has no peak that counts
 constexpr double most_doubt = 0.2;  ///< the same share: below it, heights hidden by round-off are accepted
 /// Ratio of the remainder of f'' to that of f' over half a panel: its terms i ≥ 5 count i times, on average less than
@@ -84,6 +86,7 @@ HWY_NOINLINE Pack half_width(const SquarePoles<Size>& poles, const Pack& x, cons
 template <typename Size>
 HWY_NOINLINE void form_powers(const SquarePoles<Size>& poles, const Pack& centre, const Pack& half,
                               PanelPowers* powers) {
+  constexpr double round_off = round_off_of<Size>;
   each(poles.count, [&](int k) TRIVET_LANES {
     PanelPowers& p = powers[k];
     p.w[0] = inverse_distance(poles, k, centre);
@@ -110,18 +113,27 @@ struct ScanOptions {
 
 /// Lanes in which a curve is known to stay below its best value between x and `end`.
 template <typename Size>
-HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const ScannedCurve& curve,
+HWY_INLINE LaneMask covered_between(const Zones<Size>& zones, const LaneMask* shared, const ScannedCurve<Size>& curve,
                                     const Pack& x, const Pack& end) {
   LaneMask open = hn::Lt(x, x);
   each(zones.count, [&](int k) TRIVET_LANES { open = hn::Or(open, hn::And(shared[k], curve.open[k])); });
   return hn::Or(hn::Not(open), hn::And(hn::Ge(x, curve.covered_from), hn::Le(end, curve.covered_to)));
 }
 
+/// Lanes in which a change of |y|² is too small for a peak that counts. (The slope of |y|² is 2|y| times that of |y|.)
+/// @param least  lowest value of |y|² nearby
+HWY_INLINE LaneMask is_flat(const Pack& change, const Pack& least, const Pack& best, const ScanOptions& options) {
+  constexpr double flat_share = 0.03, flat_top = 1e-10;
+  const Pack matters = hn::Mul(all(flat_share * flat_share * options.matters * options.matters), best);
+  return hn::And(hn::Lt(hn::Mul(change, change), hn::Mul(matters, least)),
+                 hn::Lt(change, hn::Mul(all(flat_top), best)));
+}
+
 /// Slope of one curve on the current panel. @return lanes in which the panel is done for this curve
 template <typename Size>
 HWY_NOINLINE LaneMask bound_slope(const ScannedPack<Size>& pack, const PanelPowers* powers, const Pack& centre,
                                   const Pack& half, const ScanOptions& options, const LaneMask& covered,
-                                  ScannedCurve& curve) {
+                                  ScannedCurve<Size>& curve) {
   const Pack zero = hn::Zero(Lanes());
   Pack value = hn::MulAdd(curve.f.slope, centre, curve.f.constant), s0 = zero, s1 = zero, s2 = zero, s3 = zero,
        s4 = zero, rest = zero;
@@ -166,22 +178,22 @@ HWY_NOINLINE LaneMask bound_slope(const ScannedPack<Size>& pack, const PanelPowe
     curve.sign = hn::IfThenZeroElse(covered, curve.sign);
     return hn::Or(hn::Or(known, covered), hn::Lt(curve.most, hn::Mul(all(1 - 1e-13), curve.best)));
   }
-  // Too low for a peak that counts, or too flat to hide one. (The slope of |y|² is 2|y| times that of |y|.)
-  constexpr double flat_share = 0.03, flat_top = 1e-10;
-  const Pack matters = hn::Mul(all(options.matters * options.matters), curve.best), change = hn::Add(swing, swing);
+  // Too low for a peak that counts, or too flat to hide one.
+  const Pack matters = hn::Mul(all(options.matters * options.matters), curve.best);
   const LaneMask low = hn::Lt(curve.most, hn::Mul(all(low_share * low_share), matters));
-  const LaneMask flat = hn::And(
-      hn::Lt(hn::Mul(change, change), hn::Mul(hn::Mul(all(flat_share * flat_share), matters), hn::Sub(value, swing))),
-      hn::Lt(change, hn::Mul(all(flat_top), curve.best)));
-  return hn::Or(known, hn::Or(low, flat));
+  return hn::Or(known, hn::Or(low, is_flat(hn::Add(swing, swing), hn::Sub(value, swing), curve.best, options)));
 }
 
 /// Skips a panel that does not matter for a curve.
-HWY_INLINE void skip_panel(ScannedCurve& curve) { curve.after = curve.sign = hn::Zero(Lanes()); }
+template <typename Size>
+HWY_INLINE void skip_panel(ScannedCurve<Size>& curve) {
+  curve.after = curve.sign = hn::Zero(Lanes());
+}
 
 /// Notes the sign changes on panels that are done.
-HWY_NOINLINE void note_change(const ScannedCurve& curve, const LaneMask& left, const Pack& centre, const Pack& half,
-                              bool every, int channel, FoundExtrema& found) {
+template <typename Size>
+HWY_NOINLINE void note_change(const ScannedCurve<Size>& curve, const LaneMask& left, const Pack& centre,
+                              const Pack& half, bool every, int channel, FoundExtrema& found) {
   const Pack zero = hn::Zero(Lanes());
   LaneMask changed = hn::And(left, hn::Lt(hn::Mul(curve.sign, curve.after), zero));
   if (!every) {
@@ -226,7 +238,7 @@ HWY_NOINLINE Pack next_stop(const ScannedPack<Size>& pack, const Pack& x) {
 /// Lanes in which every curve stays below its best value between x and `stop`, proven by the distances of the poles
 /// alone.
 template <typename Size>
-HWY_NOINLINE LaneMask stays_below(const ScannedPack<Size>& pack, const ScannedCurve* curves, int channels,
+HWY_NOINLINE LaneMask stays_below(const ScannedPack<Size>& pack, const ScannedCurve<Size>* curves, int channels,
                                   const Pack& x, const Pack& stop) {
   const SquarePoles<Size>& poles = pack.poles;
   PairPack most[Size::most];  // |a| and |b| of 1/(x − z) = a + b j
@@ -234,7 +246,7 @@ HWY_NOINLINE LaneMask stays_below(const ScannedPack<Size>& pack, const ScannedCu
   LaneMask below = hn::Eq(x, x), shared[Size::most];
   shared_with(pack.zones, x, stop, shared);
   for (int c = 0; c < channels && !hn::AllFalse(Lanes(), below); ++c) {
-    const SquaredResponse& f = curves[c].f;
+    const SquaredResponse<Size::most>& f = curves[c].f;
     Pack value = hn::MulAdd(hn::Abs(f.slope), stop, hn::Abs(f.constant));
     each(poles.count, [&](int k) TRIVET_LANES {
       value =
@@ -259,7 +271,7 @@ HWY_INLINE Pack next_open(const ScannedPack<Size>& pack, const Pack& x) {
 
 /// Moves x from stop to stop as long as no curve can exceed its best value there.
 template <typename Size>
-HWY_NOINLINE LaneMask skip_ahead(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels, Pack& x,
+HWY_NOINLINE LaneMask skip_ahead(const ScannedPack<Size>& pack, ScannedCurve<Size>* curves, int channels, Pack& x,
                                  LaneMask live) {
   LaneMask skipping = live;
   while (!hn::AllFalse(Lanes(), skipping)) {
@@ -280,7 +292,7 @@ HWY_NOINLINE LaneMask skip_ahead(const ScannedPack<Size>& pack, ScannedCurve* cu
 
 /// Scans the axis panel by panel. @return lanes in which the scan was completed
 template <typename Size>
-HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels,
+HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve<Size>* curves, int channels,
                            const ScanOptions& options, FoundExtrema& found) {
   PanelPowers powers[Size::most];
   Pack x = pack.from, share = all(most_share);
@@ -302,7 +314,7 @@ HWY_NOINLINE LaneMask scan(const ScannedPack<Size>& pack, ScannedCurve* curves, 
     }
     if (!hn::AllFalse(Lanes(), left))
       for (int c = 0; c < channels; ++c) {
-        ScannedCurve& curve = curves[c];
+        ScannedCurve<Size>& curve = curves[c];
         note_change(curve, left, centre, half, options.every_extremum, c, found);
         const LaneMask updates = options.every_extremum ? hn::And(left, hn::Ne(curve.after, hn::Zero(Lanes()))) : left;
         curve.sign = hn::IfThenElse(updates, curve.after, curve.sign);

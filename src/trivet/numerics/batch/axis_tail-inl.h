@@ -9,6 +9,7 @@
 #endif
 
 #include <memory>
+#include <vector>
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
@@ -21,10 +22,12 @@ namespace trivet::numerics::HWY_NAMESPACE {
 /// remains. In u = 1/x a curve has the same form, with poles 1/z, and one panel extends from there to u = 0.
 /// @param complete  reduced to the lanes in which this is proven
 template <typename Size>
-HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve* curves, int channels,
-                                    const PeakQuestion& question, const ScanOptions& options, LaneMask& complete) {
+HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve<Size>* curves,
+                                    const std::vector<CurveEnds>& ends, const ScanOptions& options,
+                                    LaneMask& complete) {
   constexpr int most_doublings = 40;
   const SquarePoles<Size>& poles = pack.poles;
+  const auto channels = static_cast<int>(ends.size());
   ScannedPack<Size> inverted;
   inverted.poles = poles;
   inverted.asked = pack.asked;
@@ -36,9 +39,9 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve*
     weight[k] = all(-1.0) * times(poles.real[k], inverted.poles.z[k], inverted.poles.z[k]);
   }
   place(inverted.poles);
-  const std::unique_ptr<ScannedCurve[]> inverted_curves(new ScannedCurve[to_size(channels)]);
+  const std::unique_ptr<ScannedCurve<Size>[]> inverted_curves(new ScannedCurve<Size>[to_size(channels)]);
   for (int c = 0; c < channels; ++c) {
-    ScannedCurve& curve = inverted_curves[to_size(c)];
+    ScannedCurve<Size>& curve = inverted_curves[to_size(c)];
     curve.f = curves[c].f;
     curve.best = curves[c].best;
     curve.sign = curves[c].sign;
@@ -58,14 +61,17 @@ HWY_NOINLINE Pack beginning_of_tail(const ScannedPack<Size>& pack, ScannedCurve*
     form_powers(inverted.poles, half, half, powers);
     LaneMask all_settled = hn::Eq(half, half);
     for (int c = 0; c < channels; ++c) {
-      ScannedCurve& curve = inverted_curves[to_size(c)];
+      ScannedCurve<Size>& curve = inverted_curves[to_size(c)];
       LaneMask own = bound_slope(inverted, powers, half, half, options, settled, curve);
       // Slopes that vanish at u = 0 keep their sign while they are monotonic.
-      const ObservedRow& row = question.rows[to_size(c)];
-      const bool flat_at_infinity = row.on_velocity.size() == 0 && row.derivative == 0;
-      if (!flat_at_infinity)
-        own = hn::And(
-            own, hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())), hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)));
+      if (!ends[to_size(c)].flat_at_infinity) {
+        // The sign must be the same at u = 0, or the slope there so small that a turn before it cannot be seen.
+        const Pack change = hn::Mul(hn::Mul(all(8.0), half), hn::Max(curve.rest, hn::Abs(curve.start)));
+        own = hn::And(own,
+                      hn::Or(hn::Or(hn::Eq(curve.after, hn::Zero(Lanes())),
+                                    hn::Gt(hn::Mul(curve.start, curve.after), curve.rest)),
+                             is_flat(change, curves[c].f.constant, curve.best, options)));
+      }
       all_settled = hn::And(all_settled, own);
       curves[c].tail = hn::IfThenElse(settled, curves[c].tail, hn::Neg(curve.after));  // x decreases as u increases
     }

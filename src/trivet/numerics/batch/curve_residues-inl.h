@@ -9,21 +9,17 @@
 #endif
 
 #include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/round_off-inl.h"
 #include "trivet/numerics/batch/tabled_roots-inl.h"
-#include "trivet/numerics/peaks/extremum.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
-HWY_INLINE Pack squared_size(const PairPack& r) { return hn::MulAdd(r.first, r.first, hn::Mul(r.second, r.second)); }
-
 /// Residues of a pack of designs, and scales for a curve: coordinate j is weighted by √A_jj.
 struct PackOfResidues {
-  PairPack r[most_pairs][most_pairs];  ///< [pair][coordinate]
-  Pack unit[most_pairs];               ///< 1/√A_jj
-  /// Squares, by pair of poles. Residues of a curve far below `visible` mean resonances far below the motion of other
-  /// coordinates: at that pole, or at rest from any pole. Residues far below `possible` lose digits under this load.
-  Pack visible[most_pairs], possible[most_pairs];
+  PairPack r[most_pairs][most_pairs];              ///< [pair][coordinate]
+  Pack unit[most_pairs];                           ///< 1/√A_jj
+  Pack visible[most_pairs], possible[most_pairs];  ///< by pair of poles, see round_off-inl.h
 };
 
 template <typename Size>
@@ -52,26 +48,6 @@ HWY_INLINE void residues_in_table(Size n, const RootTable& table, int lane, cons
     residues.visible[k] = hn::Max(motion[k], hn::Mul(at_rest, hn::Mul(decay, decay)));
     residues.possible[k] = hn::Max(motion[k], hn::Mul(accelerated, by_modulus[k]));
   });
-}
-
-/// Sets the residues of a curve to zero if it takes part in the motion of its coordinates by round-off only.
-/// @param weight  of every pole: (Σ_j |row_j| / √A_jj)²
-/// @return lanes in which that is so, or in which the residues are accurate
-template <typename Size>
-HWY_INLINE LaneMask drop_round_off(Size n, const PackOfResidues& residues, const Pack* weight, PairPack* r) {
-  constexpr double least_known = 1e-6;  // residues have errors of some 1e-15 of `possible`
-  LaneMask none = hn::Eq(all(0.0), all(0.0)), little = none;
-  each(n, [&](int k) TRIVET_LANES {
-    const Pack size = squared_size(r[k]);
-    none = hn::And(
-        none, hn::Le(size, hn::Mul(hn::Mul(all(vanishing_share * vanishing_share), weight[k]), residues.visible[k])));
-    little = hn::And(little,
-                     hn::Le(size, hn::Mul(hn::Mul(all(least_known * least_known), weight[k]), residues.possible[k])));
-  });
-  each(n, [&](int k) TRIVET_LANES {
-    r[k] = {hn::IfThenZeroElse(none, r[k].first), hn::IfThenZeroElse(none, r[k].second)};
-  });
-  return hn::Or(none, hn::Not(little));
 }
 
 /// A row times the residues of one pair of poles; zeros of the row are skipped.
@@ -108,21 +84,7 @@ HWY_NOINLINE LaneMask residues_of(Size n, const PackOfResidues& residues, const 
     }
     weight[k] = hn::Mul(weight[k], weight[k]);
   }
-  return drop_round_off(n, residues, weight, r);
-}
-
-/// Lanes in which a value of terms with these moduli keeps nine digits (an amplitude has half the relative error of its
-/// square).
-/// @param of_sums  round-off of a sum relative to its terms
-HWY_INLINE LaneMask has_digits(const Pack& moduli, const Pack& of_sums, const Pack& value) {
-  constexpr double nine_digits = 2e-10;
-  return hn::Le(hn::Mul(of_sums, moduli), hn::Mul(all(nine_digits), value));
-}
-
-HWY_INLINE void store_mask(const LaneMask& mask, bool* to) {
-  double numbers[table_lanes];
-  hn::StoreU(hn::IfThenElseZero(mask, all(1.0)), Lanes(), numbers);
-  for (int lane = 0; lane < lane_count(); ++lane) to[lane] = numbers[lane] != 0;
+  return drop_round_off(n, hn::Eq(plain, plain), residues.visible, residues.possible, weight, r);
 }
 
 }  // namespace trivet::numerics::HWY_NAMESPACE

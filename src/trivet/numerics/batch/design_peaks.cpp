@@ -58,12 +58,12 @@ std::vector<ObservedRow> observed_rows(Eigen::Index n, const DesignPeakOptions& 
 }
 
 ChannelPeaks peaks_of_curve(const SearchedCurve& curve, const AxisSearch& search, const PeakQuestion& question) {
-  if (curve.largest_share <= vanishing_share) return {0, question.from, 0, 0};
-  const bool beside_free_motion = search.from > question.from;
+  if (curve.largest_share <= vanishing_share) return {0, question.band.from, 0, 0};
+  const bool beside_free_motion = search.from > question.band.from;
   const CurveHeights heights = heights_of(curve, search.from, search.to, !beside_free_motion);
   ChannelPeaks answer{heights.highest, heights.highest_at, 0, 0};
-  if (!question.count_peaks) return answer;
-  const PeakCount count = prominent_peaks(heights.along, question.min_prominence * heights.finite_top);
+  if (!question.band.count_peaks) return answer;
+  const PeakCount count = prominent_peaks(heights.along, question.band.min_prominence * heights.finite_top);
   answer.peaks = count.peaks;
   answer.largest_rise = count.largest_rise;
   return answer;
@@ -97,7 +97,7 @@ class Piece {
     const auto c = to_index(channel);
     result_.highest(d, c) = answer.highest;
     result_.highest_at(d, c) = answer.highest_at;
-    if (!question_.count_peaks) return;
+    if (!question_.band.count_peaks) return;
     result_.peaks(d, c) = answer.peaks;
     result_.largest_rise(d, c) = answer.largest_rise;
   }
@@ -153,8 +153,8 @@ class Piece {
     const Load h(load(d).cast<Complex>()), nothing(Eigen::Index{0});
     AxisSearch search;
     try {
-      search =
-          search_by_discs({m, h, nothing}, rows, poles(system_roots(m)), {.from = question_.from, .to = question_.to});
+      search = search_by_discs({m, h, nothing}, rows, poles(system_roots(m)),
+                               {.from = question_.band.from, .to = question_.band.to});
     } catch (const foundation::NotComputable&) {  // one failed design must not stop the others
       status(d) = DesignStatus::undecided;
       return;
@@ -178,8 +178,8 @@ class Piece {
 DesignPeaks design_peaks(const Designs& designs, const DesignPeakOptions& options) {
   check(designs, options);
   const Eigen::Index n = designs.coordinates(), count = designs.count();
-  const PeakQuestion question{observed_rows(n, options), options.from, options.to, options.count_peaks,
-                              options.min_prominence};
+  const PeakQuestion question{observed_rows(n, options),
+                              {options.from, options.to, options.count_peaks, options.min_prominence}};
   const auto channels = to_index(question.rows.size());
   DesignPeaks result{Eigen::ArrayXXd::Zero(count, channels),
                      Eigen::ArrayXXd::Zero(count, channels),

@@ -33,7 +33,7 @@ struct Resonance {
 
 /// The resonance with the highest curve at the centre of its pole.
 template <typename Size>
-HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse& f,
+HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f,
                                        const Pack* above_poles) {
   Resonance best{all(0.0), poles.centre[0], poles.aside[0], poles.unit[0], f.C[0]};
   Pack highest = above_poles[0];
@@ -53,8 +53,8 @@ HWY_INLINE Resonance highest_resonance(const SquarePoles<Size>& poles, const Squ
 
 /// Half the largest |R''| within `share` of the distance from x to the nearest other pole, and that range.
 template <typename Size>
-HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse& f, const Resonance& own,
-                               const Pack& x, Pack& bend, Pack& range) {
+HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f,
+                               const Resonance& own, const Pack& x, Pack& bend, Pack& range) {
   constexpr double share = 0.3, nearer = 1 / (0.7 * 0.7 * 0.7);
   Pack sum = hn::Zero(Lanes()), nearest = sum;
   each(poles.count, [&](int k) TRIVET_LANES {
@@ -70,11 +70,11 @@ HWY_INLINE void bend_of_others(const SquarePoles<Size>& poles, const SquaredResp
 
 /// @param above_poles  value of the curve at the centre of each pole (any low value for real poles)
 template <typename Size>
-HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles, ScannedCurve& curve) {
+HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles, ScannedCurve<Size>& curve) {
   constexpr int steps = 3;
   constexpr double settled = 1e-11;  // slope × step, as a share of the value
   constexpr double off_centre = 3;   // search range of the top, in half widths of its pole
-  const SquaredResponse& f = curve.f;
+  const SquaredResponse<Size::most>& f = curve.f;
   const Resonance own = highest_resonance(pack.poles, f, above_poles);
   const Pack width = hn::Mul(all(off_centre), own.aside);
   const Pack from = hn::Max(pack.from, hn::Sub(own.centre, width)), to = hn::Min(pack.to, hn::Add(own.centre, width));
@@ -117,7 +117,7 @@ HWY_NOINLINE Top find_top(const ScannedPack<Size>& pack, const Pack* above_poles
 /// Finds the zones in which a curve may exceed its best value: where the sum of the upper bounds of all pairs of poles
 /// does.
 template <typename Size>
-HWY_NOINLINE void open_zones(ScannedPack<Size>& pack, const Top* tops, ScannedCurve* curves, int channels) {
+HWY_NOINLINE void open_zones(ScannedPack<Size>& pack, const Top* tops, ScannedCurve<Size>* curves, int channels) {
   const SquarePoles<Size>& poles = pack.poles;
   const Zones<Size>& zones = pack.zones;
   const Pack zero = hn::Zero(Lanes());
@@ -137,8 +137,8 @@ HWY_NOINLINE void open_zones(ScannedPack<Size>& pack, const Top* tops, ScannedCu
     pack.open[m] = hn::Lt(zero, zero);
   });
   for (int c = 0; c < channels; ++c) {
-    ScannedCurve& curve = curves[c];
-    const SquaredResponse& f = curve.f;
+    ScannedCurve<Size>& curve = curves[c];
+    const SquaredResponse<Size::most>& f = curve.f;
     Pack up[Size::most], down[Size::most], aside[Size::most];  // parts of C above a pole, below it, and for b
     each(poles.count, [&](int k) TRIVET_LANES {
       up[k] = hn::Max(f.C[k].first, zero);

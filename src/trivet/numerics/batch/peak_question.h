@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "trivet/numerics/peaks/observed_curve.h"
@@ -8,12 +9,28 @@
 
 namespace trivet::numerics {
 
-/// Request for every design.
-struct PeakQuestion {
-  std::vector<ObservedRow> rows;
+/// What is searched for, and where.
+struct SearchedBand {
   double from = 0, to = 0;  ///< [rad/s]
   bool count_peaks = true;
   double min_prominence = 1e-6;
+  bool squared = true;  ///< the variable of the search is x = ω², else x = ω
+
+  [[nodiscard]] double x(double omega) const { return squared ? omega * omega : omega; }
+  [[nodiscard]] double omega(double x) const { return squared ? std::sqrt(x) : x; }
+};
+
+/// Known behaviour of a |y|² at the ends of the axis.
+struct CurveEnds {
+  bool zero_at_start = false;     ///< exactly 0 at the start of the band, and rising
+  bool flat_at_infinity = false;  ///< falls at least like x^−2, so that its slope in 1/x vanishes at x = ∞
+  int powers_of_x = 0;            ///< the curve is x^powers times one that is a proper partial fraction
+};
+
+/// Request for every design.
+struct PeakQuestion {
+  std::vector<ObservedRow> rows;
+  SearchedBand band;
 };
 
 /// Result for one channel of one design.

@@ -12,15 +12,16 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/batch/axis_scan-inl.h"
-#include "trivet/numerics/peaks/observed_curve.h"
+#include "trivet/numerics/batch/peak_question.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 
 /// Several curves, one per lane: |y|², and `plain`, x^−derivative of it before the derivatives, with less cancellation
 /// at small x.
+template <typename Size>
 struct GatheredCurve {
-  SquaredResponse f, plain;
+  SquaredResponse<Size::most> f, plain;
   Pack derivative, round_off;
 };
 
@@ -28,21 +29,20 @@ struct GatheredCurve {
 template <typename Size>
 class LaneStore {
  public:
-  LaneStore(const SquarePoles<Size>& poles, const ScannedCurve* curves, int channels,
-            const std::vector<ObservedRow>& rows, const Pack& of_sums)
+  LaneStore(const SquarePoles<Size>& poles, const ScannedCurve<Size>* curves, const std::vector<CurveEnds>& ends,
+            const Pack& of_sums)
       : count_(poles.count),
-        differentiated_(
-            std::any_of(rows.begin(), rows.end(), [](const ObservedRow& row) { return row.derivative > 0; })),
+        differentiated_(std::any_of(ends.begin(), ends.end(), [](const CurveEnds& of) { return of.powers_of_x > 0; })),
         of_channel_(to_size(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))),
-        C_(to_size(channels) * of_channel_ * table_lanes) {
+        C_(ends.size() * of_channel_ * table_lanes) {
     hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
       hn::StoreU(poles.z[k].first, Lanes(), z_[k][0]);
       hn::StoreU(poles.z[k].second, Lanes(), z_[k][1]);
       hn::StoreU(hn::IfThenElseZero(poles.real[k], all(1.0)), Lanes(), real_[k]);
     }
-    for (int c = 0; c < channels; ++c) {
-      double* to = C_.data() + to_size(c) * of_channel_ * table_lanes;
+    for (std::size_t c = 0; c < ends.size(); ++c) {
+      double* to = C_.data() + c * of_channel_ * table_lanes;
       const auto keep = [&](const Pack& numbers) HWY_ATTR {
         hn::StoreU(numbers, Lanes(), to);
         to += table_lanes;
@@ -56,7 +56,7 @@ class LaneStore {
       keep(curves[c].f.constant_parts);
       keep(curves[c].f.slope_parts);
       if (!differentiated_) continue;
-      const int derivative = rows[to_size(c)].derivative;
+      const int derivative = ends[c].powers_of_x;
       keep(all(derivative));
       for (int k = 0; k < count_; ++k) {
         PairPack C = at_poles(poles.real[k], curves[c].f.C[k]);
@@ -69,7 +69,7 @@ class LaneStore {
   }
 
   /// Loads the curve of each extremum into its own lane; past the end, the last one is repeated.
-  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, GatheredCurve& curve_of) const {
+  void gather(const FoundExtremum* found, int count, SquarePoles<Size>& poles, GatheredCurve<Size>& curve_of) const {
     const hn::RebindToSigned<Lanes> integers;
     HWY_ALIGN std::int64_t lane[table_lanes], curve[table_lanes];
     for (int i = 0; i < lane_count(); ++i) {
@@ -88,7 +88,7 @@ class LaneStore {
                             HWY_ATTR { return hn::GatherIndex(Lanes(), C_.data() + row * table_lanes, of_curve); };
     curve_of.round_off = hn::GatherIndex(Lanes(), round_off_, of_lane);
     const auto pairs = to_size(count_);
-    SquaredResponse &f = curve_of.f, &plain = curve_of.plain;
+    SquaredResponse<Size::most>&f = curve_of.f, &plain = curve_of.plain;
     for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
     f.constant = number(2 * pairs);
     f.slope = number(2 * pairs + 1);
@@ -124,7 +124,7 @@ HWY_INLINE Slopes times_power(const Pack& d, const Pack& x, const Slopes& g) {
 
 /// Slopes at x and the moduli of the terms (for round-off), from the form with less cancellation there.
 template <typename Size>
-HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve& curve, bool differentiated,
+HWY_INLINE Slopes slopes_of(const SquarePoles<Size>& poles, const GatheredCurve<Size>& curve, bool differentiated,
                             const Pack& x, Pack& moduli) {
   Slopes s = slopes_at(poles, curve.f, x);
   moduli = sum_of_moduli(poles, curve.f, x);
@@ -145,7 +145,7 @@ HWY_NOINLINE void refine(const LaneStore<Size>& store, FoundExtrema& found) {
   constexpr int steps_at_most = 4;
   constexpr double settled = 1e-13;
   SquarePoles<Size> poles;
-  GatheredCurve curve;
+  GatheredCurve<Size> curve;
   const auto count = static_cast<int>(found.size());
   for (int begin = 0; begin < count; begin += lane_count()) {
     FoundExtremum* e = found.data() + begin;

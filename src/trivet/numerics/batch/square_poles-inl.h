@@ -72,7 +72,7 @@ HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others)
 /// Sum of the moduli of all terms of f at x, to which the round-off of its value is proportional. Both parts of C have
 /// the round-off of the larger one.
 template <typename Size>
-HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
+HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
   each(poles.count, [&](int k) TRIVET_LANES {
     sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(inverse_distance(poles, k, x)), sum);
@@ -86,7 +86,7 @@ struct Slopes {
 };
 
 template <typename Size>
-HWY_INLINE Slopes slopes_at(const SquarePoles<Size>& poles, const SquaredResponse& f, const Pack& x) {
+HWY_INLINE Slopes slopes_at(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f, const Pack& x) {
   Pack value = hn::MulAdd(f.slope, x, f.constant), s1 = hn::Zero(Lanes()), s2 = s1, s3 = s1;
   each(poles.count, [&](int k) TRIVET_LANES {
     const PairPack w = inverse_distance(poles, k, x), C = f.C[k];

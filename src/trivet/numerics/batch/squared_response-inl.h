@@ -67,8 +67,9 @@ struct PolePairs {
 
 /// Half of |y|² of several designs: Σ_k first · first + second · second of C_k and 1/(x − z_k) as numbers a + b j
 /// (square_poles-inl.h), plus constant + slope x.
+template <int most>
 struct SquaredResponse {
-  PairPack C[most_pairs];
+  PairPack C[most];
   Pack constant, slope;
   Pack constant_parts, slope_parts;  ///< sums of the moduli of their terms
 };
@@ -112,8 +113,9 @@ HWY_INLINE void form_products(const PolePairs& poles, PoleProducts& products) {
 
 /// |y|² from the residues r of y before its derivatives. `proper`: that y falls like 1/s², so that Σ C is set to zero
 /// instead of its round-off.
+template <int most>
 HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts& products, const PairPack* r,
-                                      int derivative, bool proper, SquaredResponse& f) {
+                                      int derivative, bool proper, SquaredResponse<most>& f) {
   const int n = poles.count;
   Pack beta[most_pairs], alpha[most_pairs];
   for (int l = 0; l < n; ++l) {

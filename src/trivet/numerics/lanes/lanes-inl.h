@@ -73,17 +73,19 @@ HWY_INLINE ComplexPack inverse(const ComplexPack& z) {
   return {hn::Mul(z.re, scale), hn::Neg(hn::Mul(z.im, scale))};
 }
 
-/// A number of coordinates or an index: a compile-time constant, or a value of at most 12.
+/// A number of coordinates or an index: a compile-time constant, or a value with an upper limit.
 template <int N>
 struct Fixed {
   static constexpr int most = N;
   constexpr operator int() const { return N; }  // NOLINT: it is that number
 };
-struct AtMostTwelve {
-  static constexpr int most = 12;
+template <int N>
+struct AtMost {
+  static constexpr int most = N;
   int value;
   constexpr operator int() const { return value; }  // NOLINT
 };
+using AtMostTwelve = AtMost<12>;
 /// Six coordinates, a compile-time constant in optimised builds. The instrumented build keeps its loops, because
 /// unrolling them takes minutes to compile.
 constexpr auto six_coordinates() {

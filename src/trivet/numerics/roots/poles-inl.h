@@ -39,12 +39,13 @@ HWY_INLINE ComplexPack root(const ComplexPack& z) {
   return {hn::IfThenElse(right, larger, smaller), hn::CopySign(hn::IfThenElse(right, smaller, larger), z.im)};
 }
 
-/// M(λ) = λ² + λB + Ω² for one root, λ = i centre + offset; the root's own mode is last.
-template <typename Size>
+/// M(λ) = λ² + λB + Ω², with loss factors + iD, for one root, λ = i centre + offset; the root's own mode is last.
+template <typename Size, bool lossy = false>
 struct Pencil {
   Pack below[Size::most];  ///< centre − Ω_j
   Pack above[Size::most];  ///< centre + Ω_j
   Pack b[Size::most * (Size::most + 1) / 2];
+  Pack d[lossy ? Size::most * (Size::most + 1) / 2 : 1];
   Pack centre;
 };
 
@@ -58,25 +59,36 @@ struct Root {
 };
 
 /// λ with its frequency rounded to double.
-template <typename Size>
-HWY_INLINE ComplexPack value(const Pencil<Size>& m, const ComplexPack& offset) {
+template <typename Size, bool lossy>
+HWY_INLINE ComplexPack value(const Pencil<Size, lossy>& m, const ComplexPack& offset) {
   return {offset.re, hn::Add(m.centre, offset.im)};
 }
 
-/// λ² + Ω_j² + λB_jj without cancellation.
-template <typename Size>
-HWY_INLINE ComplexPack diagonal(const Pencil<Size>& m, const ComplexPack& offset, int j) {
+/// λ² + Ω_j² + λB_jj (+ iD_jj) without cancellation.
+template <typename Size, bool lossy>
+HWY_INLINE ComplexPack diagonal(const Pencil<Size, lossy>& m, const ComplexPack& offset, int j) {
   const Pack x = offset.re, y = hn::Add(m.centre, offset.im), b = m.b[packed(j, j)];
   const Pack difference = hn::Add(m.below[j], offset.im), sum = hn::Add(m.above[j], offset.im);
-  return {hn::NegMulAdd(difference, sum, hn::Mul(x, hn::Add(x, b))), hn::Mul(y, hn::Add(hn::Add(x, x), b))};
+  const Pack re = hn::NegMulAdd(difference, sum, hn::Mul(x, hn::Add(x, b)));
+  if constexpr (lossy) return {re, hn::MulAdd(y, hn::Add(hn::Add(x, x), b), m.d[packed(j, j)])};
+  else return {re, hn::Mul(y, hn::Add(hn::Add(x, x), b))};
 }
 
-/// B v
+/// λB_ij (+ iD_ij), i ≠ j.
+template <typename Size, bool lossy>
+HWY_INLINE ComplexPack coupling(const Pencil<Size, lossy>& m, const ComplexPack& lambda, int i, int j) {
+  const int entry = packed_of(i, j);
+  if constexpr (lossy) return {hn::Mul(m.b[entry], lambda.re), hn::MulAdd(m.b[entry], lambda.im, m.d[entry])};
+  else return m.b[entry] * lambda;
+}
+
+/// S v with a packed symmetric S.
 template <typename Size>
-HWY_INLINE void damped(Size n, const Pencil<Size>& m, const ComplexPack* v, ComplexPack* result) {
+HWY_INLINE void symmetric_times(Size n, const Pack* entries, const ComplexPack* v, ComplexPack* result) {
   each(n, [&](int i) TRIVET_LANES {
-    result[i] = m.b[packed(i, 0)] * v[0];
-    each(Fixed<1>(), n, [&](int j) TRIVET_LANES { result[i] = add_product(result[i], m.b[packed_of(i, j)], v[j]); });
+    result[i] = entries[packed(i, 0)] * v[0];
+    each(Fixed<1>(), n,
+         [&](int j) TRIVET_LANES { result[i] = add_product(result[i], entries[packed_of(i, j)], v[j]); });
   });
 }
 
@@ -97,8 +109,8 @@ HWY_INLINE ComplexPack to_root(const ComplexPack& value, const ComplexPack& slop
 
 /// Starts from the root of the last diagonal entry: v is the last unit vector, corrected for each other mode as if it
 /// were the only one.
-template <typename Size>
-HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
+template <typename Size, bool lossy>
+HWY_INLINE void start(Size n, const Pencil<Size, lossy>& m, Root<Size>& at) {
   const ComplexPack lambda = value(m, at.offset);
   const int own = n - 1;
   ComplexPack entry[Size::most], square = zero(), middle = zero(), p = zero();
@@ -106,7 +118,7 @@ HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
     entry[j] = diagonal(m, at.offset, j);
     at.v[j] = {all(1.0), all(0.0)};
     if (j == own) return;
-    const ComplexPack coupling = m.b[packed(own, j)] * lambda, twice = coupling + coupling;
+    const ComplexPack one = coupling(m, lambda, own, j), twice = one + one;
     const ComplexPack radical = root(add_product(twice * twice, entry[j], entry[j]));
     const Pack same = hn::CopySign(all(1.0), hn::MulAdd(entry[j].re, radical.re, hn::Mul(entry[j].im, radical.im)));
     ComplexPack denominator = add_product(entry[j], same, radical);  // the larger of entry ± radical
@@ -115,7 +127,7 @@ HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
     at.v[j] = {hn::Neg(turn.re), hn::Neg(turn.im)};
   });
   normalise(n, at.v);
-  damped(n, m, at.v, at.bv);
+  symmetric_times(n, m.b, at.v, at.bv);
   each(n, [&](int j) TRIVET_LANES {
     const ComplexPack own_square = at.v[j] * at.v[j];
     square = square + own_square;
@@ -123,6 +135,12 @@ HWY_INLINE void start(Size n, const Pencil<Size>& m, Root<Size>& at) {
     p = add_product(p, own_square, entry[j] - m.b[packed(j, j)] * lambda);
   });
   p = add_product(p, lambda, middle);
+  if constexpr (lossy) {  // entry contains the diagonal of iD
+    ComplexPack dv[Size::most], beside = zero();
+    symmetric_times(n, m.d, at.v, dv);
+    each(n, [&](int j) TRIVET_LANES { beside = add_product(beside, at.v[j], dv[j] - m.d[packed(j, j)] * at.v[j]); });
+    p = p + ComplexPack{hn::Neg(beside.im), beside.re};
+  }
   at.offset = at.offset - to_root(p, add_product(middle, lambda + lambda, square), square);
 }
 
@@ -132,11 +150,11 @@ template <typename Size>
 struct Factors {
   ComplexPack lambda, l[Size::most * Size::most], by_pivot[Size::most], u[Size::most];
 
-  template <typename Row>
-  HWY_INLINE void eliminate(Size n, const Pencil<Size>& m, const ComplexPack& offset, Row i) {
+  template <typename Row, bool lossy>
+  HWY_INLINE void eliminate(Size n, const Pencil<Size, lossy>& m, const ComplexPack& offset, Row i) {
     ComplexPack row[Size::most], pivot = diagonal(m, offset, i);
     each(i, [&](auto j) TRIVET_LANES {
-      row[j] = m.b[packed_of(i, j)] * lambda;
+      row[j] = coupling(m, lambda, i, j);
       each(j, [&](int k) TRIVET_LANES { row[j] = subtract_product(row[j], row[k], l[j * n + k]); });
       l[i * n + j] = row[j] * by_pivot[j];
       pivot = subtract_product(pivot, row[j], l[i * n + j]);
@@ -166,8 +184,8 @@ struct Factors {
 };
 
 /// One step of the iteration for several roots at once, so that their latencies overlap.
-template <typename Size, int roots>
-HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
+template <typename Size, bool lossy, int roots>
+HWY_INLINE void step(Size n, const Pencil<Size, lossy> (&m)[roots], Root<Size> (&at)[roots]) {
   Factors<Size> factors[roots];
   each(Fixed<roots>(), [&](int r) TRIVET_LANES {
     factors[r].lambda = value(m[r], at[r].offset);
@@ -181,7 +199,7 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
   each(Fixed<roots>(), [&](int r) TRIVET_LANES {
     ComplexPack p = factors[r].substitute(n), *u = factors[r].u, square = zero(), middle = zero(), along = zero();
     const Pack scale = normalise(n, u);
-    damped(n, m[r], u, at[r].bv);
+    symmetric_times(n, m[r].b, u, at[r].bv);
     each(n, [&](int i) TRIVET_LANES {
       along = add_product(along, conjugate(at[r].v[i]), u[i]);
       square = add_product(square, u[i], u[i]);
@@ -198,8 +216,8 @@ HWY_INLINE void step(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[ro
 
 /// Iterates from the roots of the last diagonal entries until v converges in all lanes: sin² of its last turn is at
 /// most `settled`, and the remaining error is the third power of that angle.
-template <typename Size, int roots>
-HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> (&at)[roots]) {
+template <typename Size, bool lossy, int roots>
+HWY_INLINE LaneMask converge(Size n, const Pencil<Size, lossy> (&m)[roots], Root<Size> (&at)[roots]) {
   constexpr int most_steps = 6;
   constexpr double settled = 1e-8;
   each(Fixed<roots>(), [&](int r) TRIVET_LANES { start(n, m[r], at[r]); });
@@ -214,57 +232,75 @@ HWY_INLINE LaneMask converge(Size n, const Pencil<Size> (&m)[roots], Root<Size> 
   return hn::Eq(turned, all(0.0));
 }
 
+/// ΦᵀSΦ of a packed symmetric S; couplings of two modes that are round-off are 0.
+/// @return lanes in which it is not diagonal
+template <typename Size>
+HWY_INLINE LaneMask in_modes(Size n, const PackOfModes<Size>& modes, const Pack* entries, Pack* result) {
+  constexpr double round_off = 1e-26;  // squared
+  LaneMask coupled = hn::Lt(all(0.0), all(0.0));
+  each(n, [&](auto k) TRIVET_LANES {
+    const Pack* phi = modes.x + k * n;
+    Pack product[Size::most];
+    each(n, [&](int i) TRIVET_LANES {
+      product[i] = hn::Mul(entries[packed(i, 0)], phi[0]);
+      each(Fixed<1>(), n,
+           [&](int j) TRIVET_LANES { product[i] = hn::MulAdd(entries[packed_of(i, j)], phi[j], product[i]); });
+    });
+    each(after(k), [&](int l) TRIVET_LANES {
+      Pack entry = hn::Mul(modes.x[l * n], product[0]);
+      each(Fixed<1>(), n, [&](int i) TRIVET_LANES { entry = hn::MulAdd(modes.x[l * n + i], product[i], entry); });
+      result[packed_of(k, l)] = entry;
+    });
+    each(k, [&](int l) TRIVET_LANES {
+      Pack& entry = result[packed_of(k, l)];
+      const LaneMask matters =
+          hn::Gt(hn::Mul(entry, entry), hn::Mul(all(round_off), hn::Mul(result[packed(k, k)], result[packed(l, l)])));
+      entry = hn::IfThenElseZero(matters, entry);
+      coupled = hn::Or(coupled, matters);
+    });
+  });
+  return coupled;
+}
+
+/// Φᵀh
+template <typename Size>
+HWY_INLINE void in_modes_of_vector(Size n, const PackOfModes<Size>& modes, const Pack* h, Pack* result) {
+  each(n, [&](int k) TRIVET_LANES {
+    const Pack* phi = modes.x + k * n;
+    result[k] = hn::Mul(phi[0], h[0]);
+    each(Fixed<1>(), n, [&](int i) TRIVET_LANES { result[k] = hn::MulAdd(phi[i], h[i], result[k]); });
+  });
+}
+
 /// Real modes with their damping and load, one design per lane.
 template <typename Size>
 struct ModalPack {
   Pack omega[Size::most];
-  Pack b[Size::most * (Size::most + 1) / 2];  ///< ΦᵀBΦ; couplings of two modes that are round-off are 0
+  Pack b[Size::most * (Size::most + 1) / 2];  ///< ΦᵀBΦ
   Pack load[Size::most];                      ///< Φᵀh
   bool coupled;                               ///< B̃ is not diagonal in some lane
 };
 
 template <typename Size>
-HWY_INLINE void in_modes(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
-                         ModalPack<Size>& result) {
-  constexpr double round_off = 1e-26;  // squared
-  LaneMask coupled = hn::Lt(all(0.0), all(0.0));
-  each(n, [&](auto k) TRIVET_LANES {
-    const Pack* phi = modes.x + k * n;
-    Pack product[Size::most], load = all(0.0);
-    each(n, [&](int i) TRIVET_LANES {
-      load = hn::MulAdd(phi[i], h[i], load);
-      product[i] = hn::Mul(b[packed(i, 0)], phi[0]);
-      each(Fixed<1>(), n, [&](int j) TRIVET_LANES { product[i] = hn::MulAdd(b[packed_of(i, j)], phi[j], product[i]); });
-    });
-    result.load[k] = load;
-    result.omega[k] = hn::Sqrt(modes.lambda[k]);
-    each(after(k), [&](int l) TRIVET_LANES {
-      Pack entry = hn::Mul(modes.x[l * n], product[0]);
-      each(Fixed<1>(), n, [&](int i) TRIVET_LANES { entry = hn::MulAdd(modes.x[l * n + i], product[i], entry); });
-      result.b[packed_of(k, l)] = entry;
-    });
-    each(k, [&](int l) TRIVET_LANES {
-      Pack& entry = result.b[packed_of(k, l)];
-      const LaneMask matters = hn::Gt(hn::Mul(entry, entry),
-                                      hn::Mul(all(round_off), hn::Mul(result.b[packed(k, k)], result.b[packed(l, l)])));
-      entry = hn::IfThenElseZero(matters, entry);
-      coupled = hn::Or(coupled, matters);
-    });
-  });
-  result.coupled = !hn::AllFalse(Lanes(), coupled);
+HWY_INLINE void modal_pack(Size n, const PackOfModes<Size>& modes, const Pack* b, const Pack* h,
+                           ModalPack<Size>& result) {
+  result.coupled = !hn::AllFalse(Lanes(), in_modes(n, modes, b, result.b));
+  in_modes_of_vector(n, modes, h, result.load);
+  each(n, [&](int k) TRIVET_LANES { result.omega[k] = hn::Sqrt(modes.lambda[k]); });
 }
 
 /// Order of the modes for the root of mode `own`: the others, then itself.
 HWY_INLINE int mode_order(int i, int own, int n) { return i == n - 1 ? own : i + (i >= own); }
 
-template <typename Size>
-HWY_INLINE void permute_to_mode(Size n, const ModalPack<Size>& modal, int own, const Pack& centre, Pencil<Size>& m) {
+template <typename Size, bool lossy>
+HWY_INLINE void permute_to_mode(Size n, const Pack* omega, const Pack* b, int own, const Pack& centre,
+                                Pencil<Size, lossy>& m) {
   m.centre = centre;
   for (int i = 0; i < n; ++i) {
     const int row = mode_order(i, own, n);
-    m.below[i] = hn::Sub(centre, modal.omega[row]);
-    m.above[i] = hn::Add(centre, modal.omega[row]);
-    for (int j = 0; j <= i; ++j) m.b[packed(i, j)] = modal.b[packed_of(row, mode_order(j, own, n))];
+    m.below[i] = hn::Sub(centre, omega[row]);
+    m.above[i] = hn::Add(centre, omega[row]);
+    for (int j = 0; j <= i; ++j) m.b[packed(i, j)] = b[packed_of(row, mode_order(j, own, n))];
   }
 }
 
@@ -363,7 +399,7 @@ HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack
                               PackOfPoles<Size>& result) {
   constexpr int together = Size::most % 2 == 0 && Size::most < 12 ? 2 : 1;
   ModalPack<Size> modal;
-  in_modes(n, modes, b, h, modal);
+  modal_pack(n, modes, b, h, modal);
   result.good = hn::Eq(all(0.0), all(0.0));
   result.condition = all(0.0);
   LaneMask any_real = hn::Lt(all(0.0), all(0.0));
@@ -376,7 +412,7 @@ HWY_INLINE void poles_of_pack(Size n, const PackOfModes<Size>& modes, const Pack
       for (int r = 0; r < together; ++r) {
         uncoupled_pole(modal, k + r, partner == 1, result.real[k + r], centre[r], at[r]);
         any_real = hn::Or(any_real, result.real[k + r]);
-        if (modal.coupled) permute_to_mode(n, modal, k + r, centre[r], pencil[r]);
+        if (modal.coupled) permute_to_mode(n, modal.omega, modal.b, k + r, centre[r], pencil[r]);
       }
       if (modal.coupled) result.good = hn::And(result.good, converge(n, pencil, at));
       for (int r = 0; r < together; ++r)

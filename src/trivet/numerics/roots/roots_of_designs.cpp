@@ -4,24 +4,12 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
-
+#include "trivet/numerics/roots/design_columns-inl.h"
 #include "trivet/numerics/roots/poles-inl.h"
 #include "trivet/numerics/roots/root_table.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
-
-/// Designs first … first + lanes − 1 of one column; past the end, the last design is repeated.
-HWY_INLINE Pack column_of(const Eigen::ArrayXXd& numbers, Eigen::Index column, Eigen::Index first) {
-  const double* at = numbers.data() + column * numbers.rows();
-  if (numbers.rows() == 1) return all(at[0]);
-  if (first + lane_count() <= numbers.rows()) return hn::LoadU(Lanes(), at + first);
-  HWY_ALIGN double buffer[table_lanes];
-  for (int lane = 0; lane < lane_count(); ++lane)
-    buffer[lane] = at[std::min<Eigen::Index>(first + lane, numbers.rows() - 1)];
-  return hn::Load(Lanes(), buffer);
-}
 
 template <typename Size>
 void roots_of(Size n, const Designs& designs, Eigen::Index first, int lane, RootTable& table) {

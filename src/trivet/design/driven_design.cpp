@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/design/driven_design.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "trivet/assembly/answer_coordinates.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
+
+namespace trivet::design {
+namespace {
+
+using Terms = std::vector<DrivenDesign::Term>;
+
+/// Terms of a result by powers of s; terms that are zero are left out.
+Terms rows_of(const numerics::ObservedCurve& curve, Eigen::Index n) {
+  Terms rows;
+  const auto add = [&](int power, const Eigen::VectorXcd& row) {
+    if (row.size() > 0 && !row.head(n).isZero(0)) rows.push_back({power, row.head(n)});
+  };
+  add(curve.derivative, curve.of_response.on_displacement);
+  add(curve.derivative + 1, curve.of_response.on_velocity.cast<std::complex<double>>());
+  add(curve.derivative + 2, curve.of_response.on_acceleration.cast<std::complex<double>>());
+  return rows;
+}
+
+bool powers_are_possible(const Terms& rows, const Terms& load) {
+  return std::all_of(rows.begin(), rows.end(), [&](const DrivenDesign::Term& row) {
+    return std::all_of(load.begin(), load.end(), [&](const DrivenDesign::Term& value) {
+      const int power = row.power + value.power;
+      return power >= numerics::least_power && power <= numerics::most_power;
+    });
+  });
+}
+
+/// Adds the contribution of the ground motion. @return false unless it is constant over ω
+bool add_given(const numerics::ObservedCurve& curve, const numerics::Load& given, std::complex<double>& constant) {
+  if (curve.of_given.empty()) return true;
+  for (const numerics::LoadTerm& term : given.terms()) {
+    const Eigen::Index n = term.value.size();
+    const auto part = [&](const auto& row, int power) {
+      if (row.size() == 0) return true;
+      const std::complex<double> sum = row.head(n).template cast<std::complex<double>>().cwiseProduct(term.value).sum();
+      if (sum == 0.0) return true;
+      constant += sum;
+      return power + term.power + curve.derivative == 0;
+    };
+    if (!part(curve.of_given.on_displacement, 0) || !part(curve.of_given.on_velocity, 1) ||
+        !part(curve.of_given.on_acceleration, 2))
+      return false;
+  }
+  return true;
+}
+
+/// The numbers of a term, real before imaginary parts.
+Eigen::VectorXd both_parts(const Eigen::VectorXcd& value) {
+  Eigen::VectorXd parts(2 * value.size());
+  parts << value.real(), value.imag();
+  return parts;
+}
+
+/// Calls `matrix` for A, B, K and D, `vector` for every term with whether it is a row, `number` for every constant.
+template <typename Design, typename OfMatrix, typename OfVector, typename OfNumber>
+void visit(Design& design, const OfMatrix& matrix, const OfVector& vector, const OfNumber& number) {
+  for (auto* m : {&design.A, &design.B, &design.K, &design.D})
+    if (m->size() > 0) matrix(*m);
+  for (auto& load : design.loads)
+    for (auto& term : load) vector(term);
+  for (auto& curve : design.curves) {
+    for (auto& row : curve.rows) vector(row);
+    number(curve);
+  }
+}
+
+bool same_powers(const Terms& a, const Terms& b) {
+  return std::equal(
+      a.begin(), a.end(), b.begin(), b.end(),
+      [](const DrivenDesign::Term& one, const DrivenDesign::Term& two) { return one.power == two.power; });
+}
+
+}  // namespace
+
+DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
+                                           const std::vector<assembly::Channel>& channels,
+                                           const assembly::Loading& loading) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  const Eigen::Index n = m.size();
+  if (assembled.frequency_dependent()) return {{}, "frequency-dependent elements"};
+  if (!m.symmetric) return {{}, "matrices that are not symmetric"};
+  if (to_index(numerics::massive_rows(m.A).size()) < n) return {{}, "coordinates without mass"};
+  if (n > numerics::most_driven_coordinates) return {{}, "more than twelve coordinates"};
+  if (loading.longest_delay() > 0) return {{}, "motions with delays"};
+  DrivenDesign design{m.A, m.B, m.K, m.lossy() ? m.K_loss : Eigen::MatrixXd(), {}, {}};
+  design.curves.resize(channels.size());
+  for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
+    const assembly::GivenCurves given = assembly::given_curves(group.channels, group.loading.motion);
+    Terms& load = design.loads.emplace_back();
+    const numerics::Load side = assembly::right_side(assembled, group.loading);
+    for (const numerics::LoadTerm& term : side.terms()) load.push_back({term.power, term.value});
+    for (std::size_t k = 0; k < group.which.size(); ++k) {
+      DrivenDesign::Curve& curve = design.curves[group.which[k]];
+      curve.load = design.loads.size() - 1;
+      curve.rows = rows_of(given.curves[k], n);
+      if (!powers_are_possible(curve.rows, load) || !add_given(given.curves[k], given.given, curve.constant))
+        return {{}, "results that grow without bound towards low or high frequencies"};
+    }
+  }
+  return {std::move(design), ""};
+}
+
+Eigen::VectorXd packed(const DrivenDesign& design) {
+  std::vector<double> all;
+  visit(
+      design,
+      [&](const Eigen::MatrixXd& m) {
+        for (Eigen::Index i = 0; i < m.rows(); ++i)
+          for (Eigen::Index j = 0; j <= i; ++j) all.push_back(m(i, j));
+      },
+      [&](const DrivenDesign::Term& term) {
+        const Eigen::VectorXd parts = both_parts(term.value);
+        all.insert(all.end(), parts.begin(), parts.end());
+      },
+      [&](const DrivenDesign::Curve& curve) {
+        all.push_back(curve.constant.real());
+        all.push_back(curve.constant.imag());
+      });
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), to_index(all.size()));
+}
+
+Eigen::VectorXd scales(const DrivenDesign& design) {
+  DrivenDesign scale = design;
+  const Eigen::VectorXd root_of_mass = design.A.diagonal().cwiseAbs().cwiseSqrt();
+  visit(
+      scale,
+      [](Eigen::MatrixXd& m) {
+        const Eigen::VectorXd root = m.diagonal().cwiseAbs().cwiseSqrt();
+        m = root * root.transpose();
+      },
+      [&](DrivenDesign::Term& term) {
+        const double size = term.value.cwiseAbs().cwiseQuotient(root_of_mass).maxCoeff();
+        term.value.real() = size * root_of_mass;
+        term.value.imag() = term.value.real();
+      },
+      [](DrivenDesign::Curve& curve) {
+        const double size = std::abs(curve.constant);
+        curve.constant = {size, size};
+      });
+  return packed(scale);
+}
+
+std::string reason_for_separate_families(const DrivenDesign& a, const DrivenDesign& b) {
+  if (a.A.rows() != b.A.rows()) return "designs with more coordinates than others";
+  bool same = a.D.size() == b.D.size() && a.loads.size() == b.loads.size() && a.curves.size() == b.curves.size();
+  for (std::size_t l = 0; same && l < a.loads.size(); ++l) same = same_powers(a.loads[l], b.loads[l]);
+  for (std::size_t c = 0; same && c < a.curves.size(); ++c)
+    same = a.curves[c].load == b.curves[c].load && same_powers(a.curves[c].rows, b.curves[c].rows);
+  return same ? "" : "designs of which some have loss factors, excitations or forces of dampers and others none";
+}
+
+numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::MatrixXd& entries) {
+  numerics::DrivenDesigns designs;
+  Eigen::Index at = 0;
+  const auto next = [&](Eigen::Index columns) -> Eigen::ArrayXXd {
+    at += columns;
+    return entries.middleCols(at - columns, columns).array();
+  };
+  const Eigen::Index n = first.A.rows(), triangle = n * (n + 1) / 2;
+  designs.A = next(triangle);
+  designs.B = next(triangle);
+  designs.K = next(triangle);
+  if (first.D.size() > 0) designs.D = next(triangle);
+  const auto terms_like = [&](const Terms& terms) {
+    std::vector<numerics::DesignTerm> result;
+    for (const DrivenDesign::Term& term : terms) {
+      numerics::DesignTerm& to = result.emplace_back();
+      to.power = term.power;
+      to.re = next(n);
+      to.im = next(n);
+    }
+    return result;
+  };
+  for (const Terms& load : first.loads) designs.loads.push_back(terms_like(load));
+  for (const DrivenDesign::Curve& curve : first.curves) {
+    numerics::DesignCurve& to = designs.curves.emplace_back();
+    to.load = curve.load;
+    to.rows = terms_like(curve.rows);
+    to.constant_re = next(1);
+    to.constant_im = next(1);
+  }
+  return designs;
+}
+
+}  // namespace trivet::design

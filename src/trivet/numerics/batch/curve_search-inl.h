@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Highest values and peaks of several |y|², one design per lane, given as partial fractions in x: x = ω² if roots and
+// residues come in conjugate pairs, x = ω otherwise.
+#if defined(TRIVET_NUMERICS_CURVE_SEARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_CURVE_SEARCH_INL_H_
+#undef TRIVET_NUMERICS_CURVE_SEARCH_INL_H_
+#else
+#define TRIVET_NUMERICS_CURVE_SEARCH_INL_H_
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/batch/axis_tail-inl.h"
+#include "trivet/numerics/batch/highest_maximum-inl.h"
+#include "trivet/numerics/batch/peak_question.h"
+#include "trivet/numerics/batch/refined_extrema-inl.h"
+#include "trivet/numerics/batch/round_off-inl.h"
+#include "trivet/numerics/peaks/peak_count.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+/// Curves to search: poles in x, one |y|² per channel. A search fills the rest.
+template <typename Size>
+struct FormedCurves {
+  explicit FormedCurves(std::vector<CurveEnds> of) : ends(std::move(of)), curves(new ScannedCurve<Size>[ends.size()]) {}
+  std::vector<CurveEnds> ends;                   ///< one per channel
+  ScannedPack<Size> pack;                        ///< poles, asked
+  std::unique_ptr<ScannedCurve<Size>[]> curves;  ///< their f
+  Pack round_off;                                ///< of sums over the poles, relative to the sums of their moduli
+  LaneMask complete;                             ///< lanes with accurate residues
+};
+
+/// Values of all curves at x; updates their best values.
+template <typename Size>
+HWY_NOINLINE void update_maxima(const ScannedPack<Size>& pack, const Pack& x, ScannedCurve<Size>* curves, int channels,
+                                Pack* values) {
+  PairPack w[Size::most];
+  each(pack.poles.count, [&](int k) TRIVET_LANES { w[k] = inverse_distance(pack.poles, k, x); });
+  for (int c = 0; c < channels; ++c) {
+    values[c] = hn::MulAdd(curves[c].f.slope, x, curves[c].f.constant);
+    each(pack.poles.count, [&](int k) TRIVET_LANES { values[c] = sum_of(curves[c].f.C[k], w[k], values[c]); });
+    curves[c].best = hn::Max(curves[c].best, values[c]);
+  }
+}
+
+/// Signs of the slopes at the start of the scan; 0 if round-off hides them.
+template <typename Size>
+HWY_NOINLINE void first_signs(const ScannedPack<Size>& pack, ScannedCurve<Size>* curves, int channels,
+                              const std::vector<CurveEnds>& ends) {
+  PanelPowers powers[Size::most];
+  form_powers(pack.poles, pack.from, hn::Zero(Lanes()), powers);
+  const ScanOptions options{false, 0};
+  for (int c = 0; c < channels; ++c) {
+    bound_slope(pack, powers, pack.from, hn::Zero(Lanes()), options, hn::Not(pack.asked), curves[c]);
+    curves[c].sign = curves[c].after;
+    if (ends[to_size(c)].zero_at_start) curves[c].sign = all(1.0);
+  }
+}
+
+constexpr double accuracy_of_rise = 1e-6;  // relative; margins are kept in single precision
+
+/// Possible error of a height, as a share of the required rise of a peak. Near the top, and if no peaks are counted,
+/// the refinement must converge to 1e-10; ∞ if it did not converge.
+inline double doubt(const FoundExtremum& e, double best, const SearchedBand& question) {
+  constexpr double settled = 1e-10, near_top = 0.25, none = 0, all = std::numeric_limits<double>::infinity();
+  const double least = question.min_prominence * std::sqrt(best), highest = std::sqrt(std::abs(e.value) + e.missed);
+  // If the scan skipped a panel as too low, an extremum is next to it, or the curve continues as before.
+  if (e.missed <= settled * e.value) return highest > 2 * low_share * least ? none : low_share;
+  if (!question.count_peaks || (e.maximum && e.value > near_top * best)) return all;
+  if (highest < most_doubt * least) return highest / least;
+  const double off = e.missed / (least * std::sqrt(std::abs(e.value)));
+  return off < low_share ? off : all;
+}
+
+/// Searches the curves of as many designs as there are lanes.
+template <typename Size>
+class CurveSearch {
+ public:
+  CurveSearch(FormedCurves<Size>& formed, const SearchedBand& band, int lane)
+      : band_(band),
+        lane_(lane),
+        channels_(static_cast<int>(formed.ends.size())),
+        ends_(formed.ends),
+        pack_(formed.pack),
+        curves_(formed.curves.get()),
+        values_(new Pack[(3 + to_size(formed.pack.poles.count)) * formed.ends.size()]),
+        tops_(new Top[band.count_peaks ? 0 : formed.ends.size()]),
+        round_off_(formed.round_off),
+        complete_(formed.complete) {
+    pack_.from = all(band_.x(band_.from));
+    pack_.to = all(band_.x(band_.to));
+    for (int c = 0; c < channels_; ++c) {
+      ScannedCurve<Size>& curve = curves_[c];
+      curve.best = curve.sign = curve.tail = hn::Zero(Lanes());
+      curve.covered_from = all(1.0);
+      curve.covered_to = all(-1.0);
+    }
+  }
+
+  void search() {
+    const SquarePoles<Size>& poles = pack_.poles;
+    update_maxima(pack_, pack_.from, curves_, channels_, at_start());
+    for (int c = 0; c < channels_; ++c)
+      if (ends_[to_size(c)].zero_at_start) at_start()[c] = hn::Zero(Lanes());  // exactly
+    for (int k = 0; k < poles.count; ++k) {
+      const Pack above =
+          hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
+      update_maxima(pack_, above, curves_, channels_, at_pole(k));
+    }
+    evaluate_end();
+    if (!band_.count_peaks) find_tops();
+    else first_signs(pack_, curves_, channels_, ends_);
+    complete_ = hn::And(complete_, scan(pack_, curves_, channels_, options(), found_));
+    // Rejects a slope that changed sign unseen by the scan and that keeps the new sign up to x = ∞.
+    for (int c = 0; c < channels_; ++c)
+      complete_ = hn::And(complete_, hn::Ge(hn::Mul(curves_[c].sign, curves_[c].tail), hn::Zero(Lanes())));
+    refine(LaneStore<Size>(poles, curves_, ends_, round_off_), found_);
+  }
+
+  void write_answers(TablePeaks& peaks) const {
+    const int lanes = lane_count();
+    alignas(64) double numbers[5][table_lanes], highest[table_lanes], highest_at[table_lanes],
+        start_doubts[table_lanes] = {}, end_doubts[table_lanes] = {};
+    bool known[table_lanes];
+    store_mask(complete_, peaks.complete + lane_);
+    // The extrema of one curve, ascending, as a linked list.
+    std::vector<int> first(to_size(channels_ * lanes), -1), next(found_.size(), -1);
+    for (std::size_t e = found_.size(); e-- > 0;) {
+      int& head = first[to_size(found_[e].channel * lanes + found_[e].lane)];
+      next[e] = head;
+      head = static_cast<int>(e);
+    }
+    std::vector<double> heights, doubts;
+    for (int c = 0; c < channels_; ++c) {
+      hn::StoreU(at_start()[c], Lanes(), numbers[0]);
+      hn::StoreU(at_end()[c], Lanes(), numbers[1]);
+      hn::StoreU(curves_[c].best, Lanes(), numbers[2]);
+      if (!band_.count_peaks) {
+        hn::StoreU(hn::IfThenElseZero(tops_[c].settled, tops_[c].value), Lanes(), numbers[3]);
+        hn::StoreU(tops_[c].at, Lanes(), numbers[4]);
+      }
+      if (band_.count_peaks) {
+        hn::StoreU(doubt_at(c, pack_.from, band_.from, at_start()[c]), Lanes(), start_doubts);
+        hn::StoreU(doubt_at(c, pack_.to, band_.to, at_end()[c]), Lanes(), end_doubts);
+      }
+      for (int i = 0; i < lanes; ++i) {
+        ChannelPeaks& answer = peaks.channels[to_size(c * table_lanes + lane_ + i)];
+        answer = {amplitude(numbers[0][i]), band_.from, 0, 0};
+        const auto raise = [&](double height, double at) {
+          if (height > answer.highest) answer.highest = height, answer.highest_at = at;
+        };
+        if (!band_.count_peaks) raise(amplitude(numbers[3][i]), band_.omega(numbers[4][i]));
+        double doubtful = 1e-6;  // round-off
+        heights.assign(1, answer.highest);
+        doubts.assign(1, start_doubts[i]);
+        for (int at = first[to_size(c * lanes + i)]; at >= 0; at = next[to_size(at)]) {
+          const FoundExtremum& e = found_[to_size(at)];
+          doubtful = std::max(doubtful, doubt(e, numbers[2][i], band_));
+          heights.push_back(amplitude(e.value));
+          // A panel skipped as too low may be even lower than such a minimum.
+          const bool hidden =
+              std::sqrt(std::abs(e.value)) <= 2 * low_share * band_.min_prominence * std::sqrt(numbers[2][i]);
+          doubts.push_back(std::max(share(e.missed, e.value), hidden ? 1.0 : 0.0));
+          if (e.maximum) raise(heights.back(), band_.omega(e.at));
+        }
+        heights.push_back(amplitude(numbers[1][i]));
+        doubts.push_back(end_doubts[i]);
+        raise(heights.back(), band_.to);
+        highest[i] = answer.highest, highest_at[i] = answer.highest_at;
+        // No value found during the search may be higher.
+        if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
+          peaks.complete[lane_ + i] = false;
+        if (!band_.count_peaks) continue;
+        const double least = band_.min_prominence * answer.highest;
+        const PeakCount count = prominent_peaks(heights, least);
+        if (count.closest < 2 * doubtful)
+          peaks.complete[lane_ + i] = false;  // the doubtful part could change the count
+        if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise))
+          peaks.complete[lane_ + i] = false;
+        answer.peaks = count.peaks;
+        answer.largest_rise = count.largest_rise;
+      }
+      store_mask(has_digits_at(c, hn::LoadU(Lanes(), highest), hn::LoadU(Lanes(), highest_at)), known);
+      for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && known[i];
+    }
+  }
+
+ private:
+  [[nodiscard]] ScanOptions options() const { return {band_.count_peaks, band_.min_prominence}; }
+  [[nodiscard]] Pack* at_start() const { return values_.get(); }
+  [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
+  [[nodiscard]] Pack* at_pole(int k) const { return values_.get() + to_size(2 + k) * to_size(channels_); }
+  static double share(double missed, double value) { return missed <= 0 ? 0 : 0.5 * missed / std::abs(value); }
+  /// Relative error of a height at an end of the band by round-off.
+  [[nodiscard]] Pack doubt_at(int channel, const Pack& x, double omega, const Pack& value) const {
+    const SquaredResponse<Size::most>& f = curves_[channel].f;
+    if (omega == 0 && ends_[to_size(channel)].zero_at_start) return hn::Zero(Lanes());
+    const Pack missed =
+        hn::Mul(hn::Mul(all(0.5), round_off_), std::isinf(omega) ? f.constant_parts : sum_of_moduli(pack_.poles, f, x));
+    return hn::IfThenElseZero(hn::Gt(missed, hn::Zero(Lanes())), hn::Div(missed, hn::Abs(value)));
+  }
+  static double amplitude(double half_square) { return std::sqrt(std::max(2 * half_square, 0.0)); }
+
+  /// Whether a height is known to nine digits.
+  [[nodiscard]] LaneMask has_digits_at(int channel, const Pack& height, const Pack& omega) const {
+    const SquaredResponse<Size::most>& f = curves_[channel].f;
+    const Pack infinity = all(std::numeric_limits<double>::infinity()),
+               value = hn::Mul(all(0.5), hn::Mul(height, height));
+    const LaneMask endless = hn::Eq(omega, infinity);
+    const Pack moduli = sum_of_moduli(
+        pack_.poles, f, hn::IfThenElse(endless, pack_.from, band_.squared ? hn::Mul(omega, omega) : omega));
+    return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value);
+  }
+
+  void evaluate_end() {
+    if (std::isfinite(band_.to)) {
+      update_maxima(pack_, pack_.to, curves_, channels_, at_end());
+      return;
+    }
+    pack_.to = hn::Max(pack_.from, beginning_of_tail(pack_, curves_, ends_, options(), complete_));
+    for (int c = 0; c < channels_; ++c) {
+      const Pack slope = curves_[c].f.slope;  // positive if the curve grows without bound
+      const LaneMask grows = hn::Gt(slope, hn::Zero(Lanes()));
+      at_end()[c] = hn::IfThenElse(grows, all(std::numeric_limits<double>::infinity()), curves_[c].f.constant);
+      if (band_.count_peaks) complete_ = hn::AndNot(grows, complete_);  // the tail is proven without that growth
+      // The growth is unknown if that sum is round-off, including that of the residues (condition numbers up to 1e3).
+      const LaneMask cancelled =
+          hn::Lt(hn::Abs(slope), hn::Mul(hn::Mul(all(1e3), round_off_), curves_[c].f.slope_parts));
+      complete_ = hn::AndNot(cancelled, complete_);
+      curves_[c].best = hn::Max(curves_[c].best, curves_[c].f.constant);
+    }
+  }
+
+  void find_tops() {
+    for (int c = 0; c < channels_; ++c) {
+      Pack above[Size::most];
+      for (int k = 0; k < pack_.poles.count; ++k) above[k] = hn::IfThenZeroElse(pack_.poles.real[k], at_pole(k)[c]);
+      tops_[c] = find_top(pack_, above, curves_[c]);
+    }
+    form_zones(pack_.poles, pack_.from, pack_.to, pack_.zones);
+    open_zones(pack_, tops_.get(), curves_, channels_);
+  }
+
+  const SearchedBand& band_;
+  int lane_, channels_;
+  const std::vector<CurveEnds>& ends_;
+  ScannedPack<Size>& pack_;
+  ScannedCurve<Size>* curves_;
+  std::unique_ptr<Pack[]> values_;  ///< of all curves at the start, at the end, and at each pole
+  std::unique_ptr<Top[]> tops_;
+  Pack round_off_;  ///< of sums over the roots, relative to their terms
+  LaneMask complete_;
+  FoundExtrema found_;
+};
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

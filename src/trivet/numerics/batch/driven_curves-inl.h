@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// |y|² of the curves of DrivenDesigns as partial fractions in x = ω, one design per lane. With poles p = −iλ and
+// y = c + Σ ρ_k/(ω − p_k), ρ = −i residue, |y|² is |c|² + 2 Re Σ C_k/(ω − p_k) at real ω, C_k = ρ_k ȳ(p_k),
+// ȳ(ω) = c̄ + Σ ρ̄_l/(ω − p̄_l).
+#if defined(TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
+#undef TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
+#else
+#define TRIVET_NUMERICS_DRIVEN_CURVES_INL_H_
+#endif
+
+#include <cstddef>
+#include <memory>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/batch/curve_search-inl.h"
+#include "trivet/numerics/batch/round_off-inl.h"
+#include "trivet/numerics/roots/design_columns-inl.h"
+#include "trivet/numerics/roots/driven_designs.h"
+#include "trivet/numerics/roots/driven_poles-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace trivet::numerics::HWY_NAMESPACE {
+
+/// A few objects with packs in them. (g++ 12 gives those in a std::vector the alignment of a double.)
+template <typename Item>
+class PackList {
+ public:
+  PackList() = default;
+  explicit PackList(std::size_t size) : size_(size), items_(new Item[size]) {}
+  [[nodiscard]] std::size_t size() const { return size_; }
+  Item& operator[](std::size_t i) { return items_[i]; }
+  const Item& operator[](std::size_t i) const { return items_[i]; }
+  [[nodiscard]] const Item* begin() const { return items_.get(); }
+  [[nodiscard]] const Item* end() const { return items_.get() + size_; }
+
+ private:
+  std::size_t size_ = 0;
+  std::unique_ptr<Item[]> items_;
+};
+
+/// Φᵀ times a DesignTerm.
+template <typename Size>
+struct ModalTerm {
+  int power = 0;
+  ComplexPack value[Size::most];
+};
+
+template <typename Size>
+HWY_INLINE void in_modes_of_term(Size n, const PackOfModes<Size>& modes, const DesignTerm& term, Eigen::Index first,
+                                 ModalTerm<Size>& result) {
+  Pack part[Size::most], image[Size::most];
+  result.power = term.power;
+  for (int j = 0; j < n; ++j) part[j] = column_of(term.re, j, first);
+  in_modes_of_vector(n, modes, part, image);
+  for (int j = 0; j < n; ++j) result.value[j].re = image[j], part[j] = column_of(term.im, j, first);
+  in_modes_of_vector(n, modes, part, image);
+  for (int j = 0; j < n; ++j) result.value[j].im = image[j];
+}
+
+HWY_INLINE ComplexPack integer_power_of(const ComplexPack& z, int power) {
+  ComplexPack result = {all(1.0), all(0.0)};
+  const ComplexPack factor = power < 0 ? quick_inverse(z) : z;
+  for (int i = 0; i < std::abs(power); ++i) result = result * factor;
+  return result;
+}
+
+/// Σ λ^power valueᵀ v at root p.
+template <typename Size>
+HWY_INLINE ComplexPack sum_at_root(Size n, const DrivenPoles<Size>& poles, int p,
+                                   const PackList<ModalTerm<Size>>& terms) {
+  ComplexPack sum = zero();
+  for (const ModalTerm<Size>& term : terms) {
+    ComplexPack part = zero();
+    each(n, [&](int j) TRIVET_LANES { part = add_product(part, term.value[j], poles.v[p * n + j]); });
+    sum = sum + integer_power_of(poles.lambda[p], term.power) * part;
+  }
+  return sum;
+}
+
+/// One load of a pack of designs: its participation in every root, and scales of the motion.
+template <typename Size>
+struct DrivenLoad {
+  PackList<ModalTerm<Size>> terms;
+  ComplexPack participation[2 * Size::most];
+  Pack visible[2 * Size::most], possible[2 * Size::most];  ///< see round_off-inl.h
+};
+
+template <typename Size>
+HWY_NOINLINE void form_load(Size n, const DrivenPoles<Size>& poles, DrivenLoad<Size>& load) {
+  Pack motion[2 * Size::most], modulus[2 * Size::most], at_rest = hn::Zero(Lanes()), accelerated = at_rest;
+  for (int p = 0; p < 2 * n; ++p) {
+    load.participation[p] = sum_at_root(n, poles, p, load.terms) * poles.by_slope[p];
+    motion[p] = squared_modulus(load.participation[p]);
+    modulus[p] = squared_modulus(poles.lambda[p]);
+    at_rest = hn::Max(at_rest, hn::Div(motion[p], modulus[p]));
+    accelerated = hn::Max(accelerated, hn::Mul(motion[p], modulus[p]));
+  }
+  for (int p = 0; p < 2 * n; ++p) {
+    const Pack decay = poles.lambda[p].re;
+    load.visible[p] = hn::Max(motion[p], hn::Mul(at_rest, hn::Mul(decay, decay)));
+    load.possible[p] = hn::Max(motion[p], hn::Div(accelerated, modulus[p]));
+  }
+}
+
+/// The curves of a pack of designs.
+/// @tparam Poles  size of 2n
+template <typename Size, typename Poles>
+class DrivenCurves {
+ public:
+  DrivenCurves(Size n, const DrivenDesigns& designs, Eigen::Index first)
+      : n_(n), designs_(designs), first_(first), poles_(new DrivenPoles<Size>), inverses_(new Inverses) {}
+
+  /// Poles and |y|² of all curves.
+  HWY_NOINLINE void form(FormedCurves<Poles>& formed) {
+    formed.round_off = all(round_off);
+    formed.pack.asked = find_poles();
+    place_poles(formed.pack.poles);
+    form_loads();
+    formed.complete = hn::Eq(formed.round_off, formed.round_off);
+    for (std::size_t c = 0; c < designs_.curves.size(); ++c)
+      formed.complete = hn::And(formed.complete, form_curve(designs_.curves[c], formed.curves[c].f));
+  }
+
+ private:
+  static constexpr double round_off = 4e-15;     ///< of sums over the poles
+  static constexpr double most_condition = 1e3;  ///< beyond, poles nearly coincide
+  struct Inverses {
+    ComplexPack of[Poles::most][Poles::most];  ///< 1/(p_k − p̄_l)
+  };
+
+  LaneMask find_poles() {
+    constexpr int triangle = Size::most * (Size::most + 1) / 2;
+    Pack a[triangle], b[triangle], k[triangle], d[triangle];
+    const bool lossy = designs_.D.size() > 0;
+    for (int entry = 0; entry < n_ * (n_ + 1) / 2; ++entry) {
+      a[entry] = column_of(designs_.A, entry, first_);
+      b[entry] = column_of(designs_.B, entry, first_);
+      k[entry] = column_of(designs_.K, entry, first_);
+      if (lossy) d[entry] = column_of(designs_.D, entry, first_);
+    }
+    const LaneMask definite = modes_of_pack<true>(n_, a, k, modes_);
+    LossyModalPack<Size> modal;
+    lossy_modal_pack(n_, modes_, b, lossy ? d : nullptr, modal);
+    driven_poles(n_, modal, *poles_);
+    Pack stiffest = all(0.0);
+    for (int j = 0; j < n_; ++j) stiffest = hn::Max(stiffest, modes_.lambda[j]);
+    // Smaller λ may be round-off of no stiffness: 64 n ε, eight times the limit of definiteness.
+    const Pack least = hn::Mul(all(64 * n_ * 2.2e-16), stiffest);
+    LaneMask good = hn::And(hn::And(definite, modes_.settled),
+                            hn::And(poles_->good, hn::Le(poles_->condition, all(most_condition))));
+    for (int j = 0; j < n_; ++j) good = hn::And(good, hn::Gt(modes_.lambda[j], least));
+    return good;
+  }
+
+  /// p = −iλ, and the reciprocals of their differences.
+  void place_poles(SquarePoles<Poles>& to) {
+    const int count = 2 * n_;
+    to.count = Poles{count};
+    for (int p = 0; p < count; ++p) {
+      const ComplexPack lambda = poles_->lambda[p];
+      to.z[p] = {lambda.im, hn::Neg(lambda.re)};
+      to.real[p] = hn::Lt(lambda.im, lambda.im);
+      for (int l = 0; l < count; ++l) {
+        const ComplexPack other = poles_->lambda[l];
+        inverses_->of[p][l] = quick_inverse({hn::Sub(lambda.im, other.im), hn::Neg(hn::Add(lambda.re, other.re))});
+      }
+    }
+    place(to);
+  }
+
+  void form_loads() {
+    loads_ = PackList<DrivenLoad<Size>>(designs_.loads.size());
+    for (std::size_t l = 0; l < loads_.size(); ++l) {
+      loads_[l].terms = PackList<ModalTerm<Size>>(designs_.loads[l].size());
+      for (std::size_t t = 0; t < loads_[l].terms.size(); ++t)
+        in_modes_of_term(n_, modes_, designs_.loads[l][t], first_, loads_[l].terms[t]);
+      form_load(n_, *poles_, loads_[l]);
+    }
+  }
+
+  /// c: of a prescribed motion, and rowᵀA⁻¹h of terms whose powers of s add up to 2.
+  ComplexPack constant_of(const DesignCurve& curve, const PackList<ModalTerm<Size>>& rows) const {
+    ComplexPack sum = {column_of(curve.constant_re, 0, first_), column_of(curve.constant_im, 0, first_)};
+    for (const ModalTerm<Size>& row : rows)
+      for (const ModalTerm<Size>& value : loads_[curve.load].terms)
+        if (row.power + value.power == most_power)
+          each(n_, [&](int j) TRIVET_LANES { sum = add_product(sum, row.value[j], value.value[j]); });
+    return sum;
+  }
+
+  /// (Σ |λ|^power ‖Φᵀrow‖)² at root p.
+  Pack weight_of(const PackList<ModalTerm<Size>>& rows, int p) const {
+    const Pack square = squared_modulus(poles_->lambda[p]), modulus = hn::Sqrt(square);
+    Pack sum = hn::Zero(Lanes());
+    for (const ModalTerm<Size>& row : rows) {
+      Pack length = hn::Zero(Lanes());
+      each(n_, [&](int j) TRIVET_LANES { length = hn::Add(length, squared_modulus(row.value[j])); });
+      length = hn::Sqrt(length);
+      for (int i = 0; i < row.power; ++i) length = hn::Mul(length, modulus);
+      sum = hn::Add(sum, length);
+    }
+    return hn::Mul(sum, sum);
+  }
+
+  /// @return lanes in which the residues are accurate
+  LaneMask form_curve(const DesignCurve& curve, SquaredResponse<Poles::most>& f) {
+    const int count = 2 * n_;
+    PackList<ModalTerm<Size>> rows(curve.rows.size());
+    for (std::size_t t = 0; t < rows.size(); ++t) in_modes_of_term(n_, modes_, curve.rows[t], first_, rows[t]);
+    const DrivenLoad<Size>& load = loads_[curve.load];
+    const ComplexPack constant = constant_of(curve, rows);
+    PairPack r[Poles::most];
+    Pack weight[Poles::most];
+    for (int p = 0; p < count; ++p) {
+      const ComplexPack residue = sum_at_root(n_, *poles_, p, rows) * load.participation[p];
+      r[p] = {residue.im, hn::Neg(residue.re)};
+      weight[p] = weight_of(rows, p);
+    }
+    const LaneMask still = hn::Eq(one_norm(constant), hn::Zero(Lanes()));
+    const LaneMask known = drop_round_off(Poles{count}, still, load.visible, load.possible, weight, r);
+    for (int k = 0; k < count; ++k) {
+      ComplexPack y = conjugate(constant);
+      for (int l = 0; l < count; ++l)
+        y = add_product(y, ComplexPack{r[l].first, hn::Neg(r[l].second)}, inverses_->of[k][l]);
+      const ComplexPack C = ComplexPack{r[k].first, r[k].second} * y;
+      f.C[k] = {C.re, hn::Neg(C.im)};
+    }
+    f.constant = f.constant_parts = hn::Mul(all(0.5), squared_modulus(constant));
+    f.slope = f.slope_parts = hn::Zero(Lanes());
+    return known;
+  }
+
+  Size n_;
+  const DrivenDesigns& designs_;
+  Eigen::Index first_;
+  PackOfModes<Size> modes_;
+  std::unique_ptr<DrivenPoles<Size>> poles_;
+  std::unique_ptr<Inverses> inverses_;
+  PackList<DrivenLoad<Size>> loads_;
+};
+
+}  // namespace trivet::numerics::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
