@@ -7,11 +7,11 @@ from trivet_test import SOURCE, InTemporaryFolder, trivet
 
 
 class Sizes(Refused):
-    def test_two_hundred_free_bodies(self):
+    def test_four_hundred_free_bodies(self):
         text = "trivet = 1\n" + "".join(
-            f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(200)
+            f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(400)
         )
-        self.refused("1200 free coordinates", "at most 600", text=text, command="run")
+        self.refused("2400 free coordinates", "at most 1800", text=text, command="run")
 
     def test_twenty_thousand_answers(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))
@@ -60,16 +60,31 @@ class Sizes(Refused):
             files=[("t.csv", ",".join(f"c{i}" for i in range(200000)) + "\n")],
         )
 
-    def test_peaks_of_a_large_system_are_rejected_before_the_search(self):
+    def test_ten_thousand_bodies(self):
+        text = "trivet = 1\n" + "".join(f"[bodies.b{i}]\nmass = 1\nfree = ['z']\n" for i in range(10000))
+        self.refused("10000 bodies", "at most 1000", text=text)
+
+    def test_other_analyses_of_a_large_system(self):
+        text = "trivet = 1\n" + "".join(
+            f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(101)
+        )
+        text += "".join(mount(f"m{i}", on=f"b{i}") for i in range(101)) + FORCE.replace('"b"', '"b0"')
+        self.refused(
+            "analyses.shapes: 606 free coordinates",
+            "at most 600 (a hundred free bodies)",
+            text=text + '[analyses]\nshapes = {at = ["10 Hz"]}\n',
+        )
+
+    def test_curves_of_a_large_system_are_rejected_before_the_search(self):
         text = "trivet = 1\n" + "".join(
             f'[bodies.b{i}]\nmass = 1\nposition = [0, 0, {i}]\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n'
-            for i in range(60)
+            for i in range(200)
         )
         text += "".join(
-            mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(60)
+            mount(f"m{i}", on=f"b{i}", more=f'from = "b{i - 1}"' if i else "") for i in range(200)
         ) + FORCE.replace('"b"', '"b0"')
-        self.refused("hours of search", "name fewer results in `of`", text=text + "[analyses]\npeaks = {}\n")
-        done = trivet("peaks", self.file(text))  # requested only by the command line
+        self.refused("hours of search", "name fewer results in `of`", text=text + "[analyses]\nresponse = {}\n")
+        done = trivet("response", self.file(text))  # requested only by the command line
         self.assertEqual(done.returncode, 1)
         self.assertIn("hours of search", done.stderr)
 

@@ -13,8 +13,8 @@
 namespace trivet::project {
 namespace {
 
-/// Larger systems need sparse methods that this version does not have.
-constexpr std::size_t most_bodies = 200;
+/// All may move in one or two directions (question_sizes.h).
+constexpr std::size_t most_bodies = 1000;
 /// Each has six answers.
 constexpr std::size_t most_body_points = 5000;
 

@@ -54,6 +54,26 @@ TEST(RationalFit, FollowsRationalFunctionsBetweenFewSamples) {
   EXPECT_LE(((found.at(dense) - truth).array().abs() / truth.array().abs()).maxCoeff(), between_samples);
 }
 
+/// So many functions that their combinations choose nodes and weights: all mixtures of the two curves.
+TEST(RationalFit, OfManyFunctionsFollowsEachOfThem) {
+  const Eigen::Index many = 3 * numerics::many_functions;
+  Eigen::MatrixXcd mixture(many, 2);
+  for (Eigen::Index f = 0; f < many; ++f) {
+    const double turn = 0.7 * static_cast<double>(f);
+    mixture.row(f) << std::polar(1 + std::cos(turn), turn), std::polar(std::exp(3 * std::sin(turn)), -2 * turn);
+  }
+  const Eigen::VectorXd x = samples(), dense = Eigen::VectorXd::LinSpaced(20001, 0, 10);
+  const Eigen::MatrixXcd y = mixture * curves(x), truth = mixture * curves(dense);
+  const numerics::RationalFit found = numerics::rational_fit(x, y, y.cwiseAbs(), fit_error),
+                              resumed = numerics::rational_fit(x, y, y.cwiseAbs(), fit_error, found.nodes.head(4));
+  for (const numerics::RationalFit& one : {found, resumed}) {
+    EXPECT_LE(one.error, fit_error);
+    EXPECT_LE(one.nodes.size(), 11);
+    EXPECT_LE(((one.at(dense) - truth).array().abs() / truth.array().abs()).maxCoeff(), between_samples);
+  }
+  EXPECT_EQ(resumed.nodes.head(4), found.nodes.head(4));
+}
+
 TEST(RationalFit, PassesThroughItsNodes) {
   const numerics::RationalFit found = fit(samples());
   EXPECT_EQ(found.at(found.nodes), found.values);

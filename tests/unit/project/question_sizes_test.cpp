@@ -25,12 +25,12 @@ std::string messages(const foundation::Problems& problems) {
   return text;
 }
 
-TEST(QuestionSizes, AtMostAHundredFreeBodiesAreAccepted) {
+TEST(QuestionSizes, AtMostThreeHundredFreeBodiesAreAccepted) {
   project::Analyses modes;
   modes.modes = true;
-  EXPECT_FALSE(project::too_large(tower(100), modes).has_errors());
-  EXPECT_THAT(messages(project::too_large(tower(101), modes)),
-              HasSubstr("606 free coordinates; at most 600 are computed"));
+  EXPECT_FALSE(project::too_large(tower(300), modes).has_errors());
+  EXPECT_THAT(messages(project::too_large(tower(301), modes)),
+              HasSubstr("1806 free coordinates; at most 1800 are computed"));
 }
 
 TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
@@ -49,12 +49,14 @@ TEST(QuestionSizes, InnerCoordinatesOfElementsCount) {
   EXPECT_EQ(project::coordinates(machine), 6u + 600u);
 }
 
-TEST(QuestionSizes, AllPeaksAreAcceptedForTwentyBodiesButNotForAHundred) {
-  project::Analyses peaks;
+TEST(QuestionSizes, AllPeaksAreAcceptedButCurvesOfTwoHundredBodiesAreNot) {
+  project::Analyses peaks, response;
   peaks.peaks.emplace();
-  EXPECT_FALSE(project::too_large(tower(20), peaks).has_errors());
-  EXPECT_THAT(messages(project::too_large(tower(100), peaks)),
-              HasSubstr("resonance peaks of 600 curves of a system of 600 coordinates"));
+  response.response.emplace();
+  EXPECT_FALSE(project::too_large(tower(300), peaks).has_errors());
+  EXPECT_FALSE(project::too_large(tower(100), response).has_errors());
+  EXPECT_THAT(messages(project::too_large(tower(200), response)),
+              HasSubstr("resonance peaks of 1200 curves of a system of 1200 coordinates: about 1.2 hours of search"));
 }
 
 TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {

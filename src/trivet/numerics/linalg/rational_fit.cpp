@@ -4,8 +4,11 @@
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <limits>
+#include <random>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -16,25 +19,45 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// Combinations × functions: ±1 at random, the same in every run; the identity (empty) for few functions. A sum of
+/// squares over the functions is preserved within a factor of two by some twenty combinations.
+Eigen::MatrixXd combinations_of(Eigen::Index functions) {
+  constexpr Eigen::Index combinations = 24;
+  if (functions < many_functions) return {};
+  std::minstd_rand random(1);
+  return Eigen::MatrixXd::NullaryExpr(combinations, functions, [&] { return random() % 2 == 0 ? 1.0 : -1.0; });
+}
+
 /// Loewner matrix of the samples and the nodes so far, with columns of unit length, and its Gram matrix.
 class Loewner {
  public:
   Loewner(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales)
-      : x_(x), values_(values), scales_(scales), rows_(values.size(), 0), gram_(0, 0) {}
+      : x_(x),
+        values_(values),
+        scales_(scales),
+        combinations_(combinations_of(values.rows())),
+        functions_(combinations_.size() > 0 ? combinations_.rows() : values.rows()),
+        rows_(functions_ * values.cols(), 0),
+        gram_(0, 0) {}
 
   void add_node(Eigen::Index node) {
-    const Eigen::Index functions = values_.rows(), old = to_index(nodes_.size());
+    const Eigen::Index old = to_index(nodes_.size());
     if (old > 0) {
-      auto rows_of_node = rows_.middleRows(node * functions, functions);
+      auto rows_of_node = rows_.middleRows(node * functions_, functions_);
       gram_ -= rows_of_node.adjoint() * rows_of_node;
       rows_of_node.setZero();
     }
     nodes_.push_back(node);
-    Eigen::VectorXcd column = Eigen::VectorXcd::Zero(values_.size());
-    for (Eigen::Index k = 0; k < x_.size(); ++k)
-      if (std::find(nodes_.begin(), nodes_.end(), k) == nodes_.end())
-        column.segment(k * functions, functions) =
-            ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
+    Eigen::VectorXcd column = Eigen::VectorXcd::Zero(rows_.rows());
+    for (Eigen::Index k = 0; k < x_.size(); ++k) {
+      if (std::find(nodes_.begin(), nodes_.end(), k) != nodes_.end()) continue;
+      const Eigen::VectorXcd slopes =
+          ((values_.col(k) - values_.col(node)).array() / scales_.col(k).array() / (x_(k) - x_(node))).matrix();
+      auto part = column.segment(k * functions_, functions_);
+      if (combinations_.size() > 0)
+        part.real() = combinations_ * slopes.real(), part.imag() = combinations_ * slopes.imag();
+      else part = slopes;
+    }
     const double length = column.norm();
     lengths_.push_back(length > 0 ? length : 1);
     column /= lengths_.back();
@@ -48,6 +71,25 @@ class Loewner {
   }
 
   [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return nodes_; }
+  [[nodiscard]] bool combined() const { return combinations_.size() > 0; }
+
+  /// The sample with the largest error of the combinations, without an evaluation: the rows times the weights are
+  /// errors times the denominator. The error is the root of the sum of squares over the functions, or nearly.
+  [[nodiscard]] std::pair<Eigen::Index, double> worst_combined(const Eigen::VectorXcd& weights) const {
+    Eigen::VectorXcd scaled = weights;
+    for (Eigen::Index j = 0; j < scaled.size(); ++j) scaled(j) *= lengths_[to_size(j)];
+    const Eigen::VectorXcd products = rows_ * scaled;
+    std::pair<Eigen::Index, double> worst{x_.size() / 2, 0};
+    for (Eigen::Index k = 0; k < x_.size(); ++k) {
+      if (std::find(nodes_.begin(), nodes_.end(), k) != nodes_.end()) continue;
+      Complex denominator = 0;
+      for (std::size_t j = 0; j < nodes_.size(); ++j) denominator += weights(to_index(j)) / (x_(k) - x_(nodes_[j]));
+      const double sum = products.segment(k * functions_, functions_).norm() / std::abs(denominator);
+      const double error = sum / std::sqrt(static_cast<double>(functions_));
+      if (!(error <= worst.second)) worst = {k, error};
+    }
+    return worst;
+  }
 
   /// Weights by inverse iteration with the Gram matrix: good enough to choose the next node.
   [[nodiscard]] Eigen::VectorXcd quick_weights() const {
@@ -90,6 +132,8 @@ class Loewner {
   const Eigen::VectorXd& x_;
   const Eigen::MatrixXcd& values_;
   const Eigen::MatrixXd& scales_;
+  Eigen::MatrixXd combinations_;
+  Eigen::Index functions_;  ///< rows of one sample
   std::vector<Eigen::Index> nodes_;
   std::vector<double> lengths_;
   Eigen::MatrixXcd rows_;
@@ -122,7 +166,9 @@ Eigen::Index worst_sample(const Eigen::VectorXd& x, const Eigen::MatrixXcd& valu
 
 }  // namespace
 
-Eigen::MatrixXcd RationalFit::at(const Eigen::VectorXd& x) const {
+Eigen::MatrixXcd RationalFit::at(const Eigen::VectorXd& x) const { return values * shares(x); }
+
+Eigen::MatrixXcd RationalFit::shares(const Eigen::VectorXd& x) const {
   Eigen::MatrixXcd shares(nodes.size(), x.size());
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     Eigen::Index hit = -1;
@@ -135,7 +181,7 @@ Eigen::MatrixXcd RationalFit::at(const Eigen::VectorXd& x) const {
     if (hit >= 0) shares.col(k) = Eigen::VectorXcd::Unit(nodes.size(), hit);
     else shares.col(k) /= sum;
   }
-  return values * shares;
+  return shares;
 }
 
 Eigen::VectorXcd RationalFit::poles() const {
@@ -147,7 +193,7 @@ Eigen::VectorXcd RationalFit::poles() const {
 }
 
 RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values, const Eigen::MatrixXd& scales,
-                         double tolerance) {
+                         double tolerance, const Eigen::VectorXd& first) {
   if (x.size() < 2 || values.cols() != x.size() || scales.cols() != x.size() || scales.rows() != values.rows() ||
       values.rows() < 1)
     throw foundation::InvalidInput("rational fit: the sizes of samples, values and scales do not match");
@@ -157,9 +203,20 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
       std::min(x.size() - 1, values.size() / (values.rows() + 1));  // no more weights than equations
   Loewner loewner(x, values, scales);
   RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
-  for (Eigen::Index worst = worst_sample(x, values, scales, fit);
-       fit.error > tolerance && std::ssize(loewner.nodes()) < most_nodes;
-       worst = worst_sample(x, values, scales, fit)) {
+  for (const double node : first) {
+    const auto at = std::lower_bound(x.begin(), x.end(), node) - x.begin();
+    if (at < x.size() && x(at) == node && std::ssize(loewner.nodes()) < most_nodes) loewner.add_node(at);
+  }
+  if (!loewner.nodes().empty()) fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());
+  constexpr double loose = 4;  // above this many tolerances the errors of the combinations decide
+  for (bool added = true; added;) {
+    const auto combined = loewner.combined() && !loewner.nodes().empty() ? loewner.worst_combined(fit.weights)
+                                                                         : std::pair<Eigen::Index, double>(0, 0);
+    Eigen::Index worst = combined.first;
+    if (combined.second <= loose * tolerance) worst = worst_sample(x, values, scales, fit);
+    else fit.error = combined.second;
+    added = fit.error > tolerance && std::ssize(loewner.nodes()) < most_nodes;
+    if (!added) break;
     loewner.add_node(worst);
     fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());
   }

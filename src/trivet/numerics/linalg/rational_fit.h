@@ -16,6 +16,8 @@ struct RationalFit {
 
   /// Values, functions × points.
   [[nodiscard]] Eigen::MatrixXcd at(const Eigen::VectorXd& x) const;
+  /// Shares of the nodes in a value, nodes × points: at(x) = values × shares(x).
+  [[nodiscard]] Eigen::MatrixXcd shares(const Eigen::VectorXd& x) const;
   /// Zeros of the denominator, and an additional meaningless one at 0.
   [[nodiscard]] Eigen::VectorXcd poles() const;
 };
@@ -28,7 +30,13 @@ struct RationalFit {
 /// @param x        ascending, at least 2
 /// @param values   functions × samples, finite
 /// @param scales   functions × samples, > 0: an error of this size counts as 1
+/// @param first    samples that become nodes at once, such as the nodes of a fit of fewer samples; may be empty
 [[nodiscard]] RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& values,
-                                       const Eigen::MatrixXd& scales, double tolerance);
+                                       const Eigen::MatrixXd& scales, double tolerance,
+                                       const Eigen::VectorXd& first = {});
+
+/// From this number of functions on, the weights of a fit come from random combinations of them, which takes a fraction
+/// of the time; the error is always that of all functions.
+inline constexpr Eigen::Index many_functions = 48;
 
 }  // namespace trivet::numerics

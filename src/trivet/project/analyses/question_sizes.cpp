@@ -16,9 +16,15 @@ constexpr double most_values = 3e6;       // points × curves; with tables, page
 constexpr double longest_search = 3600;   // [s]
 constexpr std::size_t most_inputs = 100;  // correlated random inputs: every pair has a cross-spectrum with every answer
 
-/// Measured on one core of 2020: a search for the peaks of one curve needs the modes of all coordinates.
-double seconds_of_search(double curves, double coordinates) {
-  return curves * (0.003 + 0.07 * std::pow(coordinates / 60, 3.7));
+/// Time of searches on one core, measured on chains of 10 to 300 bodies. With frequency-dependent elements (some ten
+/// bodies) every sample of a search is a solution of its own.
+double seconds_of_peaks(double curves, double coordinates, bool frequency_dependent) {
+  if (frequency_dependent) return curves * (0.003 + 0.07 * std::pow(coordinates / 60, 3.7));
+  return 7.5e-9 * std::pow(coordinates, 3) + 1e-4 * coordinates * curves;
+}
+/// With the rational model of an automatic spacing, which has as many pieces as there are resonances.
+double seconds_of_curves(double curves, double coordinates, bool frequency_dependent) {
+  return seconds_of_peaks(curves, coordinates, frequency_dependent) + 2.5e-6 * curves * coordinates * coordinates;
 }
 
 bool is_component(const std::string& word) {
@@ -34,6 +40,9 @@ class Sizes {
   Sizes(const model::Description& description) : free_(0), all_(static_cast<double>(coordinates(description))) {
     for (const model::Body& body : description.bodies)
       free_ += static_cast<double>(std::count(body.free.begin(), body.free.end(), true));
+    frequency_dependent_ =
+        std::any_of(description.elements.begin(), description.elements.end(),
+                    [](const model::Element& element) { return elements::is_frequency_dependent(element.law); });
   }
 
   [[nodiscard]] double curves(const std::vector<std::string>& of) const {
@@ -49,9 +58,20 @@ class Sizes {
                      "name fewer results in `of`");
   }
 
-  void check_search(const std::string& question, double count) {
+  void check_coordinates(const std::string& question) {
+    if (all_ > static_cast<double>(most_coordinates_of_others))
+      problems.error(question, fmt::format("{:.0f} free coordinates", all_),
+                     fmt::format("at most {} (a hundred free bodies) are computed for this analysis; modes, roots, "
+                                 "static, response and peaks take {}",
+                                 most_coordinates_of_others, most_coordinates),
+                     "constrain bodies by `free`, or split the model");
+  }
+
+  /// @param modelled  the curves are also drawn from a rational model
+  void check_search(const std::string& question, double count, bool modelled = false) {
     check_curves(question, count);
-    if (const double seconds = seconds_of_search(count, all_);
+    const auto estimate = modelled ? seconds_of_curves : seconds_of_peaks;
+    if (const double seconds = estimate(count, all_, frequency_dependent_);
         count <= static_cast<double>(most_curves) && seconds > longest_search)
       problems.error(
           question,
@@ -74,12 +94,13 @@ class Sizes {
 
  private:
   double free_, all_;
+  bool frequency_dependent_ = false;
 };
 
 void check_response(Sizes& sizes, const ResponseRequest& asked) {
   const double count = sizes.curves(asked.selection.of);
   const bool searched = asked.continuous_phase || (asked.at.empty() && asked.spacing == response::Spacing::automatic);
-  if (searched) sizes.check_search("analyses.response", count);
+  if (searched) sizes.check_search("analyses.response", count, asked.at.empty());
   else sizes.check_curves("analyses.response", count);
   if (!asked.at.empty()) sizes.check_values("analyses.response.at", static_cast<double>(asked.at.size()), count);
   else if (asked.spacing != response::Spacing::automatic)
@@ -115,7 +136,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
   if (const std::size_t count = coordinates(description); count > most_coordinates) {
     sizes.problems.error(
         "bodies", fmt::format("{} free coordinates", count),
-        fmt::format("at most {} are computed: a hundred free bodies", most_coordinates),
+        fmt::format("at most {} are computed: three hundred free bodies", most_coordinates),
         "constrain bodies by `free` where they cannot move, join bodies that move together, or split the model");
     return sizes.problems;
   }
@@ -134,6 +155,7 @@ foundation::Problems too_large(const model::Description& description, const Anal
     if (const Question* question = asked.find<Question>(reader.name)) {
       const double count = reader.curves ? reader.curves(*question) : sizes.curves(question->selection.of);
       const std::string subject = std::string("analyses.") + reader.name;
+      sizes.check_coordinates(subject);
       if (reader.searches_peaks) sizes.check_search(subject, count);
       else sizes.check_curves(subject, count);
     }
@@ -144,7 +166,8 @@ foundation::Problems too_large(const model::Description& description, const Anal
 
 int deep_check_frequencies(Eigen::Index coordinates) {
   constexpr int most = 64, fewest = 4;
-  // Coordinates of a fully coupled system that is solved in a millisecond; the work grows with the third power.
+  // Coordinates of a fully coupled system that is solved in a millisecond; the work grows with the third power. (Chains
+  // need less; their number of frequencies is the same.)
   constexpr double quick = 60;
   return std::clamp(
       static_cast<int>(most * std::pow(quick / static_cast<double>(std::max<Eigen::Index>(coordinates, 1)), 3)), fewest,

@@ -7,8 +7,13 @@
 /// Cost of questions, estimated before any computation: curves, points, memory and time.
 namespace trivet::project {
 
-/// Most free coordinates of a system, as of a hundred free bodies: larger dense eigenproblems take minutes to hours.
-inline constexpr std::size_t most_coordinates = 600;
+/// Most free coordinates of a system, as of three hundred free bodies: modes take six seconds and two gigabytes then,
+/// and the third power of that beyond.
+inline constexpr std::size_t most_coordinates = 1800;
+
+/// The same for all analyses but modes, roots, static results, response and peaks, which were measured up to this size
+/// only.
+inline constexpr std::size_t most_coordinates_of_others = 600;
 
 /// Most coordinates with those that represent frequency-dependent laws in modes and roots: 21 per direction of a
 /// fractional law, 126 of such a mount.

@@ -121,8 +121,10 @@ class CurveModelBuilder {
   void add_pieces(const Band& band) {
     const Samples::const_iterator from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
     std::size_t known = to_size(std::distance(from, to));
+    Eigen::VectorXd nodes;  // of the last fit, for those that take long
     for (bool enough = known >= 2; enough;) {
-      const numerics::RationalFit fit = fitted(band);
+      const numerics::RationalFit fit = fitted(band, nodes);
+      if (largest_.size() >= numerics::many_functions) nodes = fit.nodes;
       const std::vector<double> wanted = doubtful(band, fit, known);
       double error = error_at_extrema(band, fit), error_at = doubted_extremum_;
       const std::size_t before = samples_.size();
@@ -180,7 +182,7 @@ class CurveModelBuilder {
     return place;
   }
 
-  [[nodiscard]] numerics::RationalFit fitted(const Band& band) const {
+  [[nodiscard]] numerics::RationalFit fitted(const Band& band, const Eigen::VectorXd& nodes) const {
     const auto from = samples_.lower_bound(band.from), to = samples_.upper_bound(band.to);
     const Eigen::Index count = std::distance(from, to);
     Eigen::VectorXd x(count);
@@ -192,7 +194,7 @@ class CurveModelBuilder {
       values.col(k) = s->second;
       scales.col(k) = scale(s->second);
     }
-    return numerics::rational_fit(x, values, scales, fit_tolerance);
+    return numerics::rational_fit(x, values, scales, fit_tolerance, nodes);
   }
 
   /// Round-off of each curve, or of each part of one delay.
@@ -239,13 +241,18 @@ class CurveModelBuilder {
     }
     std::sort(doubts.begin(), doubts.end(), std::greater<>());
     for (const auto& [doubt, w] : doubts) {
-      if (chosen.size() >= std::clamp(known / 4, std::size_t{2}, solves_per_round)) break;
+      if (chosen.size() >= std::clamp(known / 4, std::size_t{2}, most_per_round())) break;
       const double gap = samples_.lower_bound(w) == samples_.end() ? band.to : samples_.lower_bound(w)->first;
       if (std::find(gaps.begin(), gaps.end(), gap) != gaps.end()) continue;
       gaps.push_back(gap);
       chosen.push_back(w);
     }
     return chosen;
+  }
+
+  /// A fit of many curves takes longer than many solves.
+  [[nodiscard]] std::size_t most_per_round() const {
+    return largest_.size() < numerics::many_functions ? solves_per_round : 3 * solves_per_round;
   }
 
   /// The fit without its last node: each weight is multiplied by the distance of its node from that node.
@@ -298,6 +305,15 @@ class CurveModelBuilder {
     return worst;
   }
 
+  /// One curve of a fit, the sum over the delays.
+  [[nodiscard]] std::complex<double> curve_at(const numerics::RationalFit& fit, const Eigen::VectorXcd& shares,
+                                              Eigen::Index curve, double w) const {
+    const Eigen::Index curves = idle_.size(), parts = std::ssize(model_.delays);
+    Eigen::VectorXcd values(parts);
+    for (Eigen::Index d = 0; d < parts; ++d) values(d) = fit.values.row(d * curves + curve) * shares;
+    return summed(values, model_.delays, w)(0);
+  }
+
   /// Largest error at the extrema. They come from another method, so the comparison needs no solve.
   double error_at_extrema(const Band& band, const numerics::RationalFit& fit) {
     double worst = 0;
@@ -307,11 +323,16 @@ class CurveModelBuilder {
         const double w = extremum.angular_frequency;
         const auto curve = to_index(c);
         if (!extremum.maximum || !(w >= band.from && w <= band.to) || idle_(curve)) continue;
-        const Eigen::VectorXcd y = summed(fit.at(Eigen::VectorXd::Constant(1, w)).col(0), model_.delays, w);
-        const double size = std::max(extremum.amplitude, floors(y)(curve));
-        const double off = as_error(std::abs(std::abs(y(curve)) - extremum.amplitude) / size);
-        if (off > worst) worst = off, doubted_extremum_ = w;
         ++tests_;
+        const Eigen::VectorXcd shares = fit.shares(Eigen::VectorXd::Constant(1, w)).col(0);
+        const auto error = [&](double height, double size) {
+          return as_error(std::abs(height - extremum.amplitude) / size);
+        };
+        // At most this, because the round-off of all curves together is not less than that of this one.
+        if (error(std::abs(curve_at(fit, shares, curve, w)), extremum.amplitude) <= worst) continue;
+        const Eigen::VectorXcd y = summed(fit.values * shares, model_.delays, w);
+        const double off = error(std::abs(y(curve)), std::max(extremum.amplitude, floors(y)(curve)));
+        if (off > worst) worst = off, doubted_extremum_ = w;
       }
     return worst;
   }
