@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "cli/console.h"
+#include "cli/progress_line.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"

@@ -59,12 +59,4 @@ void write_failure(const std::exception& failure) {
   write_error("error: " + foundation::on_one_line(words) + "\n");
 }
 
-foundation::Progress progress() {
-  const bool terminal = ::isatty(STDERR_FILENO) != 0;
-  return [terminal](std::string_view task, double fraction) {
-    if (terminal)
-      write_error(fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, fraction >= 1 ? "\r\033[K" : ""));
-  };
-}
-
 }  // namespace trivet::cli

@@ -5,7 +5,6 @@
 #include <string>
 #include <string_view>
 
-#include "trivet/foundation/interruption.h"
 #include "trivet/foundation/problems.h"
 
 namespace trivet::cli {
@@ -33,8 +32,5 @@ void write_problems(const foundation::Problems& problems);
 
 /// Writes the reason of a failure as one line to standard error.
 void write_failure(const std::exception& failure);
-
-/// Shows progress on a terminal.
-[[nodiscard]] foundation::Progress progress();
 
 }  // namespace trivet::cli

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/element_text.h"
+#include "cli/progress_line.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/questions.h"
 #include "trivet/report/element_picture.h"

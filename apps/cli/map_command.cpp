@@ -7,6 +7,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/progress_line.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/report/map_figure.h"

@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
+#include "cli/progress_line.h"
 #include "cli/strictness.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/report/answer_sections.h"

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "cli/console.h"
+
+namespace trivet::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+std::string time_words(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 90 * 60) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+class ProgressLine {
+ public:
+  void show(std::string_view task, double fraction) {
+    const std::lock_guard lock(showing_);
+    if (task != task_ || fraction < first_) {
+      task_ = task;
+      first_ = fraction;
+      start_ = Clock::now();
+    } else if (fraction < 1 && seconds_since(shown_) < between_lines) {
+      return;
+    }
+    shown_ = Clock::now();
+    write_error(fraction >= 1 ? "\r\033[K"
+                              : fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, rest(fraction)));
+  }
+
+ private:
+  static constexpr double between_lines = 0.1, known_after = 2;  // [s]
+  static constexpr double least_share = 0.01;                    // done, for an estimate
+
+  /// Time left at the speed so far.
+  [[nodiscard]] std::string rest(double fraction) const {
+    const double elapsed = seconds_since(start_), share = fraction - first_;
+    if (elapsed < known_after || share < least_share) return "";
+    return ", about " + time_words(elapsed * (1 - fraction) / share) + " left";
+  }
+
+  std::mutex showing_;
+  std::string task_;
+  double first_ = 0;  ///< fraction of the task when it began to be shown
+  Clock::time_point start_, shown_;
+};
+
+}  // namespace
+
+foundation::Progress progress() {
+  if (::isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
+  return
+      [line = std::make_shared<ProgressLine>()](std::string_view task, double fraction) { line->show(task, fraction); };
+}
+
+}  // namespace trivet::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/foundation/interruption.h"
+
+namespace trivet::cli {
+
+/// Shows the task, its share and, after two seconds, the time left on one line of a terminal, ten times a second at
+/// most. Silent if standard error is not a terminal.
+[[nodiscard]] foundation::Progress progress();
+
+}  // namespace trivet::cli
