@@ -88,6 +88,7 @@ project::Analyses analyses_for(const study::AskedQuestion& question, const proje
   } catch (const foundation::InvalidInput& missing) {
     throw BadArgument(missing.what());
   }
+  if (options.lowest > 0) analyses.lowest_modes = options.lowest;
   assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` only
   if (!options.at.empty()) {
     analyses.response->at = frequencies("--at", options.at);

@@ -31,6 +31,7 @@ struct Options {
   std::string output = "trivet-results";
   std::vector<std::string> of;
   int most = 10;
+  int lowest = 0;  ///< modes; 0: those of the file, or all
   std::string torque;
   std::string excitations;
   std::string points;

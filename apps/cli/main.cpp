@@ -108,6 +108,10 @@ void add_response_options(CLI::App& app, Options& options) {
   response->add_option("--band", options.band, "FROM,TO in rad/s, or with units")->check(not_empty)->excludes(at);
 }
 
+void add_modes_options(CLI::App& app, Options& options) {
+  app.get_subcommand("modes")->add_option("--lowest", options.lowest, "report only so many modes")->check(at_least_one);
+}
+
 void add_explain(CLI::App& app, Options& options) {
   CLI::App* explain =
       add_answer(app, "explain", "causes of each resonance peak, and the parameters that change it", options);
@@ -175,6 +179,7 @@ int run(int argc, char** argv) {
   add_strict(check, options);
   for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions())
     add_strict(add_answer(app, question.name, question.about, options), options);
+  add_modes_options(app, options);
   add_response_options(app, options);
   add_explain(app, options);
   add_suspension(app, options);

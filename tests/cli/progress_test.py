@@ -33,7 +33,7 @@ class Progress(InTemporaryFolder):
         shares = [int(share) for share in re.findall(r"designs (\d+) %", text)]
         self.assertGreater(len(shares), 10)
         self.assertEqual(shares, sorted(shares))
-        self.assertRegex(text, r"designs \d+ %, about \d+ s left")
+        self.assertRegex(text, r"designs \d+ %, about \d+ (s|min) left")
         self.assertTrue(text.endswith("\r\x1b[K"), text[-40:])
 
     def test_a_quick_command_leaves_nothing(self):

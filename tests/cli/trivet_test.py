@@ -89,6 +89,15 @@ class Contract(InTemporaryFolder):
             self.assertIn(key, found["modes"][0])
         self.assertEqual(found["warnings"], [])
 
+    def test_the_lowest_modes(self):
+        every = answer("modes", PAPER)["modes"]
+        done = trivet("modes", PAPER, "--lowest", "2", "--json")
+        self.assertEqual(json.loads(done.stdout)["modes"], every[:2])
+        self.assertIn("the lowest 2", trivet("modes", PAPER, "--lowest", "2").stdout)
+        self.assertEqual(trivet("modes", PAPER, "--lowest", "0").returncode, 2)
+        of_file = self.file(PAPER.read_text().replace("modes = {}", "modes = {lowest = 3}"))
+        self.assertEqual(answer("modes", of_file)["modes"], every[:3])
+
     def test_as_printed_every_output_carries_the_warning(self):
         for which in ("modes", "roots", "response", "peaks"):
             extra = ("--at", "1") if which == "response" else ()

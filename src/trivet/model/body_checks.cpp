@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
@@ -58,6 +59,19 @@ void check_body(const Body& body, foundation::Problems& problems) {
                                    : "correct the value: with a singular mass matrix no motion can be computed, even "
                                      "with allow_unphysical");
   }
+}
+
+void check_held(const Description& description, foundation::Problems& problems) {
+  if (description.elements.empty()) return;
+  std::vector<bool> held(description.bodies.size(), false);
+  for (const Element& element : description.elements)
+    for (const End* end : {&element.k, &element.n})
+      if (end->body) held[*end->body] = true;
+  for (std::size_t b = 0; b < held.size(); ++b)
+    if (!held[b])
+      problems.warning("bodies." + description.bodies[b].name, "no element ends on it",
+                       "a body that nothing holds moves freely, with a rigid-body mode at 0 Hz for each coordinate",
+                       "name it in `on` or `from` of an element; if it is meant to be free, change nothing");
 }
 
 }  // namespace trivet::model

@@ -10,6 +10,9 @@ void check_body(const Body& body, foundation::Problems& problems);
 void check_preloads(const Description& description, foundation::Problems& problems);
 /// Warns if the ground moves in directions in which constraints hold a body in space.
 void check_guides(const Description& description, foundation::Problems& problems);
+
+/// Warns of bodies on which no element ends, in a model that has elements.
+void check_held(const Description& description, foundation::Problems& problems);
 void check_element(const Description& description, const Element& element, foundation::Problems& problems);
 
 }  // namespace trivet::model

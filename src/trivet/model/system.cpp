@@ -194,7 +194,8 @@ foundation::Expected<System> System::checked(Description description) {
   }
   for (const auto& element : description.elements) check_element(description, element, problems);
   check_damping(description, problems);
-  if (!problems.has_errors()) check_preloads(description, problems), check_guides(description, problems);
+  if (!problems.has_errors())
+    check_preloads(description, problems), check_guides(description, problems), check_held(description, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
   for (Element& element : description.elements) {

@@ -106,7 +106,8 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
                number_text(mode.eigenvalue_squared, 9), strain_words(variant, mode),
                mode.name + (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : "")});
   }
-  return "Undamped modes\n" + table.text();
+  const std::string which = answers.lowest_modes > 0 ? fmt::format(", the lowest {}", answers.lowest_modes) : "";
+  return "Undamped modes" + which + "\n" + table.text();
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -98,6 +99,10 @@ class CaseStudy {
     result.changes = variant.changes;
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.modes = c_.modes;
+    if (const int lowest = analyses.lowest_modes; lowest > 0 && std::ssize(result.modes.list) > lowest) {
+      result.modes.list.resize(to_size(lowest));
+      result.lowest_modes = lowest;
+    }
     result.warnings = variant.warnings;
     result.warnings.add(c_.modes.warnings);
     if (analyses.roots || !modal::cannot_grow(c_.assembled, c_.modes)) result.warnings.add(c_.roots().warnings);

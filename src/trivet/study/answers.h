@@ -64,7 +64,8 @@ struct Answers {
   foundation::Problems warnings;  ///< of data, modes and roots: they concern every answer
   std::vector<std::string> free_motions;
   modal::Modes modes;
-  modal::Roots roots;  ///< empty unless requested
+  int lowest_modes = 0;  ///< if not 0, only so many modes are there
+  modal::Roots roots;    ///< empty unless requested
   std::optional<ResponseAnswer> response;
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;

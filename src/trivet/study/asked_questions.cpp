@@ -13,9 +13,10 @@ namespace {
 using project::Analyses;
 using project::Case;
 
-Analyses modes_of(const Case&) {
+Analyses modes_of(const Case& variant) {
   Analyses asked;
   asked.modes = true;
+  asked.lowest_modes = variant.analyses.lowest_modes;
   return asked;
 }
 

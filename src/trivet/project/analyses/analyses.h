@@ -80,6 +80,7 @@ struct MapRequest {
 
 struct Analyses {
   bool modes = false;
+  int lowest_modes = 0;  ///< only so many are reported; 0: all
   bool roots = false;
   std::optional<ResponseRequest> response;
   std::optional<PeaksRequest> peaks;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "trivet/project/analyses/map_reader.h"
 #include "trivet/project/analyses/question_reader.h"
@@ -100,6 +101,18 @@ std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
   return limits;
 }
 
+int read_lowest(const Node& node, foundation::Problems& problems) {
+  constexpr double most = 1e6;
+  TableReader reader(node, "analyses.modes", problems);
+  const auto lowest = reader.number("lowest", Quantity::pure);
+  const bool good = !lowest || (*lowest >= 1 && *lowest <= most && *lowest == std::floor(*lowest));
+  if (!good)
+    reader.error("lowest", fmt::format("{:.6g}", *lowest), "a whole number of modes ≥ 1 is expected",
+                 "change it, or leave it out for all modes");
+  reader.finish();
+  return lowest && good ? static_cast<int>(*lowest) : 0;
+}
+
 std::vector<std::string> read_static(const Node& node, const ResultNames& names, const NamesInFile& in_file,
                                      foundation::Problems& problems) {
   TableReader reader(node, "analyses.static", problems);
@@ -119,11 +132,14 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
   bool quantity_is_clear = true;
   if (const Node* table = root.table("analyses")) {
     TableReader reader(*table, "analyses", root.problems());
-    for (const auto& [key, enabled] : {std::pair{"modes", &analyses.modes}, {"roots", &analyses.roots}})
-      if (const Node* node = reader.table(key)) {
-        TableReader(*node, std::string("analyses.") + key, root.problems()).finish();
-        *enabled = true;
-      }
+    if (const Node* node = reader.table("modes")) {
+      analyses.modes = true;
+      analyses.lowest_modes = read_lowest(*node, root.problems());
+    }
+    if (const Node* node = reader.table("roots")) {
+      analyses.roots = true;
+      TableReader(*node, "analyses.roots", root.problems()).finish();
+    }
     if (const Node* node = reader.table("response")) {
       check_driven(reader, "response", in_file);
       const std::size_t before = root.problems().errors();
