@@ -183,12 +183,14 @@ std::string excitations_table(const model::Description& d) {
 std::string foundations_table(const std::vector<model::Foundation>& foundations) {
   std::vector<std::vector<Cell>> rows;
   for (const model::Foundation& f : foundations)
-    for (Eigen::Index i = 0; i < f.mass.rows(); ++i)
+    for (Eigen::Index i = 0; i < f.mass.rows(); ++i) {
+      const bool of_element = f.stiffness(i, i) == 0;  // an impedance or a mobility is in the table of elements
       rows.push_back({{f.name},
                       right(std::to_string(i + 1)),
                       right(number_text(f.mass(i, i))),
-                      right(number_text(f.stiffness(i, i))),
-                      right(number_text(f.damping(i, i)))});
+                      of_element ? right("see elements") : right(number_text(f.stiffness(i, i))),
+                      of_element ? right("see elements") : right(number_text(f.damping(i, i)))});
+    }
   return html_table({{"foundation"},
                      right("coordinate"),
                      right("mass [kg, kg m²]"),
