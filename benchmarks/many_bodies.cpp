@@ -7,7 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "measure.h"
 #include "process.h"
@@ -33,8 +36,19 @@ std::string bushing(const std::string& name, const std::string& between, const s
       1.5e-3 * stiffness, 1.6e-3 * stiffness, 1.3e-3 * stiffness);
 }
 
+/// Least-squares slope of log time over log size.
+double slope(const std::vector<std::pair<double, double>>& size_and_seconds) {
+  const auto count = static_cast<double>(size_and_seconds.size());
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [size, seconds] : size_and_seconds) {
+    const double a = std::log(size), b = std::log(seconds);
+    x += a, y += b, xx += a * a, xy += a * b;
+  }
+  return (count * xy - x * y) / (count * xx - x * x);
+}
+
 /// The project file of a chain.
-std::string chain(int bodies) {
+std::string chain(int bodies, int points = 6000) {
   std::string text = "trivet = 1\n";
   for (int i = 0; i < bodies; ++i)
     text += fmt::format(
@@ -57,9 +71,9 @@ std::string chain(int bodies) {
   return text +
       fmt::format(
              "[excitations.drive]\ntype = \"harmonic\"\non = \"b0\"\nat = [0, 0, 0.1]\nforce = [10, 20, 100]\n"
-             "[analyses.response]\nband = [\"0 Hz\", \"40 Hz\"]\npoints = 6000\nspacing = \"linear\"\nof = [{0}]\n"
+             "[analyses.response]\nband = [\"0 Hz\", \"40 Hz\"]\npoints = {1}\nspacing = \"linear\"\nof = [{0}]\n"
              "[analyses.peaks]\nof = [{0}]\n",
-             of);
+             of, points);
 }
 
 /// Squared natural frequencies by LAPACK, and its CPU time.
@@ -99,6 +113,13 @@ double states_by_lapack(const numerics::DynamicMatrices& m) {
 int main() {
   const std::string question = "many bodies";
   const foundation::TemporaryFolder folder;
+  const double start = median({TRIVET_PROGRAM, "--version"}, 21).cpu;
+  record(question, "start of the program, CPU", start, "s", "", true);
+  std::map<std::string, std::vector<std::pair<double, double>>> grown;  // by command: bodies and seconds
+  struct Growth {
+    const char* command;
+    double least, most;  ///< 0: no goal
+  };
   struct Goals {
     int bodies;
     double modes, roots, response, peaks;
@@ -121,16 +142,33 @@ int main() {
     }();
     compared("squared natural frequencies", (found - squared).cwiseAbs().maxCoeff() / squared.maxCoeff(), 1e-12);
     const auto command = [&](const char* name, const char* format, double limit) {
-      if (limit == 0) return;
       const Run run = median({TRIVET_PROGRAM, name, file, format}, 7);
-      record(question, fmt::format("`trivet {}`, {} bodies, CPU", name, goal.bodies), run.cpu, "s",
-             fmt::format("≤ {}", limit), run.cpu <= limit);
+      const std::string what = fmt::format("`trivet {}`, {} bodies, CPU", name, goal.bodies);
+      if (limit > 0) record(question, what, run.cpu, "s", fmt::format("≤ {}", limit), run.cpu <= limit);
+      else record(question, what, run.cpu, "s", "", true);
+      if (goal.bodies >= 10) grown[name].emplace_back(goal.bodies, run.cpu - start);
     };
     command("modes", "--json", goal.modes);
     record(question, "… LAPACK `dsygvd` of the same matrices", eigh, "s", "", true);
     command("roots", "--json", goal.roots);
     record(question, "… LAPACK `dgeev` of the same states", states_by_lapack(m), "s", "", true);
     command("response", "--csv", goal.response);
+    if (goal.bodies >= 10) {
+      std::ofstream(file) << chain(goal.bodies, 2);
+      const Run set_up = median({TRIVET_PROGRAM, "response", file, "--csv"}, 7);
+      record(question, "… of which before its 6000 frequencies", set_up.cpu, "s", "", true);
+      grown["response after set-up"].emplace_back(goal.bodies, grown["response"].back().second + start - set_up.cpu);
+    }
     command("peaks", "--json", goal.peaks);
+  }
+  for (const Growth& growth : {Growth{"modes", 0, 2.7}, Growth{"roots", 0, 3}, Growth{"response", 0, 0},
+                               Growth{"response after set-up", 0.85, 1.15}, Growth{"peaks", 0, 2.3}}) {
+    const double found = slope(grown[growth.command]);
+    const bool met = growth.most == 0 || (found >= growth.least && found <= growth.most);
+    record(question, fmt::format("{}: growth from 10 to 100 bodies, exponent", growth.command), found, "",
+           growth.most == 0       ? ""
+               : growth.least > 0 ? fmt::format("{} … {}", growth.least, growth.most)
+                                  : fmt::format("≤ {}", growth.most),
+           met);
   }
 }
