@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <sstream>
@@ -204,6 +205,8 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   trivet::cli::occupy_closed_streams();
   trivet::cli::end_cleanly_on_signals();
+  // OpenBLAS, which is loaded for large models, would start threads that wait actively although only one is used.
+  setenv("OPENBLAS_NUM_THREADS", "1", 0);
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {

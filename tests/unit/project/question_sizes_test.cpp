@@ -72,8 +72,8 @@ TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {
 
 TEST(QuestionSizes, TheSecondSolverChecksFewerFrequenciesOfLargeSystems) {
   EXPECT_EQ(project::deep_check_frequencies(6), 64);
-  EXPECT_EQ(project::deep_check_frequencies(60), 64);
-  EXPECT_EQ(project::deep_check_frequencies(120), 8);
+  EXPECT_EQ(project::deep_check_frequencies(36), 64);
+  EXPECT_EQ(project::deep_check_frequencies(72), 8);
   EXPECT_EQ(project::deep_check_frequencies(600), 4);
 }
 

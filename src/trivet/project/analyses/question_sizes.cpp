@@ -166,9 +166,9 @@ foundation::Problems too_large(const model::Description& description, const Anal
 
 int deep_check_frequencies(Eigen::Index coordinates) {
   constexpr int most = 64, fewest = 4;
-  // Coordinates of a fully coupled system that is solved in a millisecond; the work grows with the third power. (Chains
-  // need less; their number of frequencies is the same.)
-  constexpr double quick = 60;
+  // Coordinates of a fully coupled system that is solved in a quarter of a millisecond; the work grows with the third
+  // power. (Chains need less; their number of frequencies is the same.)
+  constexpr double quick = 36;
   return std::clamp(
       static_cast<int>(most * std::pow(quick / static_cast<double>(std::max<Eigen::Index>(coordinates, 1)), 3)), fewest,
       most);
