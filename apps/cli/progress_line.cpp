@@ -29,16 +29,17 @@ class ProgressLine {
  public:
   void show(std::string_view task, double fraction) {
     const std::lock_guard lock(showing_);
-    if (task != task_ || fraction < first_) {
+    if (task != task_ || fraction < last_) {  // another task, or the same for the next case
       task_ = task;
       first_ = fraction;
       start_ = Clock::now();
     } else if (fraction < 1 && seconds_since(shown_) < between_lines) {
       return;
     }
+    last_ = fraction;
     shown_ = Clock::now();
     write_error(fraction >= 1 ? "\r\033[K"
-                              : fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, rest(fraction)));
+                              : fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, time_left(fraction)));
   }
 
  private:
@@ -46,7 +47,7 @@ class ProgressLine {
   static constexpr double least_share = 0.01;                    // done, for an estimate
 
   /// Time left at the speed so far.
-  [[nodiscard]] std::string rest(double fraction) const {
+  [[nodiscard]] std::string time_left(double fraction) const {
     const double elapsed = seconds_since(start_), share = fraction - first_;
     if (elapsed < known_after || share < least_share) return "";
     return ", about " + time_words(elapsed * (1 - fraction) / share) + " left";
@@ -54,7 +55,7 @@ class ProgressLine {
 
   std::mutex showing_;
   std::string task_;
-  double first_ = 0;  ///< fraction of the task when it began to be shown
+  double first_ = 0, last_ = 0;  ///< fractions of the task that were shown
   Clock::time_point start_, shown_;
 };
 

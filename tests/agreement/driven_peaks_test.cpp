@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <initializer_list>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -35,6 +37,8 @@ constexpr double lightly_damped = 2e-8;
 constexpr double base_in_doubt = 5e-8;
 /// Most designs must be solved by the kernel: the others have nearly coincident or undamped poles.
 constexpr double most_are_proven = 0.75;
+/// With twelve strongly coupled modes.
+constexpr double few_are_proven = 0.3;
 
 class Random {
  public:
@@ -127,7 +131,7 @@ std::vector<numerics::SearchedCurve> by_discs(const numerics::DrivenDesigns& des
 }
 
 void expect_agreement(const Kind& kind, const numerics::DrivenPeakOptions& options, double tolerance = nine_digits,
-                      Eigen::Index count = 48) {
+                      Eigen::Index count = 48, double share = most_are_proven) {
   const numerics::DrivenDesigns designs = driven_designs(count, kind);
   const numerics::DesignPeaks found = numerics::driven_peaks(designs, options);
   double proven = 0;
@@ -147,9 +151,7 @@ void expect_agreement(const Kind& kind, const numerics::DrivenPeakOptions& optio
           << where;
     }
   }
-  EXPECT_GE(proven, most_are_proven * static_cast<double>(count))
-      << "n " << kind.n << " seed " << kind.seed << " powers " << kind.load_powers[0] << kind.row_powers[0] << " peaks "
-      << options.count_peaks << options.to << "loss" << kind.loss;
+  EXPECT_GE(proven, share * static_cast<double>(count)) << kind.n << " coordinates, seed " << kind.seed;
 }
 
 const numerics::DrivenPeakOptions whole_axis, highest_only{.count_peaks = false}, in_band{.from = 3, .to = 40},
@@ -163,6 +165,13 @@ TEST(DrivenPeaks, WithLossFactorsAgreeWithTheSearchOnDiscs) {
 TEST(DrivenPeaks, WithLossFactorsAloneAgreeWithTheSearchOnDiscs) {
   for (const double loss : {1e-4, 0.02, 1.0})
     expect_agreement({.damping = 1e-6, .loss = loss, .seed = 2}, whole_axis, lightly_damped);
+}
+
+/// Strongly coupled: a root of one mode may be found from another, and the search must notice it.
+TEST(DrivenPeaks, WithHeavyLossFactorsAgreeWithTheSearchOnDiscs) {
+  for (unsigned seed = 20; seed < 26; ++seed)
+    for (const double loss : {0.5, 2.0})
+      expect_agreement({.n = 12, .loss = loss, .seed = seed}, highest_only, lightly_damped, 96, few_are_proven);
 }
 
 TEST(DrivenPeaks, WithComplexLoadsAgreeWithTheSearchOnDiscs) {
@@ -217,7 +226,8 @@ TEST(DrivenPeaks, AreTheSameOnEveryInstructionSetToNineDigits) {
   for (const std::string& name : numerics::instruction_sets()) {
     numerics::use_instruction_set(name);
     const numerics::DesignPeaks found = numerics::driven_peaks(designs);
-    EXPECT_TRUE((found.highest - expected.highest).abs().isZero(nine_digits)) << name;
+    EXPECT_EQ(found.status, expected.status) << name;
+    EXPECT_TRUE(((found.highest - expected.highest).abs() <= nine_digits * expected.highest).all()) << name;
     EXPECT_TRUE((found.peaks == expected.peaks).all()) << name;
   }
   numerics::use_instruction_set("");
@@ -230,6 +240,70 @@ TEST(DrivenPeaks, LeaveDesignsWithUndampedPolesUndecided) {
   EXPECT_EQ(found.status[0], numerics::DesignStatus::proven);
   EXPECT_EQ(found.status[1], numerics::DesignStatus::undecided);
   EXPECT_EQ(found.status[2], numerics::DesignStatus::proven);
+}
+
+/// Two oscillators with k = 100 and 100 (1 + apart), without coupling, and the difference of their motions.
+numerics::DrivenDesigns two_oscillators(double apart) {
+  const auto row = [](std::initializer_list<double> numbers) {
+    Eigen::ArrayXXd result(1, std::ssize(numbers));
+    std::copy(numbers.begin(), numbers.end(), result.data());
+    return result;
+  };
+  numerics::DrivenDesigns designs{row({1, 0, 1}), row({0.8, 0, 0.8}), row({100, 0, 100 * (1 + apart)}), {}, {}, {}};
+  designs.loads = {{{0, row({1, 1}), row({0.5, 0.5})}}};
+  designs.curves = {{0, {{0, row({1, -1}), row({0, 0})}}, row({0}), row({0})}};
+  return designs;
+}
+
+/// Residues of both poles cancel in every term. Heights have nine digits, or the design is left undecided.
+TEST(DrivenPeaks, OfADifferenceOfNearlyEqualMotionsHaveTheirDigits) {
+  int proven = 0;
+  for (int power = 1; power <= 16; ++power) {
+    const numerics::DrivenDesigns designs = two_oscillators(std::pow(10.0, -power));
+    const numerics::DesignPeaks found = numerics::driven_peaks(designs);
+    if (found.status[0] != numerics::DesignStatus::proven) continue;
+    ++proven;
+    const double k_2 = designs.K(0, 2);
+    const auto exact = [&](double omega) {
+      const std::complex<long double> damping(0, 0.8L * omega);
+      const long double square = static_cast<long double>(omega) * omega;
+      return static_cast<double>(std::abs(std::complex<long double>(1, 0.5L) * (k_2 - 100.0L) /
+                                          ((100 - square + damping) * (k_2 - square + damping))));
+    };
+    const double there = exact(found.highest_at(0, 0));
+    EXPECT_NEAR(found.highest(0, 0), there, nine_digits * there) << power;
+    EXPECT_GE(found.highest(0, 0), (1 - nine_digits) * exact(std::sqrt(100 - 0.32))) << power;
+  }
+  EXPECT_GE(proven, 2);
+}
+
+TEST(DrivenPeaks, OfAConstantAreThatConstant) {
+  numerics::DrivenDesigns designs = two_oscillators(0.5);
+  designs.curves[0].rows.clear();
+  designs.curves[0].constant_re(0, 0) = 3;
+  designs.curves[0].constant_im(0, 0) = -4;
+  const numerics::DesignPeaks found = numerics::driven_peaks(designs);
+  EXPECT_EQ(found.status[0], numerics::DesignStatus::proven);
+  EXPECT_DOUBLE_EQ(found.highest(0, 0), 5);
+  EXPECT_EQ(found.peaks(0, 0), 0);
+}
+
+TEST(DrivenPeaks, WithoutALoadAreZero) {
+  numerics::DrivenDesigns designs = two_oscillators(0.5);
+  designs.loads[0].clear();
+  const numerics::DesignPeaks found = numerics::driven_peaks(designs);
+  EXPECT_EQ(found.status[0], numerics::DesignStatus::proven);
+  EXPECT_EQ(found.highest(0, 0), 0);
+  EXPECT_EQ(found.peaks(0, 0), 0);
+}
+
+TEST(DrivenPeaks, OfWrongNumbersAreUndecided) {
+  numerics::DrivenDesigns growing = two_oscillators(0.5), undefined = growing;
+  growing.D = Eigen::ArrayXXd::Zero(1, 3);
+  growing.D(0, 0) = -20;  // feeds more energy than the damper takes
+  undefined.loads[0][0].re(0, 0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(numerics::driven_peaks(growing).status[0], numerics::DesignStatus::undecided);
+  EXPECT_EQ(numerics::driven_peaks(undefined).status[0], numerics::DesignStatus::undecided);
 }
 
 TEST(DrivenPeaks, RejectPowersThatGrowWithoutBound) {

@@ -35,6 +35,10 @@ void count_mode(double squared, const response::Band& band, DesignOutcome& outco
     outcome.modes_in_band += outcome.modes_in_band < std::numeric_limits<std::uint8_t>::max();
 }
 
+bool is_good(numerics::DesignStatus status) {
+  return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
+}
+
 constexpr std::size_t assembled_piece =
     1;  // a design takes milliseconds, and a step of the boundary search has few designs
 constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the cache
@@ -161,7 +165,8 @@ Eigen::ArrayXXd DesignEvaluation::modes_of_family(const std::vector<FamilyPoint>
 std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
   std::vector<std::size_t> designs;
   for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
-    if (std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& rule) {
+    if (is_good(found.status[to_size(d)]) &&
+        std::any_of(set_.rules.begin(), set_.rules.end(), [&](const DesignRule& rule) {
           const double at = found.highest_at(d, to_index(rule.channel));
           return rule.kind == DesignRule::Kind::amplitude && !(at >= set_.band.from && at <= set_.band.to);
         }))
@@ -175,9 +180,6 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   for (const DesignPoint& p : points) places.push_back({p.x, p.y});
   numerics::DesignPeaks found = peaks_of_family(places, search_);
   const Eigen::ArrayXXd squared_frequencies = counts_modes_ ? modes_of_family(places) : Eigen::ArrayXXd();
-  const auto good = [](numerics::DesignStatus status) {
-    return status == numerics::DesignStatus::proven || status == numerics::DesignStatus::fallback;
-  };
   if (beyond_band_) {  // peaks count at all frequencies, amplitudes only in the band; the highest one is rarely outside
     const std::vector<std::size_t> again = highest_outside_band(found);
     std::vector<FamilyPoint> there;
@@ -195,7 +197,7 @@ void DesignEvaluation::evaluate_in_lanes(std::size_t first, const std::vector<De
   std::vector<double> values(set_.rules.size());
   std::size_t proven = 0, fallback = 0;
   for (std::size_t d = 0; d < points.size(); ++d) {
-    if (!good(found.status[d])) {
+    if (!is_good(found.status[d])) {
       outcomes[d] = assembled_outcome(first + d, points[d]);
       continue;
     }

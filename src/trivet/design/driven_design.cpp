@@ -64,8 +64,7 @@ Eigen::VectorXd both_parts(const Eigen::VectorXcd& value) {
 /// Calls `matrix` for A, B, K and D, `vector` for every term with whether it is a row, `number` for every constant.
 template <typename Design, typename OfMatrix, typename OfVector, typename OfNumber>
 void visit(Design& design, const OfMatrix& matrix, const OfVector& vector, const OfNumber& number) {
-  for (auto* m : {&design.A, &design.B, &design.K, &design.D})
-    if (m->size() > 0) matrix(*m);
+  for (auto* m : {&design.A, &design.B, &design.K, &design.D}) matrix(*m);
   for (auto& load : design.loads)
     for (auto& term : load) vector(term);
   for (auto& curve : design.curves) {
@@ -92,7 +91,7 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
   if (to_index(numerics::massive_rows(m.A).size()) < n) return {{}, "coordinates without mass"};
   if (n > numerics::most_driven_coordinates) return {{}, "more than twelve coordinates"};
   if (loading.longest_delay() > 0) return {{}, "motions with delays"};
-  DrivenDesign design{m.A, m.B, m.K, m.lossy() ? m.K_loss : Eigen::MatrixXd(), {}, {}};
+  DrivenDesign design{m.A, m.B, m.K, m.lossy() ? m.K_loss : Eigen::MatrixXd::Zero(n, n), {}, {}};
   design.curves.resize(channels.size());
   for (const assembly::AnsweredTogether& group : assembly::by_coordinates(assembled.ground, channels, loading)) {
     const assembly::GivenCurves given = assembly::given_curves(group.channels, group.loading.motion);
@@ -152,11 +151,11 @@ Eigen::VectorXd scales(const DrivenDesign& design) {
 
 std::string reason_for_separate_families(const DrivenDesign& a, const DrivenDesign& b) {
   if (a.A.rows() != b.A.rows()) return "designs with more coordinates than others";
-  bool same = a.D.size() == b.D.size() && a.loads.size() == b.loads.size() && a.curves.size() == b.curves.size();
+  bool same = a.loads.size() == b.loads.size() && a.curves.size() == b.curves.size();
   for (std::size_t l = 0; same && l < a.loads.size(); ++l) same = same_powers(a.loads[l], b.loads[l]);
   for (std::size_t c = 0; same && c < a.curves.size(); ++c)
     same = a.curves[c].load == b.curves[c].load && same_powers(a.curves[c].rows, b.curves[c].rows);
-  return same ? "" : "designs of which some have loss factors, excitations or forces of dampers and others none";
+  return same ? "" : "designs of which some have excitations or forces through dampers and others none";
 }
 
 numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::MatrixXd& entries) {
@@ -170,7 +169,7 @@ numerics::DrivenDesigns unpacked_like(const DrivenDesign& first, const Eigen::Ma
   designs.A = next(triangle);
   designs.B = next(triangle);
   designs.K = next(triangle);
-  if (first.D.size() > 0) designs.D = next(triangle);
+  designs.D = next(triangle);
   const auto terms_like = [&](const Terms& terms) {
     std::vector<numerics::DesignTerm> result;
     for (const DrivenDesign::Term& term : terms) {

@@ -26,7 +26,7 @@ struct DrivenDesign {
     std::complex<double> constant;  ///< of the ground motion
   };
   Eigen::MatrixXd A, B, K;               ///< n × n
-  Eigen::MatrixXd D;                     ///< loss, n × n, or empty
+  Eigen::MatrixXd D;                     ///< loss, n × n, zero without loss factors
   std::vector<std::vector<Term>> loads;  ///< two if some results are computed relative to the ground
   std::vector<Curve> curves;
 };

@@ -13,7 +13,7 @@
 namespace trivet::project {
 namespace {
 
-/// All may move in one or two directions (question_sizes.h).
+/// All may move in one direction (question_sizes.h).
 constexpr std::size_t most_bodies = 1000;
 /// Each has six answers.
 constexpr std::size_t most_body_points = 5000;

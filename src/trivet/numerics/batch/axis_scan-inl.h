@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds and proves all sign changes of the slopes of several |y|², one design per lane, by a scan along x = ω² in
+// Finds and proves all sign changes of the slopes of several |y|², one design per lane, by a scan along x (ω² or ω) in
 // panels. On each panel f' is a polynomial p0 + p1 t + … + p4 t⁴ plus a remainder bounded by the distances of the
 // poles. A panel is done if every curve's slope has no zero on it, or is monotonic with a known sign at its end, or the
 // curve cannot matter there; otherwise the panel is shortened.

@@ -114,6 +114,7 @@ class CurveSearch {
           hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
       update_maxima(pack_, above, curves_, channels_, at_pole(k));
     }
+    complete_ = hn::And(complete_, known_at_poles());
     evaluate_end();
     if (!band_.count_peaks) find_tops();
     else first_signs(pack_, curves_, channels_, ends_);
@@ -177,15 +178,7 @@ class CurveSearch {
         // No value found during the search may be higher.
         if (std::isinf(doubtful) || answer.highest < amplitude(numbers[2][i]) * (1 - 1e-9))
           peaks.complete[lane_ + i] = false;
-        if (!band_.count_peaks) continue;
-        const double least = band_.min_prominence * answer.highest;
-        const PeakCount count = prominent_peaks(heights, least);
-        if (count.closest < 2 * doubtful)
-          peaks.complete[lane_ + i] = false;  // the doubtful part could change the count
-        if (!rise_is_known(heights, doubts, least, count.largest_rise, accuracy_of_rise))
-          peaks.complete[lane_ + i] = false;
-        answer.peaks = count.peaks;
-        answer.largest_rise = count.largest_rise;
+        if (band_.count_peaks && !count(heights, doubts, doubtful, answer)) peaks.complete[lane_ + i] = false;
       }
       store_mask(has_digits_at(c, hn::LoadU(Lanes(), highest), hn::LoadU(Lanes(), highest_at)), known);
       for (int i = 0; i < lanes; ++i) peaks.complete[lane_ + i] = peaks.complete[lane_ + i] && known[i];
@@ -193,6 +186,18 @@ class CurveSearch {
   }
 
  private:
+  /// Counts the peaks of one curve from all its heights and their relative errors.
+  /// @param doubtful  possible error of a height, as a share of the required rise
+  /// @return whether the count and the largest rise are certain
+  [[nodiscard]] bool count(const std::vector<double>& heights, const std::vector<double>& doubts, double doubtful,
+                           ChannelPeaks& answer) const {
+    const double least = band_.min_prominence * answer.highest;
+    const PeakCount found = prominent_peaks(heights, least);
+    answer.peaks = found.peaks;
+    answer.largest_rise = found.largest_rise;
+    return found.closest >= 2 * doubtful && rise_is_known(heights, doubts, least, found.largest_rise, accuracy_of_rise);
+  }
+
   [[nodiscard]] ScanOptions options() const { return {band_.count_peaks, band_.min_prominence}; }
   [[nodiscard]] Pack* at_start() const { return values_.get(); }
   [[nodiscard]] Pack* at_end() const { return values_.get() + channels_; }
@@ -217,6 +222,28 @@ class CurveSearch {
     const Pack moduli = sum_of_moduli(
         pack_.poles, f, hn::IfThenElse(endless, pack_.from, band_.squared ? hn::Mul(omega, omega) : omega));
     return has_digits(hn::IfThenElse(endless, f.constant_parts, moduli), round_off_, value);
+  }
+
+  /// Where fractions of near poles nearly cancel, the terms of C do too, and the scan does not know that round-off. It
+  /// is largest above these poles. @return lanes in which it does not matter there
+  LaneMask known_at_poles() const {
+    constexpr double cancelled = 1e3, digits = 1e-9;
+    const double low = band_.count_peaks ? low_share * band_.min_prominence : 1e-5;
+    const SquarePoles<Size>& poles = pack_.poles;
+    LaneMask known = hn::Eq(round_off_, round_off_);
+    for (int c = 0; c < channels_; ++c) {
+      const SquaredResponse<Size::most>& f = curves_[c].f;
+      for (int k = 0; k < poles.count; ++k) {
+        const LaneMask doubtful = hn::Gt(f.parts[k], hn::Mul(all(cancelled), sum_of_parts(f.C[k])));
+        if (hn::AllFalse(Lanes(), doubtful)) continue;
+        const Pack above =
+            hn::IfThenElse(poles.real[k], pack_.from, hn::Max(pack_.from, hn::Min(pack_.to, poles.centre[k])));
+        const Pack error = hn::Mul(round_off_, sum_of_moduli(poles, f, above));
+        const Pack allowed = hn::Max(hn::Mul(all(digits), at_pole(k)[c]), hn::Mul(all(low * low), curves_[c].best));
+        known = hn::And(known, hn::Or(hn::Not(doubtful), hn::Le(error, allowed)));
+      }
+    }
+    return known;
   }
 
   void evaluate_end() {

@@ -10,6 +10,7 @@
 #endif
 
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
 
 #include "trivet/foundation/index.h"
@@ -127,12 +128,13 @@ class DrivenCurves {
   static constexpr double most_condition = 1e3;  ///< beyond, poles nearly coincide
   struct Inverses {
     ComplexPack of[Poles::most][Poles::most];  ///< 1/(p_k − p̄_l)
+    Pack modulus[Poles::most][Poles::most];
   };
 
   LaneMask find_poles() {
     constexpr int triangle = Size::most * (Size::most + 1) / 2;
     Pack a[triangle], b[triangle], k[triangle], d[triangle];
-    const bool lossy = designs_.D.size() > 0;
+    const bool lossy = designs_.D.size() > 0 && (designs_.D != 0).any();
     for (int entry = 0; entry < n_ * (n_ + 1) / 2; ++entry) {
       a[entry] = column_of(designs_.A, entry, first_);
       b[entry] = column_of(designs_.B, entry, first_);
@@ -164,6 +166,7 @@ class DrivenCurves {
       for (int l = 0; l < count; ++l) {
         const ComplexPack other = poles_->lambda[l];
         inverses_->of[p][l] = quick_inverse({hn::Sub(lambda.im, other.im), hn::Neg(hn::Add(lambda.re, other.re))});
+        inverses_->modulus[p][l] = hn::Sqrt(squared_modulus(inverses_->of[p][l]));
       }
     }
     place(to);
@@ -179,14 +182,26 @@ class DrivenCurves {
     }
   }
 
-  /// c: of a prescribed motion, and rowᵀA⁻¹h of terms whose powers of s add up to 2.
-  ComplexPack constant_of(const DesignCurve& curve, const PackList<ModalTerm<Size>>& rows) const {
+  /// A sum and the sum of the moduli of its terms.
+  struct Constant {
+    ComplexPack value;
+    Pack moduli;
+  };
+
+  /// c: of a prescribed motion, and rowᵀA⁻¹h of terms whose powers of s add up to 2; 0 if it is round-off of its terms.
+  Constant constant_of(const DesignCurve& curve, const PackList<ModalTerm<Size>>& rows) const {
     ComplexPack sum = {column_of(curve.constant_re, 0, first_), column_of(curve.constant_im, 0, first_)};
+    Pack moduli = one_norm(sum);
     for (const ModalTerm<Size>& row : rows)
       for (const ModalTerm<Size>& value : loads_[curve.load].terms)
         if (row.power + value.power == most_power)
-          each(n_, [&](int j) TRIVET_LANES { sum = add_product(sum, row.value[j], value.value[j]); });
-    return sum;
+          each(n_, [&](int j) TRIVET_LANES {
+            const ComplexPack part = row.value[j] * value.value[j];
+            sum = sum + part;
+            moduli = hn::Add(moduli, one_norm(part));
+          });
+    const LaneMask seen = hn::Gt(one_norm(sum), hn::Mul(all(vanishing_share), moduli));
+    return {{hn::IfThenElseZero(seen, sum.re), hn::IfThenElseZero(seen, sum.im)}, hn::IfThenElseZero(seen, moduli)};
   }
 
   /// (Σ |λ|^power ‖Φᵀrow‖)² at root p.
@@ -203,13 +218,73 @@ class DrivenCurves {
     return hn::Mul(sum, sum);
   }
 
+  /// Σ_p λ_p (rowᵀv_p)(v_pᵀvalue)/slope_p = rowᵀA⁻¹value for the sums of the rows and of the load: fails if a root that
+  /// they see was found twice.
+  LaneMask sees_every_root(const PackList<ModalTerm<Size>>& rows, const DrivenLoad<Size>& load) const {
+    ComplexPack row[Size::most], value[Size::most], sum = zero();
+    Pack moduli = hn::Zero(Lanes());
+    for (int j = 0; j < n_; ++j) {
+      row[j] = value[j] = zero();
+      for (const ModalTerm<Size>& term : rows) row[j] = row[j] + term.value[j];
+      for (const ModalTerm<Size>& term : load.terms) value[j] = value[j] + term.value[j];
+      const ComplexPack product = row[j] * value[j];
+      sum = sum - product;
+      moduli = hn::Add(moduli, one_norm(product));
+    }
+    for (int p = 0; p < 2 * n_; ++p) {
+      ComplexPack of_row = zero(), of_value = zero();
+      each(n_, [&](int j) TRIVET_LANES {
+        of_row = add_product(of_row, row[j], poles_->v[p * n_ + j]);
+        of_value = add_product(of_value, value[j], poles_->v[p * n_ + j]);
+      });
+      const ComplexPack part = poles_->lambda[p] * poles_->by_slope[p] * of_row * of_value;
+      sum = sum + part;
+      moduli = hn::Add(moduli, one_norm(part));
+    }
+    return hn::Le(one_norm(sum), hn::Mul(all(1e-9), moduli));
+  }
+
+  /// Lanes in which the errors of the residues cannot be seen next to a constant.
+  LaneMask hidden_by(const ComplexPack& constant, const DrivenLoad<Size>& load, const Pack* weight) const {
+    constexpr double of_residue = 1e-15, unseen = 1e-11;
+    const Pack limit = hn::Mul(all(unseen * unseen / (of_residue * of_residue)), squared_modulus(constant));
+    LaneMask hidden = hn::Gt(limit, hn::Zero(Lanes()));
+    for (int p = 0; p < 2 * n_; ++p) {
+      const Pack decay = poles_->lambda[p].re;
+      hidden = hn::And(hidden, hn::Le(hn::Mul(weight[p], load.possible[p]), hn::Mul(limit, hn::Mul(decay, decay))));
+    }
+    return hidden;
+  }
+
+  /// C_k = ρ_k ȳ(p_k), with the moduli of its terms.
+  void form_fractions(const PairPack* r, const Constant& constant, SquaredResponse<Poles::most>& f) const {
+    const int count = 2 * n_;
+    Pack size[Poles::most];
+    for (int k = 0; k < count; ++k) size[k] = hn::Sqrt(squared_size(r[k]));
+    for (int k = 0; k < count; ++k) {
+      ComplexPack y = conjugate(constant.value);
+      Pack moduli = constant.moduli;
+      for (int l = 0; l < count; ++l) {
+        y = add_product(y, ComplexPack{r[l].first, hn::Neg(r[l].second)}, inverses_->of[k][l]);
+        moduli = hn::MulAdd(size[l], inverses_->modulus[k][l], moduli);
+      }
+      const ComplexPack C = ComplexPack{r[k].first, r[k].second} * y;
+      f.C[k] = {C.re, hn::Neg(C.im)};
+      f.parts[k] = hn::Mul(size[k], moduli);
+    }
+    const Pack modulus = hn::Sqrt(squared_modulus(constant.value));
+    f.constant = hn::Mul(all(0.5), hn::Mul(modulus, modulus));
+    f.constant_parts = hn::Mul(modulus, constant.moduli);
+    f.slope = f.slope_parts = hn::Zero(Lanes());
+  }
+
   /// @return lanes in which the residues are accurate
   LaneMask form_curve(const DesignCurve& curve, SquaredResponse<Poles::most>& f) {
     const int count = 2 * n_;
     PackList<ModalTerm<Size>> rows(curve.rows.size());
     for (std::size_t t = 0; t < rows.size(); ++t) in_modes_of_term(n_, modes_, curve.rows[t], first_, rows[t]);
     const DrivenLoad<Size>& load = loads_[curve.load];
-    const ComplexPack constant = constant_of(curve, rows);
+    const Constant constant = constant_of(curve, rows);
     PairPack r[Poles::most];
     Pack weight[Poles::most];
     for (int p = 0; p < count; ++p) {
@@ -217,18 +292,11 @@ class DrivenCurves {
       r[p] = {residue.im, hn::Neg(residue.re)};
       weight[p] = weight_of(rows, p);
     }
-    const LaneMask still = hn::Eq(one_norm(constant), hn::Zero(Lanes()));
-    const LaneMask known = drop_round_off(Poles{count}, still, load.visible, load.possible, weight, r);
-    for (int k = 0; k < count; ++k) {
-      ComplexPack y = conjugate(constant);
-      for (int l = 0; l < count; ++l)
-        y = add_product(y, ComplexPack{r[l].first, hn::Neg(r[l].second)}, inverses_->of[k][l]);
-      const ComplexPack C = ComplexPack{r[k].first, r[k].second} * y;
-      f.C[k] = {C.re, hn::Neg(C.im)};
-    }
-    f.constant = f.constant_parts = hn::Mul(all(0.5), squared_modulus(constant));
-    f.slope = f.slope_parts = hn::Zero(Lanes());
-    return known;
+    const LaneMask still = hn::Eq(one_norm(constant.value), hn::Zero(Lanes()));
+    const LaneMask known = hn::Or(drop_round_off(Poles{count}, still, load.visible, load.possible, weight, r),
+                                  hidden_by(constant.value, load, weight));
+    form_fractions(r, constant, f);
+    return hn::And(known, sees_every_root(rows, load));
   }
 
   Size n_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/batch/driven_curves-inl.h"
 #include "trivet/numerics/batch/driven_peaks.h"
@@ -49,7 +50,7 @@ namespace {
 
 static_assert(most_driven_coordinates == most_pairs);
 
-[[noreturn]] void refuse(const char* rule) {
+[[noreturn]] void reject(const char* rule) {
   throw foundation::InvalidInput(std::string("peaks of driven designs: ") + rule);
 }
 
@@ -63,13 +64,12 @@ SumsOfPowers sums_of_powers(const DrivenDesigns& designs, const DesignCurve& cur
   for (const DesignTerm& row : curve.rows)
     for (const DesignTerm& value : designs.loads.at(curve.load)) {
       const int sum = row.power + value.power;
-      if (sum < least_power || sum > most_power) refuse("the powers of s of a row and a load must add up to 0, 1 or 2");
+      if (sum < least_power || sum > most_power) reject("the powers of s of a row and a load must add up to 0, 1 or 2");
       sums = {std::min(sums.least, sum), std::max(sums.most, sum)};
     }
   return sums;
 }
 
-/// A curve of a prescribed motion alone, or with it, has neither property.
 CurveEnds ends_of(const DrivenDesigns& designs, const DesignCurve& curve, double from) {
   const SumsOfPowers sums = sums_of_powers(designs, curve);
   const bool constant = (curve.constant_re != 0).any() || (curve.constant_im != 0).any();
@@ -79,25 +79,25 @@ CurveEnds ends_of(const DrivenDesigns& designs, const DesignCurve& curve, double
 
 Eigen::Index checked_coordinates(const DrivenDesigns& designs, const DrivenPeakOptions& options) {
   const Eigen::Index n = coordinates_of(designs.A.cols()), count = designs.count();
-  if (n < 1 || n > most_driven_coordinates) refuse("one to twelve coordinates are possible");
+  if (n < 1 || n > most_driven_coordinates) reject("one to twelve coordinates are possible");
   const auto fits = [&](const Eigen::ArrayXXd& numbers, Eigen::Index columns) {
     return numbers.cols() == columns && (numbers.rows() == count || numbers.rows() == 1);
   };
   for (const Eigen::ArrayXXd* m : {&designs.A, &designs.B, &designs.K})
-    if (!fits(*m, designs.A.cols())) refuse("A, B and K must have one row for every design");
-  if (designs.D.size() > 0 && !fits(designs.D, designs.A.cols())) refuse("D must be empty or like K");
+    if (!fits(*m, designs.A.cols())) reject("A, B and K must have one row for every design");
+  if (designs.D.size() > 0 && !fits(designs.D, designs.A.cols())) reject("D must be empty or like K");
   const auto check = [&](const std::vector<DesignTerm>& terms) {
     for (const DesignTerm& term : terms)
-      if (!fits(term.re, n) || !fits(term.im, n)) refuse("a term must have one number for every coordinate");
+      if (!fits(term.re, n) || !fits(term.im, n)) reject("a term must have one number for every coordinate");
   };
   for (const std::vector<DesignTerm>& load : designs.loads) check(load);
   for (const DesignCurve& curve : designs.curves) {
     check(curve.rows);
-    if (curve.load >= designs.loads.size()) refuse("a curve names a load that does not exist");
-    if (!fits(curve.constant_re, 1) || !fits(curve.constant_im, 1)) refuse("a curve must have one constant");
+    if (curve.load >= designs.loads.size()) reject("a curve names a load that does not exist");
+    if (!fits(curve.constant_re, 1) || !fits(curve.constant_im, 1)) reject("a curve must have one constant");
   }
-  if (!(options.from >= 0) || !(options.to > options.from)) refuse("the band must satisfy 0 ≤ from < to");
-  if (!(options.min_prominence >= 0)) refuse("the prominence must be a share ≥ 0");
+  if (!(options.from >= 0) || !(options.to > options.from)) reject("the band must satisfy 0 ≤ from < to");
+  if (!(options.min_prominence >= 0)) reject("the prominence must be a share ≥ 0");
   return n;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 #include "trivet/numerics/batch/design_peaks.h"
 #include "trivet/numerics/roots/driven_designs.h"
 

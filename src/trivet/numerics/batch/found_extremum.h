@@ -9,7 +9,7 @@ namespace trivet::numerics {
 struct FoundExtremum {
   int lane = 0;
   int channel = 0;
-  double at = 0;     ///< x = ω²
+  double at = 0;     ///< x, ω² or ω
   double lower = 0;  ///< ends of its panel
   double upper = 0;
   bool maximum = false;

@@ -33,7 +33,7 @@ class LaneStore {
             const Pack& of_sums)
       : count_(poles.count),
         differentiated_(std::any_of(ends.begin(), ends.end(), [](const CurveEnds& of) { return of.powers_of_x > 0; })),
-        of_channel_(to_size(2 * poles.count + 4 + (differentiated_ ? 2 * poles.count + 1 : 0))),
+        of_channel_(to_size(3 * poles.count + 4 + (differentiated_ ? 3 * poles.count + 1 : 0))),
         C_(ends.size() * of_channel_ * table_lanes) {
     hn::StoreU(of_sums, Lanes(), round_off_);
     for (int k = 0; k < count_; ++k) {
@@ -50,6 +50,7 @@ class LaneStore {
       for (int k = 0; k < count_; ++k) {
         keep(curves[c].f.C[k].first);
         keep(curves[c].f.C[k].second);
+        keep(curves[c].f.parts[k]);
       }
       keep(curves[c].f.constant);
       keep(curves[c].f.slope);
@@ -60,10 +61,16 @@ class LaneStore {
       keep(all(derivative));
       for (int k = 0; k < count_; ++k) {
         PairPack C = at_poles(poles.real[k], curves[c].f.C[k]);
-        for (int d = 0; d < derivative; ++d) C = times(poles.real[k], C, inverse(poles.real[k], poles.z[k]));
+        Pack parts = curves[c].f.parts[k];
+        for (int d = 0; d < derivative; ++d) {
+          const PairPack by_z = inverse(poles.real[k], poles.z[k]);
+          C = times(poles.real[k], C, by_z);
+          parts = hn::Mul(parts, modulus_of(poles.real[k], by_z));
+        }
         C = for_half_sum(poles.real[k], C);
         keep(C.first);
         keep(C.second);
+        keep(parts);
       }
     }
   }
@@ -89,15 +96,18 @@ class LaneStore {
     curve_of.round_off = hn::GatherIndex(Lanes(), round_off_, of_lane);
     const auto pairs = to_size(count_);
     SquaredResponse<Size::most>&f = curve_of.f, &plain = curve_of.plain;
-    for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(2 * k), number(2 * k + 1)};
-    f.constant = number(2 * pairs);
-    f.slope = number(2 * pairs + 1);
-    f.constant_parts = number(2 * pairs + 2);
-    f.slope_parts = number(2 * pairs + 3);
+    for (std::size_t k = 0; k < pairs; ++k) f.C[k] = {number(3 * k), number(3 * k + 1)}, f.parts[k] = number(3 * k + 2);
+    f.constant = number(3 * pairs);
+    f.slope = number(3 * pairs + 1);
+    f.constant_parts = number(3 * pairs + 2);
+    f.slope_parts = number(3 * pairs + 3);
     if (!differentiated_) return;
-    const std::size_t from = 2 * pairs + 4;
+    const std::size_t from = 3 * pairs + 4;
     curve_of.derivative = number(from);
-    for (std::size_t k = 0; k < pairs; ++k) plain.C[k] = {number(from + 1 + 2 * k), number(from + 2 + 2 * k)};
+    for (std::size_t k = 0; k < pairs; ++k) {
+      plain.C[k] = {number(from + 1 + 3 * k), number(from + 2 + 3 * k)};
+      plain.parts[k] = number(from + 3 + 3 * k);
+    }
     plain.constant = plain.slope = plain.constant_parts = plain.slope_parts = hn::Zero(Lanes());
   }
   [[nodiscard]] bool differentiated() const { return differentiated_; }
@@ -107,8 +117,8 @@ class LaneStore {
   bool differentiated_;
   std::size_t of_channel_;
   alignas(64) double z_[Size::most][2][table_lanes], real_[Size::most][table_lanes], round_off_[table_lanes];
-  std::vector<double> C_;  ///< [channel][pairs, constant and slope, their parts; if anything is differentiated:
-                           ///< derivative, pairs before it][lane]
+  std::vector<double> C_;  ///< [channel][pairs with parts, constant and slope, their parts; if anything is
+                           ///< differentiated: derivative, pairs with parts before it][lane]
 };
 
 /// Value and slopes of f = x^d g from those of g.

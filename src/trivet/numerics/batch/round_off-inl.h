@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells residues from round-off, one design per lane.
+// Distinguishes residues from round-off, one design per lane.
 #if defined(TRIVET_NUMERICS_ROUND_OFF_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_ROUND_OFF_INL_H_
 #undef TRIVET_NUMERICS_ROUND_OFF_INL_H_
@@ -21,8 +21,9 @@ HWY_INLINE Pack squared_size(const PairPack& r) { return hn::MulAdd(r.first, r.f
 /// @param visible  squares, by pole: residues of a curve far below mean resonances far below the motion of other
 /// coordinates, at that pole, or at rest from any pole
 /// @param possible  squares, by pole: residues far below lose digits under this load
-/// @param weight  of every pole: (Σ_j |row_j| / √A_jj)²
-/// @return lanes in which that is so, or in which the residues are accurate
+/// @param weight  of every pole: the square of the largest residue that the row could have if all coordinates, each
+/// weighted by its mass, moved alike
+/// @return lanes in which the residues are accurate, or were set to zero
 template <typename Size>
 HWY_INLINE LaneMask drop_round_off(Size n, const LaneMask& allowed, const Pack* visible, const Pack* possible,
                                    const Pack* weight, PairPack* r) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// |y|² of several designs, one per lane, as a function of x = ω²: half of it is Σ_k C_k · 1/(x − z_k) + constant +
+// |y|² of several designs, one per lane, as a function of x (ω² or ω): half of it is Σ_k C_k · 1/(x − z_k) + constant +
 // slope x. Values at a pair of poles form one number a + b j: j² = −1 for two conjugates a ± bi, j² = 1 for two real
 // poles a ± b; so the same operations serve both kinds.
 #if defined(TRIVET_NUMERICS_SQUARE_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -69,14 +69,12 @@ HWY_INLINE Pack sum_of(const PairPack& C, const PairPack& w, const Pack& others)
   return hn::MulAdd(C.first, w.first, hn::MulAdd(C.second, w.second, others));
 }
 
-/// Sum of the moduli of all terms of f at x, to which the round-off of its value is proportional. Both parts of C have
-/// the round-off of the larger one.
+/// Sum of the moduli of all terms of f at x, to which the round-off of its value is proportional.
 template <typename Size>
 HWY_INLINE Pack sum_of_moduli(const SquarePoles<Size>& poles, const SquaredResponse<Size::most>& f, const Pack& x) {
   Pack sum = hn::MulAdd(f.slope_parts, x, f.constant_parts);
-  each(poles.count, [&](int k) TRIVET_LANES {
-    sum = hn::MulAdd(sum_of_parts(f.C[k]), sum_of_parts(inverse_distance(poles, k, x)), sum);
-  });
+  each(poles.count,
+       [&](int k) TRIVET_LANES { sum = hn::MulAdd(f.parts[k], sum_of_parts(inverse_distance(poles, k, x)), sum); });
   return sum;
 }
 

@@ -41,6 +41,11 @@ HWY_INLINE PairPack inverse(const LaneMask& real, const PairPack& a) {
 HWY_INLINE PairPack operator*(const Pack& a, const PairPack& b) { return {hn::Mul(a, b.first), hn::Mul(a, b.second)}; }
 /// |first| + |second|
 HWY_INLINE Pack sum_of_parts(const PairPack& a) { return hn::Add(hn::Abs(a.first), hn::Abs(a.second)); }
+/// Modulus of the larger value, at most 9 % too large.
+HWY_INLINE Pack modulus_of(const LaneMask& real, const PairPack& a) {
+  const Pack first = hn::Abs(a.first), second = hn::Abs(a.second), larger = hn::Max(first, second);
+  return hn::IfThenElse(real, larger, hn::MulAdd(all(0.41422), hn::Min(first, second), larger));
+}
 /// Half the sum over the pair.
 HWY_INLINE Pack half_sum(const LaneMask& real, const PairPack& a) {
   return hn::IfThenElse(real, hn::Mul(all(0.5), hn::Add(a.first, a.second)), a.first);
@@ -70,6 +75,7 @@ struct PolePairs {
 template <int most>
 struct SquaredResponse {
   PairPack C[most];
+  Pack parts[most];  ///< sums of the moduli of the terms of C_k, which may cancel
   Pack constant, slope;
   Pack constant_parts, slope_parts;  ///< sums of the moduli of their terms
 };
@@ -126,12 +132,17 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
   }
   for (int k = 0; k < n; ++k) {
     PairPack y = {hn::Zero(Lanes()), hn::Zero(Lanes())};
+    Pack moduli = hn::Zero(Lanes());
     for (int l = 0; l < n; ++l) {
       const PairPack linear = products.linear[k][l], inverse = products.inverse[k][l];
+      moduli = hn::MulAdd(hn::Abs(alpha[l]), modulus_of(poles.real[k], inverse),
+                          hn::MulAdd(hn::Abs(beta[l]), modulus_of(poles.real[k], linear), moduli));
       y.first = hn::MulAdd(alpha[l], inverse.first, hn::MulAdd(beta[l], linear.first, y.first));
       y.second = hn::MulAdd(alpha[l], inverse.second, hn::MulAdd(beta[l], linear.second, y.second));
     }
     f.C[k] = times(poles.real[k], all(-2.0) * poles.lambda[k], times(poles.real[k], r[k], y));
+    f.parts[k] = hn::Mul(hn::Mul(all(2.0), modulus_of(poles.real[k], poles.lambda[k])),
+                         hn::Mul(modulus_of(poles.real[k], r[k]), moduli));
   }
   f.constant = f.slope = f.constant_parts = f.slope_parts = hn::Zero(Lanes());
   for (int d = 0; d < derivative; ++d) {  // x/(x − z) = 1 + z/(x − z)
@@ -141,9 +152,11 @@ HWY_INLINE void form_squared_response(const PolePairs& poles, const PoleProducts
     for (int k = 0; k < n; ++k) {
       if (d > 0 || !proper) {
         f.constant = hn::Add(f.constant, half_sum(poles.real[k], f.C[k]));
-        f.constant_parts = hn::Add(f.constant_parts, sum_of_parts(f.C[k]));
+        f.constant_parts = hn::Add(f.constant_parts, f.parts[k]);
       }
-      f.C[k] = times(poles.real[k], pole_in_square(poles.real[k], poles.lambda[k]), f.C[k]);
+      const PairPack z = pole_in_square(poles.real[k], poles.lambda[k]);
+      f.C[k] = times(poles.real[k], z, f.C[k]);
+      f.parts[k] = hn::Mul(modulus_of(poles.real[k], z), f.parts[k]);
     }
   }
   for (int k = 0; k < n; ++k) f.C[k] = for_half_sum(poles.real[k], f.C[k]);

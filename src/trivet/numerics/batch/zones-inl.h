@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Divides the axis x = ω² into zones, one around each pole, to find those in which a curve may reach its best known
-// value: in most zones the distances of the poles alone exclude that.
+// Divides the axis x (ω² or ω) into zones, one around each pole, to find those in which a curve may reach its best
+// known value: in most zones the distances of the poles alone exclude that.
 #if defined(TRIVET_NUMERICS_ZONES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_ZONES_INL_H_
 #undef TRIVET_NUMERICS_ZONES_INL_H_

@@ -19,8 +19,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Combinations × functions: ±1 at random, the same in every run; the identity (empty) for few functions. A sum of
-/// squares over the functions is preserved within a factor of two by some twenty combinations.
+/// Combinations × functions: ±1 at random, the same in every run; empty, which means the identity, for few functions.
+/// Sums of squares over the functions are nearly those over two dozen combinations with high probability.
 Eigen::MatrixXd combinations_of(Eigen::Index functions) {
   constexpr Eigen::Index combinations = 24;
   if (functions < many_functions) return {};
@@ -72,6 +72,10 @@ class Loewner {
 
   [[nodiscard]] const std::vector<Eigen::Index>& nodes() const { return nodes_; }
   [[nodiscard]] bool combined() const { return combinations_.size() > 0; }
+  /// No more weights than equations, of which each sample that is not a node has one per row.
+  [[nodiscard]] Eigen::Index most_nodes() const {
+    return std::min(x_.size() - 1, functions_ * x_.size() / (functions_ + 1));
+  }
 
   /// The sample with the largest error of the combinations, without an evaluation: the rows times the weights are
   /// errors times the denominator. The error is the root of the sum of squares over the functions, or nearly.
@@ -86,7 +90,9 @@ class Loewner {
       for (std::size_t j = 0; j < nodes_.size(); ++j) denominator += weights(to_index(j)) / (x_(k) - x_(nodes_[j]));
       const double sum = products.segment(k * functions_, functions_).norm() / std::abs(denominator);
       const double error = sum / std::sqrt(static_cast<double>(functions_));
-      if (!(error <= worst.second)) worst = {k, error};
+      // A pole on a sample gives NaN, which counts as an infinite error.
+      const double counted = std::isnan(error) ? std::numeric_limits<double>::infinity() : error;
+      if (counted > worst.second) worst = {k, counted};
     }
     return worst;
   }
@@ -199,9 +205,8 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
     throw foundation::InvalidInput("rational fit: the sizes of samples, values and scales do not match");
   if (!values.allFinite() || !(scales.minCoeff() > 0))
     throw foundation::InvalidInput("rational fit: values must be finite and scales > 0");
-  const Eigen::Index most_nodes =
-      std::min(x.size() - 1, values.size() / (values.rows() + 1));  // no more weights than equations
   Loewner loewner(x, values, scales);
+  const Eigen::Index most_nodes = loewner.most_nodes();
   RationalFit fit = with_weights(x, values, {x.size() / 2}, Eigen::VectorXcd::Ones(1));
   for (const double node : first) {
     const auto at = std::lower_bound(x.begin(), x.end(), node) - x.begin();
@@ -221,6 +226,7 @@ RationalFit rational_fit(const Eigen::VectorXd& x, const Eigen::MatrixXcd& value
     fit = with_weights(x, values, loewner.nodes(), loewner.quick_weights());
   }
   if (loewner.nodes().empty()) return fit;
+  worst_sample(x, values, scales, fit);  // the error may be that of the combinations
   RationalFit exact = with_weights(x, values, loewner.nodes(), loewner.exact_weights());
   worst_sample(x, values, scales, exact);
   return exact.error <= fit.error ? exact : fit;

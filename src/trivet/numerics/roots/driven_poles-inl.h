@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // All 2n roots of λ²A + λB + K + iD, each with its vector, for systems with loss factors (D) and for any load: under a
 // complex load, or with D, residues do not come in conjugate pairs. Root k is found from mode k near +iΩ_k, root n + k
-// near −iΩ_k as the conjugate of the root of λ²A + λB + K − iD near +iΩ_k. See poles-inl.h for the iteration.
+// near −iΩ_k as the conjugate of the root of λ²A + λB + K − iD near +iΩ_k. See rayleigh_iteration-inl.h for the
+// iteration.
 #if defined(TRIVET_NUMERICS_DRIVEN_POLES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef TRIVET_NUMERICS_DRIVEN_POLES_INL_H_
 #undef TRIVET_NUMERICS_DRIVEN_POLES_INL_H_
@@ -20,7 +21,7 @@ struct LossyModalPack {
   static constexpr int triangle = Size::most * (Size::most + 1) / 2;
   Pack omega[Size::most];
   Pack b[triangle], d[triangle];  ///< ΦᵀBΦ, ΦᵀDΦ
-  bool lossy, coupled;            ///< in some lane: D ≠ 0, B̃ or D̃ is not diagonal
+  bool lossy, coupled;            ///< with a D; in some lane B̃ or D̃ is not diagonal
 };
 
 /// @param d  null without loss factors
@@ -43,7 +44,7 @@ struct DrivenPoles {
   ComplexPack v[2 * Size::most * Size::most];  ///< vector of root p in mode j at p n + j, length 1
   ComplexPack by_slope[2 * Size::most];        ///< 1 / vᵀM'(λ)v
   Pack condition;                              ///< largest |2λ| |v|²/|vᵀM'(λ)v|
-  LaneMask good;  ///< all converged, each found once: Σλ = −tr B, tr ΣR = 0, tr ΣλR = tr A⁻¹ within 1e-9
+  LaneMask good;  ///< all converged, far from each other found once: sums of λ, λ², 1/slope, λ/slope
 };
 
 /// Start of the root of λ² + λb + Ω² + id with Im λ ≥ 0, without cancellation: near iΩ, or real beyond critical
@@ -80,18 +81,30 @@ HWY_INLINE void store_root(Size n, const Root<Size>& at, const Pack& centre, int
   result.condition = hn::Max(result.condition, hn::Div(apart, squared_modulus(at.slope)));  // squared, for now
 }
 
-/// Lanes in which each root was found once.
+/// Lanes in which each root was found once, except for one that nearly equals another. Without viscous damping the
+/// roots are ±λ: then the same mistake in both halves leaves the sums of odd powers right, and only Σλ² = tr B² − 2 tr
+/// (Ω² + iD) shows it.
 template <typename Size>
 HWY_INLINE LaneMask found_once(Size n, const LossyModalPack<Size>& modal, const DrivenPoles<Size>& poles) {
   const Pack tolerance = all(1e-9);
-  ComplexPack trace = zero(), still = zero(), moving = zero();
-  Pack size = all(0.0), still_size = size, moving_size = size;
-  for (int k = 0; k < n; ++k) trace.re = hn::Add(trace.re, modal.b[packed(k, k)]);
+  ComplexPack trace = zero(), squares = zero(), still = zero(), moving = zero();
+  Pack size = all(0.0), squares_size = size, still_size = size, moving_size = size;
+  for (int k = 0; k < n; ++k) {
+    const Pack omega = modal.omega[k], d = modal.d[packed(k, k)];
+    trace.re = hn::Add(trace.re, modal.b[packed(k, k)]);
+    squares = squares + ComplexPack{hn::Mul(all(2.0), hn::Mul(omega, omega)), hn::Mul(all(2.0), d)};
+    for (int j = 0; j < n; ++j) {
+      const Pack b = modal.b[packed_of(k, j)];
+      squares.re = hn::NegMulAdd(b, b, squares.re);
+    }
+  }
   for (int p = 0; p < 2 * n; ++p) {
     ComplexPack square = zero();
     each(n, [&](int j) TRIVET_LANES { square = add_product(square, poles.v[p * n + j], poles.v[p * n + j]); });
     const ComplexPack share = square * poles.by_slope[p], rate = share * poles.lambda[p];
     trace = trace + poles.lambda[p];
+    squares = squares + poles.lambda[p] * poles.lambda[p];
+    squares_size = hn::Add(squares_size, squared_modulus(poles.lambda[p]));
     still = still + share;
     moving = moving + rate;
     size = hn::Add(size, one_norm(poles.lambda[p]));
@@ -101,7 +114,8 @@ HWY_INLINE LaneMask found_once(Size n, const LossyModalPack<Size>& modal, const 
   moving.re = hn::Sub(moving.re, all(static_cast<double>(n)));
   const auto small = [&](const ComplexPack& sum, const Pack& of)
                          TRIVET_LANES { return hn::Le(one_norm(sum), hn::Mul(tolerance, of)); };
-  return hn::And(small(trace, size), hn::And(small(still, still_size), small(moving, moving_size)));
+  return hn::And(hn::And(small(trace, size), small(squares, squares_size)),
+                 hn::And(small(still, still_size), small(moving, moving_size)));
 }
 
 /// Roots from the modes (good lanes need ω² > 0).
