@@ -10,6 +10,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/excitation/sampled_signal.h"
@@ -170,6 +173,62 @@ void ExactSteps(benchmark::State& state) {
   state.counters["answers"] = static_cast<double>(state.range(0) ? m.everything.size() : m.coordinates.size());
 }
 BENCHMARK(ExactSteps)->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+
+/// A chain of bodies from the ground, with damping that is not proportional: a record acts on the last one. Times after
+/// the set-up are the differences of many and few steps.
+struct Chain {
+  project::Project project;
+  const model::System& system = project.base().system;
+  assembly::Assembled assembled = assembly::assemble(system);
+  std::vector<assembly::Channel> last_body;
+
+  explicit Chain(long bodies) : project(project::project_from_text(text(bodies), "chain").value()) {
+    last_body =
+        assembly::channels(system, assembled, {"b" + std::to_string(bodies)}, assembly::MotionQuantity::displacement);
+  }
+  static std::string text(long bodies) {
+    std::ostringstream all;
+    all << "trivet = 1\n";
+    for (long i = 1; i <= bodies; ++i)
+      all << "[bodies.b" << i << "]\nmass = " << 20 + i % 7 << "\ncenter_of_mass = [" << 0.3 * static_cast<double>(i)
+          << ", 0, 0.02]\ninertia = {about = \"center_of_mass\", xx = 0.4, yy = 0.6, zz = 0.5}\n[elements.e" << i
+          << "]\ntype = \"bushing\"\non = \"b" << i << "\"\n"
+          << (i > 1 ? "from = \"b" + std::to_string(i - 1) + "\"\n" : "") << "at = ["
+          << 0.3 * static_cast<double>(i) - 0.15
+          << ", 0.01, 0]\ntranslation = [9e5, 7e5, 8e5]\nrotation = [9e3, 7e3, 8e3]\ndamping = {proportional = "
+          << (i % 3 == 0 ? 1e-4 : 3e-4) << "}\n";
+    return all.str();
+  }
+};
+
+void ExactStepsOfAChain(benchmark::State& state) {
+  const Chain chain(state.range(0));
+  std::vector<response::TimeInput> inputs = machine().inputs;
+  inputs[0].loading = assembly::Loading(
+      Eigen::VectorXcd::Unit(chain.assembled.layout.size(), chain.assembled.layout.size() - 6).eval());
+  response::TransientOptions options;
+  options.step = step;
+  options.to = step * static_cast<double>(state.range(1));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        response::transient_response(chain.system, chain.assembled, chain.last_body, inputs, options).curves.data());
+}
+BENCHMARK(ExactStepsOfAChain)
+    ->ArgsProduct({{10, 20, 50}, {1000, steps}})
+    ->ArgNames({"bodies", "steps"})
+    ->Unit(benchmark::kMillisecond);
+
+/// The same machine with points between its samples: every other step has a corner inside.
+void ExactStepsBetweenSamples(benchmark::State& state) {
+  const Machine& m = machine();
+  response::TransientOptions options = m.options;
+  options.step = 0.73 * step;
+  options.to = 0.73 * step * static_cast<double>(steps);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        response::transient_response(m.system, m.assembled, m.coordinates, m.inputs, options).curves.data());
+}
+BENCHMARK(ExactStepsBetweenSamples)->Unit(benchmark::kMillisecond);
 
 void Newmark(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(by_newmark(1).data());

@@ -15,6 +15,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/steady/frequency_response.h"
+#include "trivet/response/transient/state_space.h"
+#include "trivet/response/transient/time_stepper.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace {
@@ -296,6 +298,32 @@ TEST(Transient, DoesNotDependOnTheStepOfItsAnswers) {
     for (Eigen::Index i = 0; i < expected.size(); ++i) expected(i) = fine.curves[k].values(120 * i);
     EXPECT_THAT(coarse.curves[k].values, NearVector(expected, round_off)) << fine.curves[k].name;
   }
+}
+
+TEST(Transient, SeparatedStatesAgreeWithTheExponentialOfTheWholeMatrix) {
+  // Two skew bodies with dampers that couple all modes; steps between corners, so that all levels and the series act.
+  const model::System system = test::checked(test::RandomSystem(5).description(2, test::RandomDamping::viscous));
+  const assembly::Assembled assembled = assembly::assemble(system);
+  response::Drive drive{response::InputMatrix::Zero(12, 5), response::InputMatrix::Zero(assembled.ground.size(), 5)};
+  drive.force.col(response::of_value) = Eigen::VectorXd::LinSpaced(12, -1, 2);
+  const excitation::Signal signal = mixed();
+  const std::vector<response::InputCourse> courses = {response::InputCourse(signal, 0)};
+  const response::StateSpace whole(assembled.matrices, {drive}), separated = whole.decoupled();
+  EXPECT_THAT(separated.groups().dense, testing::IsEmpty());
+  Eigen::MatrixXd found[2];
+  for (const auto* space : {&whole, &separated}) {
+    response::TimeStepper stepper(*space, courses, 0.013, 1e-15);
+    response::StepperState state{0, Eigen::VectorXd::Zero(space->size()), {-1}};
+    stepper.apply_corners(state);
+    Eigen::MatrixXd& q = found[space == &whole ? 0 : 1];
+    q.resize(12, 50);
+    for (Eigen::Index i = 0; i < 50; ++i) {
+      stepper.advance(state, 0.013 * static_cast<double>(i + 1));
+      q.col(i) = space->displacements().on_state * state.x;
+    }
+  }
+  for (Eigen::Index k = 0; k < 12; ++k)
+    EXPECT_THAT(found[1].row(k).transpose().eval(), NearVector(found[0].row(k).transpose().eval(), round_off));
 }
 
 TEST(Transient, FindsTheExtremesOfAFineCurveFromACoarseOne) {

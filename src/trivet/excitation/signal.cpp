@@ -42,8 +42,7 @@ std::array<double, 5> stumpff(double kappa, double s) {
 
 }  // namespace
 
-SignalState state_on(const Piece& p, double s) {
-  if (p.kappa == 0) return {p.value + s * (p.rate + s / 2 * p.curvature), p.rate + s * p.curvature, p.curvature};
+SignalState state_on_sine(const Piece& p, double s) {
   const auto c = stumpff(p.kappa, s);
   return {p.value + p.rate * c[1] + p.curvature * c[2], p.rate * c[0] + p.curvature * c[1],
           p.curvature * c[0] - p.kappa * p.kappa * p.rate * c[1]};
@@ -96,8 +95,13 @@ Signal scaled(Signal signal, double factor) {
 }
 
 void require_valid(const Signal& signal) {
+  const auto is_valid = [](const Piece& p) {
+    // A sum of zeros, unless a number is infinite or NaN.
+    return 0 * p.start + 0 * p.value + 0 * p.rate + 0 * p.curvature + 0 * p.kappa == 0 && p.kappa >= 0;
+  };
   for (std::size_t i = 0; i < signal.pieces.size(); ++i) {
     const Piece& p = signal.pieces[i];
+    if (is_valid(p) && (i == 0 || p.start > signal.pieces[i - 1].start)) continue;
     for (const double number : {p.start, p.value, p.rate, p.curvature})
       require_finite(number, "a number in a piece of a signal", "");
     require_not_negative(p.kappa, "κ of a piece of a signal", "rad/s");

@@ -26,8 +26,14 @@ struct SignalState {
   double value = 0, rate = 0, curvature = 0;
 };
 
+/// State on a sine, κ > 0, at time s after its start.
+[[nodiscard]] SignalState state_on_sine(const Piece& piece, double s);
+
 /// State at time s after the start of a piece, regardless of its neighbours.
-[[nodiscard]] SignalState state_on(const Piece& piece, double s);
+[[nodiscard]] inline SignalState state_on(const Piece& p, double s) {
+  if (p.kappa != 0) return state_on_sine(p, s);
+  return {p.value + s * (p.rate + s / 2 * p.curvature), p.rate + s * p.curvature, p.curvature};
+}
 
 /// State at time t [s]; at a jump the one after it. Zero if the signal has no piece at t.
 [[nodiscard]] SignalState state(const Signal& signal, double t);

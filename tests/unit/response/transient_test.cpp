@@ -94,7 +94,8 @@ TEST(StateSpace, LetsACoordinateWithoutMassAndDampingFollowStatically) {
   response::Drive drive{response::InputMatrix::Zero(2, 5), response::InputMatrix::Zero(6, 5)};
   drive.force(1, response::of_value) = 1;
   const response::StateSpace space(m, {drive});
-  const std::vector<response::InputCourse> courses = {response::InputCourse(excitation::step(1), 0)};
+  const excitation::Signal step = excitation::step(1);
+  const std::vector<response::InputCourse> courses = {response::InputCourse(step, 0)};
   response::TimeStepper stepper(space, courses, 0.01, 1e-15);
   response::StepperState state{0, Eigen::VectorXd::Zero(space.size()), {-1}};
   stepper.apply_corners(state);

@@ -13,12 +13,13 @@ using ExtendedMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic
 using ExtendedInput = Eigen::Matrix<long double, Eigen::Dynamic, 5>;
 using ExtendedRates = Eigen::Matrix<long double, 5, 5>;
 
-/// S(κ): ∬u → ∫u → u → u̇ → ü → −κ²u̇.
-ExtendedRates rates(double kappa) {
-  ExtendedRates s = ExtendedRates::Zero();
-  for (int i = 0; i + 1 < 5; ++i) s(i, i + 1) = 1;
-  s(4, 3) = -static_cast<long double>(kappa) * kappa;
-  return s;
+/// m S(κ), with ∬u → ∫u → u → u̇ → ü → −κ²u̇ in S.
+ExtendedRates times_rates(const ExtendedRates& m, double kappa) {
+  ExtendedRates product;
+  product.col(0).setZero();
+  product.rightCols<4>() = m.leftCols<4>();
+  product.col(3) -= static_cast<long double>(kappa) * kappa * m.col(4);
+  return product;
 }
 
 }  // namespace
@@ -53,14 +54,16 @@ ExponentialStep::ExponentialStep(const Eigen::MatrixXd& F, double step, double l
 std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kappa) const {
   const std::size_t finest = levels() - 1;
   const long double h = std::ldexp(static_cast<long double>(step_), -static_cast<int>(finest));
-  const ExtendedRates S = rates(kappa), one = ExtendedRates::Identity();
   // Input columns of the Taylor series of the whole matrix: R_k = (F R_{k−1} + G S^{k−1} h^{k-1}/(k−1)!) h/k.
-  ExtendedInput term = ExtendedInput::Zero(G.rows(), 5), gamma = term;
+  ExtendedInput term = ExtendedInput::Zero(G.rows(), 5), gamma = term, next = term;
   const ExtendedInput drive = G.cast<long double>();
-  ExtendedRates own = one, e = one;
+  ExtendedRates own = ExtendedRates::Identity(), e = own;
   for (int k = 1; k <= series_terms; ++k) {
-    term = ((F_ * term + drive * own) * (h / static_cast<long double>(k))).eval();
-    own = (own * S * (h / static_cast<long double>(k))).eval();
+    const long double part = h / static_cast<long double>(k);
+    next.noalias() = F_ * term;
+    next.noalias() += drive.lazyProduct(own);
+    term = next * part;
+    own = times_rates(own, kappa) * part;
     gamma += term;
     e += own;
   }
@@ -68,8 +71,10 @@ std::vector<InputMatrix> ExponentialStep::input(const InputMatrix& G, double kap
   for (std::size_t level = finest;; --level) {
     result[level] = gamma.cast<double>();
     if (level == 0) return result;
-    gamma = (exact_[level] * gamma + gamma * e).eval();
-    e = (e * e).eval();
+    next.noalias() = exact_[level] * gamma;
+    next.noalias() += gamma.lazyProduct(e);
+    gamma.swap(next);
+    e = e.lazyProduct(e).eval();
   }
 }
 

@@ -6,6 +6,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/recurrence/pair_steps.h"
 #include "trivet/response/transient/state_basis.h"
 
 namespace trivet::response {
@@ -72,6 +73,7 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
                  -(part(B, 0, n, n, z) * lag_rate) + -(part(K, 0, n, n + z, y) * follow),
              "the mass matrix is singular");
 
+  groups_.dense = {N};
   F_ = Eigen::MatrixXd::Zero(N, N);
   F_.topRows(n) = basis.speed.asDiagonal() * v.on_state;
   F_.middleRows(n, n) = acceleration.on_state;
@@ -97,6 +99,20 @@ StateSpace::StateSpace(const numerics::DynamicMatrices& matrices, const std::vec
       mode.forces.push_back(h.row(i).segment<5>(to_index(c) * input_derivatives).transpose());
     modes_.push_back(std::move(mode));
   }
+}
+
+StateSpace StateSpace::decoupled() const {
+  if (size() == 0) return *this;
+  const numerics::PairForm form = numerics::pair_form(F_, numerics::lane_group);
+  StateSpace space = *this;
+  space.groups_ = form.groups;
+  space.F_ = form.D;
+  for (InputMatrix& g : space.G_) g = (form.Y * g).eval();
+  space.displacements_.on_state = displacements_.on_state * form.X;
+  space.from_displacement_ = form.Y * from_displacement_;
+  space.from_velocity_ = form.Y * from_velocity_;
+  space.modes_.clear();
+  return space;
 }
 
 LinearRows StateSpace::derivative(const LinearRows& rows) const {

@@ -6,6 +6,7 @@
 
 #include "trivet/assembly/channels.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
+#include "trivet/numerics/linalg/pair_form.h"
 #include "trivet/response/transient/exponential_step.h"
 
 namespace trivet::response {
@@ -49,6 +50,11 @@ class StateSpace {
   [[nodiscard]] const InputMatrix& G(std::size_t course) const { return G_[course]; }
   [[nodiscard]] Eigen::Index size() const { return F_.rows(); }
   [[nodiscard]] Eigen::Index massive() const { return massive_; }
+  /// States that do not act on each other; a single group unless decoupled.
+  [[nodiscard]] const numerics::StateGroups& groups() const { return groups_; }
+  /// The same system in states that do not act on each other, where a well-conditioned basis of them exists. Its modes
+  /// have no place among these states.
+  [[nodiscard]] StateSpace decoupled() const;
   [[nodiscard]] const std::vector<StateMode>& modes() const { return modes_; }
 
   /// Displacements of all free coordinates.
@@ -63,6 +69,7 @@ class StateSpace {
  private:
   Eigen::Index massive_ = 0;
   Eigen::MatrixXd F_;
+  numerics::StateGroups groups_;
   std::vector<InputMatrix> G_;
   LinearRows displacements_;
   Eigen::MatrixXd from_displacement_, from_velocity_;  ///< state of q and of q̇

@@ -4,9 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/response/transient/exponential_step.h"
+#include "trivet/response/transient/exact_steps.h"
 #include "trivet/response/transient/input_course.h"
 #include "trivet/response/transient/state_space.h"
+#include "trivet/response/transient/time_grid.h"
 
 namespace trivet::response {
 
@@ -31,6 +32,16 @@ class TimeStepper {
   void apply_corners(StepperState& at) const;
   /// True if the state jumps at jumps or corners of this input.
   [[nodiscard]] bool state_jumps(std::size_t course) const { return !space_.G(course).rightCols<2>().isZero(0); }
+  /// Advances from one point of the grid over as many whole steps as possible (sample_whole_steps), at most by the
+  /// columns of w. Column i of the states, from 1 on, is the state after i steps, and column i of w the inputs of all
+  /// courses before the next one.
+  /// @param states  column 0 holds the state of `at`
+  /// @return the number of steps
+  Eigen::Index take_whole_steps(StepperState& at, const TimeGrid& grid, Eigen::Index point,
+                                const std::vector<int>& held, Eigen::Ref<Eigen::MatrixXd> states,
+                                Eigen::Ref<Eigen::MatrixXd> w);
+  /// The state x at a time whose corners are applied.
+  [[nodiscard]] StepperState state_at(double time, const Eigen::VectorXd& x) const;
   /// Advances to any later time and applies the corners on the way and at its end.
   void advance(StepperState& at, double to);
   /// w of every course, stacked, with derivatives up to the seventh.
@@ -39,14 +50,23 @@ class TimeStepper {
  private:
   void apply_step(StepperState& at, std::size_t level);
   void apply_series(StepperState& at, double duration);
-  const std::vector<InputMatrix>& gamma(std::size_t course, std::size_t kappa);
+  void find_inputs(const StepperState& at, std::size_t level);
+
+  /// Γ of one course and κ, per level, and its columns that are not zero.
+  struct Gamma {
+    std::vector<InputMatrix> levels;
+    std::vector<Eigen::Index> columns;
+  };
+  const Gamma& gamma(std::size_t course, std::size_t kappa);
 
   const StateSpace& space_;
   const std::vector<InputCourse>& courses_;
   double resolution_;
-  ExponentialStep exponential_;
-  std::vector<std::vector<std::vector<InputMatrix>>> gamma_;  ///< per course, κ, level; filled when first needed
-  Eigen::VectorXd next_, term_;
+  ExactSteps steps_;
+  std::vector<std::vector<Gamma>> gamma_;    ///< per course and κ; filled when first needed
+  std::vector<numerics::StepInput> inputs_;  ///< of the steps taken at present
+  Eigen::MatrixXd two_;                      ///< states before and after a single step
+  Eigen::VectorXd w_, next_, term_;
   std::vector<InputVector> own_;
 };
 

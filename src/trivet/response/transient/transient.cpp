@@ -27,6 +27,14 @@ struct Inputs {
   std::vector<InputCourse> courses;
   std::vector<Drive> drives;
   std::vector<std::string> names;
+
+  void add(const std::string& name, const excitation::Signal& signal, double delay, Drive drive) {
+    const bool integrals = !drive.force.leftCols<of_value>().isZero(0) || !drive.ground.leftCols<of_value>().isZero(0);
+    courses.emplace_back(signal, delay,
+                         integrals ? InputCourse::Integrals::needed : InputCourse::Integrals::not_needed);
+    drives.push_back(std::move(drive));
+    names.push_back(name);
+  }
 };
 
 /// A ground motion given by velocity or acceleration may drift far, while the system hardly moves relative to it: then
@@ -42,7 +50,7 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
     throw foundation::InvalidInput(fmt::format("input \"{}\": its loading belongs to another model", input.name));
   excitation::require_valid(input.signal);
   std::vector<double> delays;
-  const std::size_t first = all.courses.size();
+  std::vector<Drive> drives;
   const auto add = [&](const numerics::LoadTerm& term, InputMatrix Drive::* part) {
     if (term.power < -2 || term.power > 2)
       throw foundation::InvalidInput(
@@ -51,20 +59,18 @@ void add_input(const assembly::Assembled& assembled, const TimeInput& input, Inp
       throw foundation::InvalidInput(
           fmt::format("input \"{}\": a phase has no meaning for a time history; give a delay", input.name));
     auto known = std::find(delays.begin(), delays.end(), term.delay);
-    const auto c = first + to_size(known - delays.begin());
+    const auto c = to_size(known - delays.begin());
     if (known == delays.end()) {
       delays.push_back(term.delay);
-      all.courses.emplace_back(input.signal, term.delay);
-      all.drives.push_back(
-          {InputMatrix::Zero(assembled.layout.size(), 5), InputMatrix::Zero(assembled.ground.size(), 5)});
-      all.names.push_back(input.name);
+      drives.push_back({InputMatrix::Zero(assembled.layout.size(), 5), InputMatrix::Zero(assembled.ground.size(), 5)});
     }
-    (all.drives[c].*part).col(of_value + term.power) += term.value.real();
+    (drives[c].*part).col(of_value + term.power) += term.value.real();
   };
   const assembly::Loading loading = in_coordinates_of_time(assembled.ground, input.loading);
   const numerics::Load force = assembly::right_side(assembled, loading);
   for (const numerics::LoadTerm& term : force.terms()) add(term, &Drive::force);
   for (const numerics::LoadTerm& term : loading.motion.terms()) add(term, &Drive::ground);
+  for (std::size_t c = 0; c < delays.size(); ++c) all.add(input.name, input.signal, delays[c], std::move(drives[c]));
 }
 
 StepperState first_state(const StateSpace& space, const Inputs& inputs, const TransientOptions& options) {
@@ -108,24 +114,39 @@ void go_to_first_point(TimeStepper& stepper, const StateSpace& space, const asse
 void warn_of_growth(const StateSpace& space, double duration, foundation::Problems& warnings) {
   constexpr double visible = 1e-3;
   double growth = 0;
-  const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(space.F()).values;
-  for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
+  const auto raise = [&](const Eigen::MatrixXd& rates) {
+    const Eigen::VectorXcd eigenvalues = numerics::general_eigenvalues(rates).values;
+    for (const std::complex<double>& lambda : eigenvalues) growth = std::max(growth, lambda.real());
+  };
+  const Eigen::Index pairs = space.groups().pairs;
+  for (Eigen::Index j = 0; j < pairs; ++j) {
+    const std::vector<Eigen::Index> pair = {j, pairs + j};
+    raise(space.F()(pair, pair));
+  }
+  Eigen::Index first = 2 * pairs;
+  for (const Eigen::Index size : space.groups().dense) {
+    raise(space.F().block(first, first, size, size));
+    first += size;
+  }
   if (growth * duration <= visible) return;
   warnings.warning("transient", fmt::format("a free motion grows and doubles every {:.4g} s", std::log(2.0) / growth),
                    "the system is unstable about its position of rest; the results are those of the linear equations",
                    "look for negative stiffness or damping; see the roots");
 }
 
-double root_mean_square(const TimeCurve& curve) {
+double root_mean_square(const TimeCurve& curve, const std::vector<numerics::RowBlock>& blocks) {
+  constexpr double least_squares = 1e-280, most_squares = 1e280;  // no square leaves the range of numbers
   const Eigen::Index last = curve.values.size() - 1;
   const double scale = std::max(curve.largest.value, -curve.smallest.value);
   if (scale == 0 || !std::isfinite(scale)) return scale;
-  const auto mean = [&](double unit) {
-    return ((curve.values * unit).squaredNorm() -
-            (std::pow(curve.values(0) * unit, 2) + std::pow(curve.values(last) * unit, 2)) / 2) /
+  const auto mean = [&](double squares, double unit) {
+    return std::max(0.0, squares - (std::pow(curve.values(0) * unit, 2) + std::pow(curve.values(last) * unit, 2)) / 2) /
         static_cast<double>(last);
   };
-  return scale * std::sqrt(std::max(mean(1 / scale), 0.0));
+  double squares = 0;
+  for (const numerics::RowBlock& block : blocks) squares += block.squares;
+  if (squares > least_squares && squares < most_squares) return std::sqrt(mean(squares, 1));
+  return scale * std::sqrt(mean((curve.values / scale).squaredNorm(), 1 / scale));
 }
 
 /// The stored values grow with points × results, and their file is about three times as large.
@@ -144,10 +165,11 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
                               const foundation::Progress& progress) {
   Inputs inputs;
   for (const TimeInput& input : given) add_input(assembled, input, inputs);
-  const StateSpace space(assembled.matrices, inputs.drives);
+  const StateSpace modal(assembled.matrices, inputs.drives);
   TransientResponse result;
+  const std::vector<ExcitedMode> modes = excited_modes(modal, inputs.courses, first_state(modal, inputs, options).x);
+  const StateSpace space = modal.decoupled();
   StepperState state = first_state(space, inputs, options);
-  const std::vector<ExcitedMode> modes = excited_modes(space, inputs.courses, state.x);
   const TimeGrid grid = time_grid(options, modes, inputs.courses, inputs.names, result.warnings);
   require_room(grid, channels.size());
   const double end = grid.time(grid.points - 1);
@@ -167,7 +189,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
     const auto row = to_index(k);
     curve.name = channels[k].name;
     curve.unit = channels[k].unit;
-    curve.rms = root_mean_square(curve);
+    curve.rms = root_mean_square(curve, record.blocks().of_curve[k]);
     if (!std::isfinite(curve.rms))
       throw foundation::NotComputable(
           fmt::format("transient: \"{}\" exceeds the range of numbers before {:.4g} s", curve.name, end));
@@ -177,7 +199,7 @@ TransientResponse response_of(const assembly::Assembled& assembled, const std::v
       foundation::report_progress(progress, task,
                                   (static_cast<double>(k) + fraction) / static_cast<double>(channels.size()));
     };
-    search_between_points(stepper, space, here, grid, record.checkpoints(), of_answer, curve);
+    search_between_points(stepper, space, here, k, grid, record.blocks(), of_answer, curve);
   }
   return result;
 }

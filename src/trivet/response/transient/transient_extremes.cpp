@@ -13,6 +13,7 @@ namespace {
 /// Points searched per extreme; more would change the last digits only.
 constexpr std::size_t most_searches = 32;
 constexpr int most_halvings = 60;
+constexpr double round_off_of_bends = 1e-9;
 
 /// Largest value of one result (of −result for the smallest) near a point.
 class Search {
@@ -88,7 +89,9 @@ struct Candidates {
   std::vector<Candidate> largest, smallest;  ///< largest reach first; −value for the smallest
 };
 
-Candidates candidates(const TimeCurve& curve, double margin) {
+/// A turning point rises above its value by an eighth of the bend at most, so few blocks have candidates.
+Candidates candidates(const TimeCurve& curve, const std::vector<numerics::RowBlock>& blocks, Eigen::Index every,
+                      double margin) {
   Candidates found;
   const Eigen::VectorXd& v = curve.values;
   const Eigen::Index last = v.size() - 1;
@@ -99,11 +102,18 @@ Candidates candidates(const TimeCurve& curve, double margin) {
   };
   for (const auto& [end, inner] : {std::pair{Eigen::Index{0}, Eigen::Index{1}}, {last, last - 1}})
     add(std::abs(v(end) - v(inner)), end, v(end) > v(inner));
-  for (Eigen::Index i = 1; i < last; ++i) {
-    const double before = v(i) - v(i - 1), after = v(i + 1) - v(i);
-    if (before * after > 0) continue;
-    const double bend = after - before, slope = (after + before) / 2;
-    if (bend != 0) add(margin * slope * slope / (2 * std::abs(bend)), i, bend < 0);
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const double bend = std::max(blocks[b].bend, b + 1 < blocks.size() ? blocks[b + 1].bend : 0),
+                 rise = (1 + round_off_of_bends) * margin * bend / 8;
+    if (blocks[b].largest + rise <= curve.largest.value && blocks[b].smallest - rise >= curve.smallest.value) continue;
+    const Eigen::Index first = to_index(b) * every;
+    for (Eigen::Index i = std::max<Eigen::Index>(first, 1); i < std::min(first + every, last); ++i) {
+      if (v(i) + rise <= curve.largest.value && v(i) - rise >= curve.smallest.value) continue;
+      const double before = v(i) - v(i - 1), after = v(i + 1) - v(i);
+      if (before * after > 0) continue;
+      const double bend_here = after - before, slope = (after + before) / 2;
+      if (bend_here != 0) add(margin * slope * slope / (2 * std::abs(bend_here)), i, bend_here < 0);
+    }
   }
   for (std::vector<Candidate>* list : {&found.largest, &found.smallest}) {
     const auto kept = static_cast<std::ptrdiff_t>(std::min(list->size(), most_searches));
@@ -116,12 +126,13 @@ Candidates candidates(const TimeCurve& curve, double margin) {
 
 }  // namespace
 
-void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, const TimeGrid& grid,
-                           const Checkpoints& checkpoints, const foundation::Progress& progress, TimeCurve& curve) {
+void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, std::size_t index,
+                           const TimeGrid& grid, const TimeBlocks& blocks, const foundation::Progress& progress,
+                           TimeCurve& curve) {
   // For a sine with phase θ between points, the parabola has (1 + cos θ)/2 of the rise; a quarter more for other
   // motions.
   const double phase = std::min(grid.fastest * grid.step, 2.5);
-  const Candidates found = candidates(curve, 2.5 / (1 + std::cos(phase)));
+  const Candidates found = candidates(curve, blocks.of_curve[index], blocks.every, 2.5 / (1 + std::cos(phase)));
   std::size_t done = 0;
   const std::size_t all = found.largest.size() + found.smallest.size();
   for (const double sign : {1.0, -1.0}) {
@@ -133,9 +144,9 @@ void search_between_points(TimeStepper& stepper, const StateSpace& space, const 
                                   static_cast<double>(done++) / static_cast<double>(all));
       const Eigen::Index first = std::max<Eigen::Index>(candidate.point - 1, 0),
                          last = std::min(candidate.point + 1, grid.points - 1);
-      StepperState state = checkpoints.states[to_size(first / checkpoints.every)];
-      for (Eigen::Index i = first / checkpoints.every * checkpoints.every; i < first; ++i)
-        stepper.advance(state, grid.time(i + 1));
+      const Eigen::Index block = first / blocks.every;
+      StepperState state = stepper.state_at(grid.time(block * blocks.every), blocks.states.col(block));
+      for (Eigen::Index i = block * blocks.every; i < first; ++i) stepper.advance(state, grid.time(i + 1));
       for (Eigen::Index i = first; i < last; ++i) {
         search.over(state, grid.time(i + 1), best);
         stepper.advance(state, grid.time(i + 1));

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "trivet/foundation/constants.h"
@@ -33,6 +34,8 @@ TransientRecord::TransientRecord(TimeStepper& stepper, const std::vector<InputCo
       rows_(std::move(rows)),
       grid_(grid),
       curves_(to_size(rows_.on_state.rows())),
+      used_(used_inputs(rows_)),
+      kappas_(courses.size()),
       inputs_(rows_.on_input.cols()) {
   for (std::size_t c = 0; c < courses.size(); ++c)
     held_.push_back(held_derivatives(rows_.on_input.middleCols(to_index(c) * input_derivatives, input_derivatives),
@@ -45,27 +48,62 @@ TransientRecord::TransientRecord(TimeStepper& stepper, const std::vector<InputCo
 }
 
 void TransientRecord::run(StepperState state, const foundation::Progress& progress) {
-  constexpr Eigen::Index block = 256;
-  checkpoints_ = {block, {}};
-  const std::vector<Eigen::Index> used = used_inputs(rows_);
-  const Eigen::MatrixXd on_used = rows_.on_input(Eigen::all, used);
-  Eigen::MatrixXd X(state.x.size(), block), W(to_index(used.size()), block), Y;
-  for (Eigen::Index first = 0; first < grid_.points; first += block) {
-    foundation::report_progress(progress, "transient", static_cast<double>(first) / static_cast<double>(grid_.points));
-    checkpoints_.states.push_back(state);
-    const Eigen::Index count = std::min(block, grid_.points - first);
-    for (Eigen::Index i = 0; i < count; ++i) {
-      X.col(i) = state.x;
-      if (!used.empty()) stepper_.inputs(state, inputs_);
-      for (std::size_t j = 0; j < used.size(); ++j) W(to_index(j), i) = inputs_(used[j]);
-      if (first + i + 1 < grid_.points) to_next_point(state, grid_.time(first + i + 1));
-    }
-    if (!X.leftCols(count).allFinite())
+  constexpr Eigen::Index block = 128, blocks_of_a_report = 8;
+  const Eigen::Index count = (grid_.points + block - 1) / block, n = state.x.size();
+  blocks_.every = block;
+  blocks_.states.resize(n, count);
+  blocks_.of_curve.assign(curves_.size(), std::vector<numerics::RowBlock>(to_size(count)));
+  const Eigen::Index inputs = to_index(used_.size());
+  Eigen::MatrixXd rows(rows_.on_state.rows(), n + inputs);
+  rows.leftCols(n) = rows_.on_state;
+  if (inputs > 0) rows.rightCols(inputs) = rows_.on_input(Eigen::all, used_);
+  numerics::RowsOverTime values(rows, block);
+  TimeSamples samples{0, Eigen::MatrixXd(rows.cols(), block + 1),
+                      Eigen::MatrixXd(to_index(courses_.size()) * 5, block)};
+  for (Eigen::Index b = 0; b < count; ++b) {
+    const Eigen::Index first = b * block, points = samples.points = std::min(block, grid_.points - first);
+    if (b % blocks_of_a_report == 0)
+      foundation::report_progress(progress, "transient", static_cast<double>(b) / static_cast<double>(count));
+    blocks_.states.col(b) = state.x;
+    add_block(state, first, samples);
+    if (!samples.X.col(points - 1).head(n).allFinite())
       throw foundation::NotComputable(fmt::format("transient: the motion exceeds the range of numbers before {:.4g} s",
-                                                  grid_.time(first + count - 1)));
-    Y.noalias() = X.leftCols(count).transpose() * rows_.on_state.transpose();
-    Y.noalias() += W.leftCols(count).transpose() * on_used.transpose();
-    keep(Y, first);
+                                                  grid_.time(first + points - 1)));
+    values.evaluate(samples.X.leftCols(points));
+    keep(values, first, points);
+  }
+  add_extremes_at_points();
+}
+
+void TransientRecord::add_block(StepperState& state, Eigen::Index first, TimeSamples& samples) {
+  const Eigen::Index n = state.x.size(), count = samples.points;
+  for (Eigen::Index i = 0; i < count;) {
+    const Eigen::Index most = std::min(count - i, grid_.points - 1 - (first + i));
+    samples.X.col(i).head(n) = state.x;
+    for (std::size_t c = 0; c < courses_.size(); ++c) kappas_[c] = courses_[c].kappa(state.places[c]);
+    const Eigen::Index steps = stepper_.take_whole_steps(
+        state, grid_, first + i, held_, samples.X.block(0, i, n, most + 1), samples.w.middleCols(i, most));
+    if (steps > 0) {
+      add_inputs(i, steps, samples);
+      i += steps;
+      continue;
+    }
+    stepper_.inputs(state, inputs_);
+    samples.X.col(i).tail(to_index(used_.size())) = inputs_(used_);
+    ++i;
+    if (first + i < grid_.points) to_next_point(state, grid_.time(first + i));
+  }
+}
+
+void TransientRecord::add_inputs(Eigen::Index begin, Eigen::Index count, TimeSamples& samples) const {
+  const Eigen::Index n = samples.X.rows() - to_index(used_.size());
+  for (std::size_t j = 0; j < used_.size(); ++j) {
+    const Eigen::Index course = used_[j] / input_derivatives;
+    const double kappa = kappas_[to_size(course)];
+    Eigen::Index m = used_[j] % input_derivatives;
+    double factor = 1;
+    for (; m > 4; m -= 2) factor *= -kappa * kappa;
+    samples.X.row(n + to_index(j)).segment(begin, count) = factor * samples.w.row(course * 5 + m).segment(begin, count);
   }
 }
 
@@ -101,19 +139,31 @@ void TransientRecord::note(const StepperState& state) {
   }
 }
 
-void TransientRecord::keep(const Eigen::MatrixXd& values, Eigen::Index first) {
-  for (Eigen::Index k = 0; k < values.cols(); ++k) {
-    TimeCurve& curve = curves_[to_size(k)];
-    curve.values.segment(first, values.rows()) = values.col(k);
-    Eigen::Index at = 0;
-    if (values.col(k).maxCoeff() > curve.largest.value) {
-      const double value = values.col(k).maxCoeff(&at);
-      curve.largest = {value, grid_.time(first + at)};
-    }
-    if (values.col(k).minCoeff() < curve.smallest.value) {
-      const double value = values.col(k).minCoeff(&at);
-      curve.smallest = {value, grid_.time(first + at)};
-    }
+void TransientRecord::keep(const numerics::RowsOverTime& values, Eigen::Index first, Eigen::Index count) {
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    values.copy_row(to_index(k), curves_[k].values.segment(first, count));
+    blocks_.of_curve[k][to_size(first / blocks_.every)] = values.block(to_index(k));
+  }
+}
+
+void TransientRecord::add_extremes_at_points() {
+  const auto less = [](double numerics::RowBlock::* value) {
+    return [value](const numerics::RowBlock& a, const numerics::RowBlock& b) { return a.*value < b.*value; };
+  };
+  for (std::size_t k = 0; k < curves_.size(); ++k) {
+    TimeCurve& curve = curves_[k];
+    const std::vector<numerics::RowBlock>& blocks = blocks_.of_curve[k];
+    const auto position = [&](const auto& block, double value) {
+      const Eigen::Index first = (block - blocks.begin()) * blocks_.every;
+      const double* begin = curve.values.data() + first;
+      return grid_.time(first +
+                        (std::find(begin, begin + std::min(blocks_.every, grid_.points - first), value) - begin));
+    };
+    const auto largest = std::max_element(blocks.begin(), blocks.end(), less(&numerics::RowBlock::largest)),
+               smallest = std::min_element(blocks.begin(), blocks.end(), less(&numerics::RowBlock::smallest));
+    if (largest->largest > curve.largest.value) curve.largest = {largest->largest, position(largest, largest->largest)};
+    if (smallest->smallest < curve.smallest.value)
+      curve.smallest = {smallest->smallest, position(smallest, smallest->smallest)};
   }
 }
 
