@@ -93,4 +93,10 @@ Load Load::scaled(const Eigen::VectorXd& by) const {
   return result;
 }
 
+Load Load::in_basis(const Eigen::MatrixXd& basis) const {
+  Load result(basis.cols());
+  for (const LoadTerm& term : terms_) result.add({term.power, term.delay, basis.transpose() * term.value});
+  return result;
+}
+
 }  // namespace trivet::numerics

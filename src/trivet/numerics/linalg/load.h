@@ -50,6 +50,8 @@ class Load {
   /// The load of the first `rows` rows, or with scaled rows.
   [[nodiscard]] Load head(Eigen::Index rows) const;
   [[nodiscard]] Load scaled(const Eigen::VectorXd& by) const;
+  /// The load on coordinates q', q = basis · q'.
+  [[nodiscard]] Load in_basis(const Eigen::MatrixXd& basis) const;
 
  private:
   Eigen::Index size_ = 0;

@@ -10,6 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/state_form.h"
 
@@ -170,6 +171,12 @@ PoleResidueForm pole_residue_form(const DynamicMatrices& m, const Eigen::MatrixX
     form.participation.resize(form.poles.size(), 0);
     form.free_motion.resize(m.size(), 0);
     form.static_part.resize(m.size(), 0);
+    return form;
+  }
+  if (const PartedSystem parted = parted_system(m); parted.any) {
+    PoleResidueForm form = pole_residue_form(parted.matrices, parted.basis.transpose() * right_sides);
+    for (Eigen::MatrixXcd* rows : {&form.shapes, &form.free_motion, &form.static_part})
+      *rows = (parted.basis * *rows).eval();
     return form;
   }
   const Rows held = held_by_stiffness_only(m);

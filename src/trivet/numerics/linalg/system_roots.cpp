@@ -75,6 +75,11 @@ void part_free_motions(const DynamicMatrices& m, const std::vector<Eigen::Index>
 }  // namespace
 
 SystemRoots system_roots(const DynamicMatrices& m) {
+  if (const PartedSystem parted = parted_system(m); parted.any) {
+    SystemRoots result = system_roots(parted.matrices);
+    result.roots.vectors = (parted.basis * result.roots.vectors).eval();
+    return result;
+  }
   if (const ReducedSystem reduced = reduced_system(m); reduced.any) {
     SystemRoots result = system_roots(reduced.matrices);
     result.roots.vectors = (reduced.recovery * result.roots.vectors).eval();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/massless.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
@@ -139,6 +140,11 @@ SeriesAtInfinity load_series_at_infinity(const Load& load, double radius, int or
 
 SeriesAtInfinity ResponseSeries::at_infinity(double radius, int order) const {
   const DynamicMatrices& m = matrices_;
+  if (const PartedSystem parted = parted_system(m); parted.any) {
+    SeriesAtInfinity q = ResponseSeries(parted.matrices, load_.in_basis(parted.basis)).at_infinity(radius, order);
+    q.coefficients = (scale_.asDiagonal() * (parted.basis * q.coefficients)).eval();
+    return q;
+  }
   SeriesAtInfinity h = load_series_at_infinity(load_, radius, order + 2);
   Eigen::MatrixXcd constant = -m.A.cast<Complex>();
   Eigen::MatrixXcd slope = Complex(0, radius) * m.B.cast<Complex>();

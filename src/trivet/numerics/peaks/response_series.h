@@ -32,7 +32,7 @@ class ResponseSeries {
   /// defective poles. centre > 0, or 0 if Z(0) is regular.
   [[nodiscard]] Eigen::MatrixXcd about(double centre, double radius, int order) const;
 
-  /// q about ω = ∞. A row without mass must have damping, or stiffness only.
+  /// q about ω = ∞. Coordinates without mass may have damping, or stiffness only.
   [[nodiscard]] SeriesAtInfinity at_infinity(double radius, int order) const;
 
  private:
