@@ -146,7 +146,8 @@ std::string warnings_text(const study::Answers& answers) {
       warnings.add(warning);
   std::string text = foundation::message_list(warnings);
   for (const std::string& failure : answers.failures) text += "NOT COMPUTED: " + failure + "\n";
-  for (const std::string& motion : answers.free_motions) text += "note: " + motion + "\n";
+  for (const auto* notes : {&answers.free_motions, &answers.notes})
+    for (const std::string& note : *notes) text += "note: " + note + "\n";
   return text.empty() ? text : text + "\n";
 }
 

@@ -107,6 +107,14 @@ axis = "z"
 """,
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
+    (KEYS, "Nodes"): FRAME
+    + """[elements.tip]
+type = "bushing"
+on = "frame"
+at = [0.4, 0, 0.2]
+from = "joint"
+translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
+""",
     (KEYS, "Element types"): GENSET,
     (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,

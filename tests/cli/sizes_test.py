@@ -47,7 +47,7 @@ class Sizes(Refused):
             + "".join(mount(f"m{i}") for i in range(1000))
             + "".join(f"[cases.c{i}]\nbodies.b.mass = {100 + i}\n" for i in range(1000))
         )
-        self.refused("1001000 bodies, elements and excitations", "at most 50000", text=text)
+        self.refused("1001000 bodies, nodes, elements and excitations", "at most 50000", text=text)
 
     def test_tables_that_are_too_long_or_too_wide(self):
         table = '[elements.t]\ntype = "table"\non = "b"\nat = [0, 0, 0]\nfrom_at = [0, 0, -0.1]\nfile = "t.csv"\n'

@@ -106,7 +106,7 @@ def inertia(factor):
 
 def places(factor):
     def slip(p):
-        if all(e["at"] == [0, 0, 0] for e in elements(p)):
+        if all(e.get("at", [0, 0, 0]) == [0, 0, 0] for e in elements(p)):
             return False
         for e in elements(p):
             for key in ("at", "from_at"):

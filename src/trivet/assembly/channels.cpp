@@ -129,12 +129,15 @@ class Builder {
     const Matrix6 x = spatial::rigid_motion(at);
     const Matrix6 base =
         -(spatial::both_blocks(pose.rotation).transpose() * spatial::rigid_motion(pose.position + pose.rotation * at));
-    return motions(name, [&](int j) {
+    std::vector<Channel> result = motions(name, [&](int j) {
       Channel channel = base_motion(base, j);
       for (int i = 0; i < 6; ++i)
         if (assembled_.layout.row(b, i) >= 0) channel.on_displacement(assembled_.layout.row(b, i)) = x(j, i);
       return channel;
     });
+    for (int j = 5; j >= 0; --j)
+      if (system_.bodies()[b].left_out[to_size(j)]) result.erase(result.begin() + j);
+    return result;
   }
 
   /// Motion of end N of an element in ground axes; or motion of end K relative to N beyond a rigid motion of both, in

@@ -15,8 +15,8 @@ Layout::Layout(const model::Description& description, const std::vector<Eigen::I
     Eigen::Index free = 0;
     for (std::size_t j = 0; j < 6; ++j) rows[j] = body.free[j] ? size_ + free++ : -1;
     add_block(free);
+    if (!body.is_node) of_bodies_ = size_;
   }
-  of_bodies_ = size_;
   for (const auto& foundation : description.foundations) {
     foundations_.push_back(size_);
     add_block(foundation.mass.rows());

@@ -9,8 +9,8 @@
 
 namespace trivet::assembly {
 
-/// Rows of the coordinates in the global matrices: bodies in their order, only free coordinates; then foundations; then
-/// the internal coordinates of elements, those of frequency-dependent elements last.
+/// Rows of the coordinates in the global matrices: bodies in their order, only free coordinates; then nodes, in the
+/// same way; then foundations; then the internal coordinates of elements, those of frequency-dependent elements last.
 class Layout {
  public:
   /// `internal`: number of internal coordinates of each element; `last`: true if they come last.
@@ -18,7 +18,7 @@ class Layout {
                   const std::vector<bool>& last = {});
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
-  /// Coordinates of bodies: the first rows.
+  /// Coordinates of bodies, without nodes: the first rows.
   [[nodiscard]] Eigen::Index of_bodies() const { return of_bodies_; }
   /// Rows before the internal coordinates of the elements that come last.
   [[nodiscard]] Eigen::Index before_last() const { return before_last_; }
@@ -26,7 +26,8 @@ class Layout {
   [[nodiscard]] Eigen::Index foundation_row(std::size_t foundation) const { return foundations_[foundation]; }
   /// First row of the internal coordinates of an element.
   [[nodiscard]] Eigen::Index internal_row(std::size_t element) const { return internal_[element]; }
-  /// First rows, ascending, of the coordinate blocks: of a body, of a foundation, the internal ones of an element.
+  /// First rows, ascending, of the coordinate blocks: of a body or node, of a foundation, the internal ones of an
+  /// element.
   [[nodiscard]] const std::vector<Eigen::Index>& blocks() const { return blocks_; }
   /// −1 for a coordinate that is not free.
   [[nodiscard]] Eigen::Index row(std::size_t body, int coordinate) const { return rows_[body][to_size(coordinate)]; }

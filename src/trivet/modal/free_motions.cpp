@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
+#include "trivet/numerics/linalg/reduced_echelon.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -46,7 +47,7 @@ Matrix6x unresisted_motions(const model::System& system, const assembly::Assembl
     for (int j = 0; j < 6; ++j) {
       const Eigen::RowVectorXd row = motions.row(6 * to_index(b) + j);
       if (assembled.layout.row(b, j) >= 0) free_rows.row(assembled.layout.row(b, j)) = row;
-      else resistance += row.transpose() * row;
+      else if (system.bodies()[b].is_constrained(to_size(j))) resistance += row.transpose() * row;
     }
   const Eigen::VectorXd d = numerics::unit_scale(assembled.matrices);
   const Eigen::MatrixXd force = d.asDiagonal() * assembled.matrices.K * free_rows;
@@ -55,18 +56,8 @@ Matrix6x unresisted_motions(const model::System& system, const assembly::Assembl
   const numerics::SymmetricEigen<spatial::Matrix6> eigen = numerics::symmetric_eigen(resistance);
   Eigen::Index count = 0;
   while (count < 6 && eigen.values(count) < 1e-20) ++count;
-  Eigen::MatrixXd rows = eigen.vectors.leftCols(count).transpose();
-  Eigen::Index pivot_row = 0;
-  for (Eigen::Index column = 0; column < 6 && pivot_row < count; ++column) {
-    Eigen::Index best = 0;
-    if (rows.col(column).tail(count - pivot_row).cwiseAbs().maxCoeff(&best) < 1e-6) continue;
-    rows.row(pivot_row).swap(rows.row(pivot_row + best));
-    rows.row(pivot_row) /= double(rows(pivot_row, column));
-    for (Eigen::Index r = 0; r < count; ++r)
-      if (r != pivot_row) rows.row(r) -= (rows(r, column) * rows.row(pivot_row)).eval();
-    ++pivot_row;
-  }
-  return rows.unaryExpr([](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; }).transpose();
+  const Eigen::MatrixXd basis = eigen.vectors.leftCols(count).transpose();
+  return numerics::reduced_echelon(basis).transpose();
 }
 
 std::string whole_words(const spatial::Vector6& motion, const Eigen::Vector3d& about) {

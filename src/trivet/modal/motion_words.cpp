@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
@@ -33,9 +34,27 @@ std::string guided_name(const Eigen::VectorXd& share, const Eigen::VectorXd& sha
       turns ? "rotation about" : "translation along", std::string(1, "xyz"[largest % 3]));
 }
 
+/// "motion of seat 1, seat 2": the nodes that carry most of the kinetic energy, of the mass of their elements; else "".
+std::string motion_of_nodes(const model::System& system, const Mode& mode) {
+  std::vector<double> shares;
+  for (std::size_t b = 0; b < system.bodies().size(); ++b)
+    shares.push_back(system.bodies()[b].is_node ? mode.kinetic_energy_share.segment<6>(6 * to_index(b)).sum() : 0);
+  if (!(std::accumulate(shares.begin(), shares.end(), 0.0) > inside_elements)) return "";
+  constexpr double much = 0.5;  // of the largest share
+  constexpr int most_names = 4;
+  const double largest = *std::max_element(shares.begin(), shares.end());
+  std::string names;
+  int moving = 0;
+  for (std::size_t b = 0; b < shares.size(); ++b)
+    if (shares[b] > much * largest && ++moving <= most_names)
+      names += (names.empty() ? "" : ", ") + system.bodies()[b].name;
+  return "motion of " + names + (moving > most_names ? fmt::format(" and {} more nodes", moving - most_names) : "");
+}
+
 }  // namespace
 
 double body_size(const model::Body& body) {
+  if (body.is_node) return 1;
   const double largest = spatial::inertia_about_pole(body.mass).diagonal().maxCoeff();
   const double radius = std::sqrt(std::max(largest, 0.0) / body.mass.mass);
   return radius > 0 && std::isfinite(radius) ? radius : 1;
@@ -65,7 +84,9 @@ std::string mode_name(const model::System& system, const Mode& mode) {
         names += (names.empty() ? "" : ", ") + system.elements()[e].name;
     return "surging inside " + names;
   }
-  const auto bodies = to_index(system.bodies().size());
+  if (const std::string frame = motion_of_nodes(system, mode); !frame.empty()) return frame;
+  const auto bodies = std::count_if(system.bodies().begin(), system.bodies().end(),
+                                    [](const model::Body& body) { return !body.is_node; });
   Eigen::Index leader = 0;
   double best = -1;
   for (Eigen::Index b = 0; b < bodies; ++b) {

@@ -20,11 +20,33 @@ namespace {
 using spatial::Matrix6;
 using spatial::Vector6;
 
-/// Rows of a body's free coordinates, and of the inner coordinates of the elements that hold it.
+/// Rows of a body's free coordinates, and of the coordinates that follow it: of nodes, and inner ones of the elements
+/// that hold it or these nodes.
 struct Rows {
   std::vector<Eigen::Index> body, inner;
   std::vector<int> coordinates;  // of `body`, 0 … 5
+  std::vector<bool> moving;      // the body, and the nodes that elements join to it
 };
+
+/// The body, and the nodes that elements join to it without another body between.
+std::vector<bool> moving_with(const model::System& system, std::size_t body) {
+  std::vector<bool> moving(system.bodies().size(), false);
+  moving[body] = true;
+  for (bool more = true; more;) {
+    more = false;
+    for (const model::Element& element : system.elements()) {
+      if (!element.n.body || !element.k.body || moving[*element.n.body] == moving[*element.k.body]) continue;
+      const std::size_t other = moving[*element.n.body] ? *element.k.body : *element.n.body;
+      if (!system.bodies()[other].is_node) continue;
+      moving[other] = more = true;
+    }
+  }
+  return moving;
+}
+
+bool is_on(const model::Element& element, const std::vector<bool>& moving) {
+  return (element.n.body && moving[*element.n.body]) || (element.k.body && moving[*element.k.body]);
+}
 
 Rows rows_of(const model::System& system, const assembly::Assembled& assembled, std::size_t body) {
   Rows rows;
@@ -33,10 +55,13 @@ Rows rows_of(const model::System& system, const assembly::Assembled& assembled, 
       rows.body.push_back(row);
       rows.coordinates.push_back(j);
     }
+  rows.moving = moving_with(system, body);
+  for (std::size_t node = 0; node < system.bodies().size(); ++node)
+    for (int j = 0; j < 6 && node != body && rows.moving[node]; ++j)
+      if (const Eigen::Index row = assembled.layout.row(node, j); row >= 0) rows.inner.push_back(row);
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
-    const model::Element& element = system.elements()[e];
     const assembly::ElementMap& map = assembled.elements[e];
-    if (element.n.body == body || element.k.body == body)
+    if (is_on(system.elements()[e], rows.moving))
       rows.inner.insert(rows.inner.end(), map.rows.begin() + map.end_columns, map.rows.end());
   }
   return rows;
@@ -115,11 +140,11 @@ std::vector<BodyMode> body_modes(const model::Body& body, const numerics::Dynami
   return modes;
 }
 
-void note_elements(const model::System& system, std::size_t body, std::vector<std::string>& notes) {
+void note_elements(const model::System& system, const std::vector<bool>& moving, std::vector<std::string>& notes) {
   for (const model::Element& element : system.elements()) {
-    if (element.n.body != body && element.k.body != body) continue;
-    if (element.n.body && element.k.body) {
-      const std::size_t other = element.n.body == body ? *element.k.body : *element.n.body;
+    if (!is_on(element, moving)) continue;
+    if (element.n.body && element.k.body && moving[*element.n.body] != moving[*element.k.body]) {
+      const std::size_t other = moving[*element.n.body] ? *element.k.body : *element.n.body;
       notes.push_back(
           fmt::format("\"{}\" acts as if \"{}\" were the ground", element.name, system.bodies()[other].name));
     }
@@ -148,7 +173,7 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
   result.body = index;
   result.stiffness = stiffness_at_rest(assembled.matrices.K, rows);
   result.modes = body_modes(body, assembled.matrices, rows);
-  note_elements(system, index, result.notes);
+  note_elements(system, rows.moving, result.notes);
   if (rows.body.size() < 6) {
     result.notes.push_back(fmt::format(
         "\"{}\" is constrained by `free`, so its elements alone define no elastic centre and no roll axes", body.name));

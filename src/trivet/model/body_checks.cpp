@@ -29,10 +29,14 @@ bool has_regular_mass(const Body& body) {
 }  // namespace
 
 void check_body(const Body& body, foundation::Problems& problems) {
-  const std::string subject = "bodies." + body.name;
-  if (std::none_of(body.free.begin(), body.free.end(), [](bool f) { return f; }))
-    problems.error(subject + ".free", "no free coordinate", "a body must be able to move",
+  const std::string subject = path_of(body);
+  const bool may_move = std::any_of(body.free.begin(), body.free.end(), [](bool f) { return f; }) ||
+      std::any_of(body.left_out.begin(), body.left_out.end(), [](bool left) { return left; });
+  if (!may_move)
+    problems.error(subject + ".free", "no free coordinate",
+                   body.is_node ? "a node must be able to move" : "a body must be able to move",
                    "name at least one of x, y, z, rx, ry, rz, or make it part of the ground");
+  if (body.is_node) return;
   const bool turns = body.free[3] || body.free[4] || body.free[5];
   if (!body.has_inertia && turns)
     problems.error(subject, "no inertia", "a body that can turn needs its moments of inertia",
@@ -68,7 +72,7 @@ void check_held(const Description& description, foundation::Problems& problems) 
     for (const End* end : {&element.k, &element.n})
       if (end->body) held[*end->body] = true;
   for (std::size_t b = 0; b < held.size(); ++b)
-    if (!held[b])
+    if (!held[b] && !description.bodies[b].is_node)
       problems.warning("bodies." + description.bodies[b].name, "no element ends on it",
                        "a body that nothing holds moves freely, with a rigid-body mode at 0 Hz for each coordinate",
                        "name it in `on` or `from` of an element; if it is meant to be free, change nothing");

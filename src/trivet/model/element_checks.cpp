@@ -200,7 +200,10 @@ void check_element(const Description& description, const Element& element, found
     return;
   }
   if (element.n.body == element.k.body) {
-    problems.error(subject, element.n.body ? "both ends are on the same body" : "both ends are on the ground",
+    problems.error(subject,
+                   !element.n.body                                   ? "both ends are on the ground"
+                       : description.bodies[*element.n.body].is_node ? "both ends are on the same node"
+                                                                     : "both ends are on the same body",
                    "an element joins two bodies, or a body and the ground", "change `on` or `from`");
     return;
   }

@@ -17,15 +17,16 @@ std::string coordinates_left_behind(const Body& body, const Action::Amplitude& m
   const double turning = motion.tail<3>().norm(), moving = motion.head<3>().norm() + arm.norm() * turning;
   std::string names;
   for (int j = 0; j < 6; ++j)
-    if (!body.free[to_size(j)] && std::abs(here(j)) > round_off * (j < 3 ? moving : turning))
+    if (body.is_constrained(to_size(j)) && std::abs(here(j)) > round_off * (j < 3 ? moving : turning))
       names += (names.empty() ? "" : ", ") + std::string(coordinate_names[to_size(j)]);
   return names;
 }
 
 void warn_of_guides(const Body& body, const std::string& coordinates, const std::string& cause,
                     foundation::Problems& problems) {
-  problems.warning("bodies." + body.name + ".free",
-                   fmt::format("the body is constrained in {}, and {} moves the ground there", coordinates, cause),
+  problems.warning(path_of(body) + ".free",
+                   fmt::format("the {} is constrained in {}, and {} moves the ground there",
+                               body.is_node ? "node" : "body", coordinates, cause),
                    "constraints are fixed in space: the ground moves away under the body, and only its free "
                    "coordinates respond to the motion of its mounts",
                    "if the constraints move with the ground, add these coordinates to free and hold them by an element "

@@ -33,6 +33,24 @@ std::optional<spatial::Wrench> preload_wrench(const Description& description, st
   return sum;
 }
 
+/// Warns if the preloads on a node, which has no weight, do not balance.
+void check_node(const Body& node, const Eigen::Vector3d& sum, double largest, foundation::Problems& problems) {
+  if (sum.norm() <= silent_imbalance * largest) return;
+  problems.warning(path_of(node),
+                   fmt::format("the sum of its preloads is ({:.6g}, {:.6g}, {:.6g}) N", sum.x(), sum.y(), sum.z()),
+                   "at rest the preloads of the elements on a node balance each other: it has no weight",
+                   "set the preload of every element that ends on it");
+}
+
+/// Largest force at rest of any element.
+double largest_preload(const Description& description) {
+  double largest = 0;
+  for (const Element& element : description.elements)
+    if (element.law.preload)
+      for (const int first : {0, 6}) largest = std::max(largest, element.law.preload->segment<3>(first).norm());
+  return largest;
+}
+
 }  // namespace
 
 void check_preloads(const Description& description, foundation::Problems& problems) {
@@ -40,6 +58,10 @@ void check_preloads(const Description& description, foundation::Problems& proble
     const Body& body = description.bodies[b];
     const auto sum = preload_wrench(description, b);
     if (!sum) continue;
+    if (body.is_node) {
+      check_node(body, sum->force, largest_preload(description), problems);
+      continue;
+    }
     if (!description.gravity) {
       problems.warning(
           "bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),

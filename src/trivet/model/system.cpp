@@ -9,6 +9,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
 #include "trivet/model/modal_ground.h"
+#include "trivet/model/node_stiffness.h"
+#include "trivet/model/nodes.h"
 
 namespace trivet::model {
 namespace {
@@ -42,8 +44,16 @@ void check_shared_names(const Description& description, foundation::Problems& pr
   for (const auto& element : description.elements)
     for (const auto& body : description.bodies)
       if (element.name == body.name)
-        problems.error("elements." + element.name, fmt::format("\"{}\" is also the name of a body", element.name),
-                       "results are named after bodies and elements, so these names must differ", "rename the element");
+        problems.error("elements." + element.name,
+                       fmt::format("\"{}\" is also the name of a {}", element.name, body.is_node ? "node" : "body"),
+                       "results are named after bodies, nodes and elements, so these names must differ",
+                       "rename the element");
+  for (const auto& node : description.bodies)
+    for (const auto& body : description.bodies)
+      if (node.is_node && !body.is_node && node.name == body.name)
+        problems.error("nodes." + node.name, fmt::format("\"{}\" is also the name of a body", node.name),
+                       "results are named after bodies, nodes and elements, so these names must differ",
+                       "rename the node");
 }
 
 void check_damping(const Description& description, foundation::Problems& problems) {
@@ -67,8 +77,11 @@ void check_damping(const Description& description, foundation::Problems& problem
   }
   if (const auto* modal = std::get_if<ModalDamping>(&description.damping)) {
     std::size_t coordinates = 0;
-    for (const auto& body : description.bodies)
-      for (const bool free : body.free) coordinates += free;
+    for (std::size_t b = 0; b < description.bodies.size(); ++b) {
+      const Body& body = description.bodies[b];
+      coordinates += body.is_node ? coordinates_with_mass(description, b)
+                                  : to_size(std::count(body.free.begin(), body.free.end(), true));
+    }
     for (const auto& element : description.elements)
       if (element.law.inertia) coordinates += to_size(element.law.inertia->angular_frequencies.size());
     for (const auto& foundation : description.foundations)
@@ -86,7 +99,7 @@ void check_damping(const Description& description, foundation::Problems& problem
         problems.error("damping.modal", fmt::format("ratio {:.6g}", ratio),
                        "a damping ratio is at most 1000; 1 is critical", "check the number");
     for (const auto& body : description.bodies)
-      if (body.allow_unphysical && !spatial::violated_bounds(body.mass).empty())
+      if (body.allow_unphysical && !body.is_node && !spatial::violated_bounds(body.mass).empty())
         problems.error("damping.modal", fmt::format("body \"{}\" has an unphysical mass", body.name),
                        "modal damping ratios need a model in which every undamped mode oscillates",
                        "define the damping of the elements instead");
@@ -167,9 +180,11 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 
 foundation::Expected<System> System::checked(Description description) {
   foundation::Problems problems;
-  if (description.bodies.empty())
-    problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
-  check_names(description.bodies, "bodies", problems);
+  std::vector<NameOnly> bodies, nodes;
+  for (const auto& body : description.bodies) (body.is_node ? nodes : bodies).push_back({body.name});
+  if (bodies.empty()) problems.error("bodies", "no body", "a model has at least one body", "add [bodies.NAME]");
+  check_names(bodies, "bodies", problems);
+  check_names(nodes, "nodes", problems);
   std::vector<NameOnly> elements;  // a foundation has the name of the element above it
   for (const auto& element : description.elements)
     if (!element.is_foundation) elements.push_back({element.name});
@@ -193,7 +208,8 @@ foundation::Expected<System> System::checked(Description description) {
     check_body(body, problems);
   }
   for (const auto& element : description.elements) check_element(description, element, problems);
-  check_damping(description, problems);
+  if (!problems.has_errors()) settle_nodes(description, problems);
+  if (bodies.size() == description.bodies.size() || !problems.has_errors()) check_damping(description, problems);
   if (!problems.has_errors())
     check_preloads(description, problems), check_guides(description, problems), check_held(description, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));

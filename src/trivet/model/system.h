@@ -22,6 +22,7 @@ struct Point {
   Eigen::Vector3d at = Eigen::Vector3d::Zero();  ///< body frame [m]
 };
 
+/// A rigid body; or a node, a place without mass where elements meet. Nodes are last in the list of bodies.
 struct Body {
   std::string name;
   spatial::Pose pose;  ///< of the body frame (its origin is the pole) in the ground frame, at rest
@@ -30,7 +31,21 @@ struct Body {
   std::array<bool, 6> free = {true, true, true, true, true, true};  ///< x, y, z, θx, θy, θz
   std::vector<Point> points;
   bool allow_unphysical = false;
+  bool is_node = false;               ///< mass and inertia are zero
+  std::array<bool, 6> left_out = {};  ///< of a node: directions that no element holds; they are then not free
+
+  /// True if this coordinate is held in space.
+  [[nodiscard]] bool is_constrained(std::size_t coordinate) const { return !free[coordinate] && !left_out[coordinate]; }
+  /// True if any coordinate is.
+  [[nodiscard]] bool is_constrained() const {
+    for (std::size_t j = 0; j < free.size(); ++j)
+      if (is_constrained(j)) return true;
+    return false;
+  }
 };
+
+/// Path in the project file: "bodies.NAME", "nodes.NAME".
+[[nodiscard]] inline std::string path_of(const Body& body) { return (body.is_node ? "nodes." : "bodies.") + body.name; }
 
 /// A flexible foundation with its own coordinates p: A p̈ + B ṗ + K p = forces on its ends. Either one ground point
 /// with its impedance, or the modes of a deck.
@@ -49,7 +64,7 @@ struct OnFoundation {
   spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
 
-/// One end of an element: on a body, on a foundation, or on the ground if neither is given.
+/// One end of an element: on a body or node, on a foundation, or on the ground if neither is given.
 struct End {
   std::optional<std::size_t> body;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();        ///< reference point, in the frame of the body or the ground [m]
@@ -129,7 +144,7 @@ struct Description {
 /// A description that passed every check. Immutable.
 class System {
  public:
-  /// Reports all problems at once; the system keeps the warnings.
+  /// Reports all problems at once; the system keeps the warnings. Leaves out directions of nodes that no element holds.
   static foundation::Expected<System> checked(Description description);
 
   [[nodiscard]] const Description& description() const { return description_; }

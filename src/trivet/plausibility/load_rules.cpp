@@ -251,7 +251,8 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
 void judge_balance(const model::System& system, Suspicions& found) {
   const auto& gravity = system.description().gravity;
   const bool guided = std::any_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& body) {
-    return std::find(body.free.begin(), body.free.end(), false) != body.free.end();  // constraints hold it too
+    return body.is_node ||                                                        // the mounts may be under a frame
+        std::find(body.free.begin(), body.free.end(), false) != body.free.end();  // constraints hold it too
   });
   if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies) find_tipping(system, found);
 }

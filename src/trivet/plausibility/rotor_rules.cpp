@@ -38,6 +38,7 @@ void judge_balancing(const Rotor& rotor, const std::string& subject, Suspicions&
 
 void judge_mass(const model::System& system, const Rotor& rotor, const std::string& subject, Suspicions& found) {
   const model::Body& body = system.bodies()[rotor.body];
+  if (body.is_node) return;
   if (rotor.mass && *rotor.mass > body.mass.mass)
     found.push_back(
         {"rotor", subject + ".rotor_mass", fmt::format("{:.6g} kg", *rotor.mass),
@@ -69,6 +70,7 @@ void judge_speeds(const std::vector<Speed>& speeds, Suspicions& found) {
 void judge_engines(const model::System& system, const std::vector<Engine>& engines, Suspicions& found) {
   for (const Engine& engine : engines) {
     const model::Body& body = system.bodies()[engine.body];
+    if (body.is_node) continue;
     const double all = engine.cylinders * engine.oscillating_mass;
     if (all > body.mass.mass)
       found.push_back(

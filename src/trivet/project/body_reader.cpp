@@ -39,21 +39,6 @@ bool read_inertia(TableReader& body, spatial::MassProperties& mass) {
   return true;
 }
 
-void read_free(TableReader& reader, model::Body& body) {
-  const auto names = reader.texts("free", R"(["x", "y"])");
-  if (!names) return;
-  body.free.fill(false);
-  for (const std::string& name : *names) {
-    const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
-    if (found != model::coordinate_names.end() && body.free[to_size(found - model::coordinate_names.begin())])
-      reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
-    else if (found != model::coordinate_names.end()) body.free[to_size(found - model::coordinate_names.begin())] = true;
-    else
-      reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
-                   "name the coordinates that move");
-  }
-}
-
 void read_points(TableReader& reader, model::Body& body, NamesInFile& in_file) {
   const Node* table = reader.table("points");
   if (!table) return;
@@ -109,17 +94,32 @@ model::Body read_body(const Node& node, const std::string& name, std::size_t ind
   body.pose.position = reader.vector("position", Quantity::length).value_or(Eigen::Vector3d::Zero());
   body.pose.rotation = reader.orientation("orientation").value_or(Eigen::Matrix3d::Identity());
   read_points(reader, body, in_file);
-  read_free(reader, body);
+  read_free(reader, body, in_file);
   if (!reader.has("inertia") && !reader.has("solids") && (body.free[3] || body.free[4] || body.free[5]))
     reader.missing("inertia",
                    "a body that can turn needs inertia = {about = \"center_of_mass\", xx = …, yy = …, zz = …}");
-  add_guided_names(body, in_file);
   read_body_adjustments(reader, body, index, in_file);
   reader.finish();
   return body;
 }
 
 }  // namespace
+
+void read_free(TableReader& reader, model::Body& body, NamesInFile& in_file) {
+  const auto names = reader.texts("free", R"(["x", "y"])");
+  if (!names) return;
+  body.free.fill(false);
+  for (const std::string& name : *names) {
+    const auto found = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), name);
+    if (found != model::coordinate_names.end() && body.free[to_size(found - model::coordinate_names.begin())])
+      reader.error("free", "\"" + name + "\" twice", "each coordinate is named once", "remove one");
+    else if (found != model::coordinate_names.end()) body.free[to_size(found - model::coordinate_names.begin())] = true;
+    else
+      reader.error("free", foundation::quoted(name), "a coordinate is one of x, y, z, rx, ry, rz",
+                   "name the coordinates that move");
+  }
+  add_guided_names(body, in_file);
+}
 
 void read_bodies(TableReader& root, model::Description& description, NamesInFile& in_file, const KnownModel* known) {
   const Node* table = root.table("bodies");

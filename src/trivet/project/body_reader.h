@@ -10,4 +10,7 @@ namespace trivet::project {
 void read_bodies(TableReader& root, model::Description& description, NamesInFile& in_file,
                  const KnownModel* known = nullptr);
 
+/// Reads `free` of a body or node, and lists its constrained coordinates.
+void read_free(TableReader& reader, model::Body& body, NamesInFile& in_file);
+
 }  // namespace trivet::project

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/analyses_reader.h"
 #include "trivet/project/analyses/question_reader.h"
@@ -16,6 +17,7 @@
 #include "trivet/project/foundation_reader.h"
 #include "trivet/project/map_numbers.h"
 #include "trivet/project/model_number.h"
+#include "trivet/project/node_reader.h"
 #include "trivet/project/questions.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
@@ -48,9 +50,15 @@ std::string part_path(const std::string& subject) {
   return subject.substr(0, subject.find('.', subject.find('.') + 1));
 }
 
+bool has_every_element(const model::Description& description, const NamesInFile& in_file) {
+  const auto read = std::count_if(description.elements.begin(), description.elements.end(),
+                                  [](const model::Element& element) { return !element.is_foundation; });
+  return to_size(read) == in_file.elements.size();
+}
+
 /// Problems of the checked model that are not consequences of reading errors.
 foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading,
-                                    bool every_body_was_read) {
+                                    bool every_body_was_read, bool every_element_was_read) {
   std::set<std::string> unread;
   bool misplaced = !every_body_was_read;
   for (const auto& problem : reading.list()) {
@@ -59,13 +67,14 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
     const std::string path_in_part =
         problem.subject.substr(std::min(problem.subject.size(), part_path(problem.subject).size()));
     misplaced = misplaced ||
-        (problem.subject.starts_with("bodies.") &&
+        ((problem.subject.starts_with("bodies.") || problem.subject.starts_with("nodes.")) &&
          (path_in_part.starts_with(".position") || path_in_part.starts_with(".orientation")));
   }
   foundation::Problems result;
   for (const auto& problem : found.list()) {
     if (unread.contains(part_path(problem.subject))) continue;
     if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
+    if ((misplaced || !every_element_was_read) && problem.subject.starts_with("nodes.")) continue;
     if (!every_body_was_read && problem.subject == "bodies") continue;
     result.add(problem);
   }
@@ -89,6 +98,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   if (const Node* types = document.find("element_types"); types && types->kind == Node::Kind::table)
     in_file.element_types = types->keys;
   read_bodies(root, description, in_file, known);
+  read_nodes(root, description, in_file);
   read_elements(root, description, in_file, known);
   read_foundations(root, description, in_file);
   read_system_damping(root, description, in_file);
@@ -98,12 +108,14 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
-  const bool every_body_was_read = !in_file.bodies_unknown && description.bodies.size() == in_file.bodies.size();
+  const bool every_body_was_read =
+      !in_file.bodies_unknown && description.bodies.size() == in_file.bodies.size() + in_file.nodes.size();
+  const bool every_element_was_read = has_every_element(description, in_file);
   const std::vector<model::Body> bodies = description.bodies;
   auto system = model::System::checked(std::move(description));
   foundation::Problems all = reading;
-  foundation::Problems physical =
-      beyond_reading(system ? system->warnings() : system.error(), reading, every_body_was_read);
+  foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading,
+                                                 every_body_was_read, every_element_was_read);
   if (!system) name_slips(bodies, document, physical);
   if (system) physical.add(too_large(system->description(), analyses));
   if (system && !reading.has_errors()) check_questions(*system, analyses, physical);
@@ -154,10 +166,10 @@ void add_of_case(const foundation::Problems& found, const foundation::Problems& 
   }
 }
 
-/// Number of bodies, elements and excitations in all cases together; each case has a separate model.
+/// Number of bodies, nodes, elements and excitations in all cases together; each case has a separate model.
 std::size_t parts_of_cases(const Node& document) {
   const auto count = [&](const char* table) { return document.find(table) ? document.find(table)->keys.size() : 0; };
-  return count("cases") * (count("bodies") + count("elements") + count("excitations"));
+  return count("cases") * (count("bodies") + count("nodes") + count("elements") + count("excitations"));
 }
 
 struct ChangedNumber {
@@ -267,7 +279,7 @@ namespace {
 bool are_readable(const Node* cases, std::size_t parts, foundation::Problems& problems) {
   if (parts > most_parts_of_cases) {
     problems
-        .error("cases", fmt::format("{} bodies, elements and excitations in all cases together", parts),
+        .error("cases", fmt::format("{} bodies, nodes, elements and excitations in all cases together", parts),
                fmt::format("at most {} are allowed", most_parts_of_cases), "split the file")
         .origin = cases->origin;
   } else if (cases && cases->kind != Node::Kind::table) {

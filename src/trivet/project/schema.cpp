@@ -64,7 +64,7 @@ void add_element_laws(Json& definitions) {
     if (law->placed) keys["from_orientation"] = reference("element_from_orientation");
     const Json variants = parsed(law->type, law->keys);
     for (const Json& own : variants.is_array() ? variants : Json::array({variants}))
-      elements.push_back(closed(own, keys, {"type", "on", "at"}, groups));
+      elements.push_back(closed(own, keys, {"type", "on"}, groups));
   }
 }
 

@@ -59,20 +59,26 @@ std::vector<std::string> end_labels() {
   return labels;
 }
 
+std::string coordinates_words(const std::array<bool, 6>& named) {
+  std::string words;
+  for (std::size_t j = 0; j < 6; ++j)
+    if (named[j]) words += (words.empty() ? "" : " ") + std::string(motions[j]);
+  return words.empty() ? "none" : words;
+}
+
 std::string bodies_tables(const std::vector<model::Body>& bodies) {
   std::vector<Row> rows;
   std::string inertia;
   for (const model::Body& b : bodies) {
+    if (b.is_node) continue;
     const Eigen::Vector3d moments = spatial::principal_inertia(b.mass).moments;
-    std::string free, points;
-    for (std::size_t j = 0; j < 6; ++j)
-      if (b.free[j]) free += (free.empty() ? "" : " ") + std::string(motions[j]);
+    std::string points;
     for (const model::Point& p : b.points) points += "<div>" + escaped(p.name + " " + vector_words(p.at)) + "</div>";
     rows.push_back({{{b.name},
                      right(number_text(b.mass.mass)),
                      {vector_words(b.mass.centre)},
                      {listed(moments, 6), false, moments.minCoeff() <= 0 ? Tone::bad : Tone::plain},
-                     {free.empty() ? "none" : free},
+                     {coordinates_words(b.free)},
                      {vector_words(b.pose.position)},
                      html_cell(points)},
                     ""});
@@ -88,6 +94,24 @@ std::string bodies_tables(const std::vector<model::Body>& bodies) {
                      {"points [m]"}},
                     rows) +
       folded("Inertia about the pole [kg m²] and axes of the bodies", inertia);
+}
+
+std::string nodes_table(const std::vector<model::Body>& bodies) {
+  std::vector<std::vector<Cell>> rows;
+  for (const model::Body& b : bodies)
+    if (b.is_node)
+      rows.push_back({{b.name},
+                      {vector_words(b.pose.position)},
+                      {coordinates_words(b.free)},
+                      {coordinates_words(b.left_out)},
+                      {axes_words(b.pose.rotation)}});
+  return rows.empty() ? ""
+                      : html_table({{"node"},
+                                    {"position in ground [m]"},
+                                    {"free coordinates"},
+                                    {"left out: held by no element"},
+                                    {"its axes"}},
+                                   rows);
 }
 
 std::string facts_table(const model::Element& element) {
@@ -207,7 +231,8 @@ std::string part(const std::string& title, const std::string& html) {
 
 std::string input_tables(const project::Case& variant) {
   const model::Description& d = variant.system.description();
-  return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) +
+  const std::string nodes = nodes_table(d.bodies);
+  return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) + (nodes.empty() ? "" : part("Nodes", nodes)) +
       part("Elements", d.elements.empty() ? "" : elements_tables(d)) + part("Excitations", excitations_table(d)) +
       (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations))) +
       paragraph(d.gravity ? "Gravity " + vector_words(*d.gravity) +

@@ -63,21 +63,24 @@ std::string coordinates_table(const project::Case& variant, const study::Answers
 
 std::string modes_tables(const project::Case& variant, const study::Answers& answers) {
   if (!variant.analyses.modes) return "";
+  std::vector<std::size_t> massive;
+  for (std::size_t b = 0; b < variant.system.bodies().size(); ++b)
+    if (!variant.system.bodies()[b].is_node) massive.push_back(b);
   const auto& bodies = variant.system.bodies();
   std::vector<Cell> headings = {right("mode")};
   add_frequency_headings(headings);
   headings.push_back({"motion"});
   headings.push_back({"most strained element (share)"});
-  for (const auto& body : bodies)
-    headings.push_back(
-        right(fmt::format("kinetic energy{}: translation / rotation", bodies.size() > 1 ? " of " + body.name : "")));
+  for (const std::size_t b : massive)
+    headings.push_back(right(
+        fmt::format("kinetic energy{}: translation / rotation", massive.size() > 1 ? " of " + bodies[b].name : "")));
   std::vector<Row> rows;
   for (const modal::Mode& m : answers.modes.list) {
     Row row{{right(std::to_string(m.number))}, m.angular_frequency ? "" : "failed"};
     add_mode_frequency(row.cells, m);
     row.cells.push_back({m.name + (m.repeated ? " (repeated root)" : "")});
     row.cells.push_back({most_strained(variant, m)});
-    for (std::size_t b = 0; b < bodies.size(); ++b) row.cells.push_back(right(kinetic_words(m, b)));
+    for (const std::size_t b : massive) row.cells.push_back(right(kinetic_words(m, b)));
     rows.push_back(std::move(row));
   }
   return html_table(headings, rows) +

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -39,6 +40,13 @@ Json excitation_json(const model::Description& d, const model::Excitation& excit
   return result;
 }
 
+Json coordinates_json(const std::array<bool, 6>& named) {
+  Json names = Json::array();
+  for (std::size_t j = 0; j < 6; ++j)
+    if (named[j]) names.push_back(model::coordinate_names[j]);
+  return names;
+}
+
 Json model_json(const project::Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()},
@@ -47,11 +55,9 @@ Json model_json(const project::Case& variant) {
               {"gravity", d.gravity ? json::list(*d.gravity) : Json(nullptr)},
               {"damping", damping_words(d.damping)}};
   for (const auto& body : d.bodies) {
+    if (body.is_node) continue;
     Json points = Json::object();
     for (const auto& point : body.points) points[point.name] = json::list(point.at);
-    Json free = Json::array();
-    for (std::size_t j = 0; j < 6; ++j)
-      if (body.free[j]) free.push_back(model::coordinate_names[j]);
     result["bodies"].push_back({{"name", body.name},
                                 {"mass", body.mass.mass},
                                 {"center_of_mass", json::list(body.mass.centre)},
@@ -60,8 +66,15 @@ Json model_json(const project::Case& variant) {
                                 {"position", json::list(body.pose.position)},
                                 {"rotation", json::rows(body.pose.rotation)},
                                 {"points", std::move(points)},
-                                {"free", std::move(free)}});
+                                {"free", coordinates_json(body.free)}});
   }
+  for (const auto& node : d.bodies)
+    if (node.is_node)
+      result["nodes"].push_back({{"name", node.name},
+                                 {"position", json::list(node.pose.position)},
+                                 {"rotation", json::rows(node.pose.rotation)},
+                                 {"free", coordinates_json(node.free)},
+                                 {"left_out", coordinates_json(node.left_out)}});
   for (const auto& element : d.elements)
     result["elements"].push_back({{"name", element.name},
                                   {"type", element.type},
@@ -111,6 +124,7 @@ Json case_json(const project::Case& variant, const study::Answers& answers) {
               {"model", model_json(variant)},
               {"checks", std::move(checks)},
               {"limits", std::move(limits)}};
+  if (!answers.notes.empty()) result["notes"] = answers.notes;
   for (const AnswerWriter& writer : answer_writers()) {
     if (!writer.is_there(variant, answers)) continue;
     const std::string name = writer.name;

@@ -15,6 +15,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/model/nodes.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -98,6 +99,7 @@ class CaseStudy {
     result.case_name = variant.name;
     result.changes = variant.changes;
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
+    result.notes = model::left_out_notes(c_.system.description());
     result.modes = c_.modes;
     if (const int lowest = analyses.lowest_modes; lowest > 0 && std::ssize(result.modes.list) > lowest) {
       result.modes.list.resize(to_size(lowest));

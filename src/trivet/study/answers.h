@@ -63,6 +63,7 @@ struct Answers {
   std::vector<std::string> changes;
   foundation::Problems warnings;  ///< of data, modes and roots: they concern every answer
   std::vector<std::string> free_motions;
+  std::vector<std::string> notes;  ///< directions of nodes that are left out
   modal::Modes modes;
   int lowest_modes = 0;  ///< if not 0, only so many modes are there
   modal::Roots roots;    ///< empty unless requested

@@ -43,8 +43,8 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
     of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());
   if (std::none_of(of.begin(), of.end(), [](const std::string& word) { return word.starts_with("ground"); })) return;
   for (const model::Body& body : c.system.bodies())
-    if (std::find(body.free.begin(), body.free.end(), false) != body.free.end())
-      warnings.warning("ground", "body \"" + body.name + "\" is constrained",
+    if (body.is_constrained())
+      warnings.warning("ground", (body.is_node ? "node \"" : "body \"") + body.name + "\" is constrained",
                        "totals on the ground are the forces of elements, without the forces of constraints",
                        "add these if they matter");
 }

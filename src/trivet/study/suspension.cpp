@@ -9,8 +9,9 @@ SuspensionAnswer suspension(const project::Case& variant, const std::vector<Eige
   const modal::Modes modes = modal::modes(variant.system, assembled);
   SuspensionAnswer answer;
   for (std::size_t b = 0; b < variant.system.bodies().size(); ++b)
-    answer.bodies.push_back(
-        modal::body_suspension(variant.system, assembled, b, torques.empty() ? modal::body_axes() : torques));
+    if (!variant.system.bodies()[b].is_node)
+      answer.bodies.push_back(
+          modal::body_suspension(variant.system, assembled, b, torques.empty() ? modal::body_axes() : torques));
   answer.excitations = excitations;
   answer.separation = modal::frequency_separation(modes, excitations);
   answer.warnings = variant.warnings;

@@ -9,6 +9,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
+#include "trivet/model/nodes.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/suspicion.h"
@@ -68,6 +69,7 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
 std::vector<CheckLine> check_lines(const project::Case& variant) {
   std::vector<CheckLine> lines;
   for (const auto& body : variant.system.bodies()) {
+    if (body.is_node) continue;
     const std::string subject = "body " + body.name;
     lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
     if (!body.has_inertia) continue;
@@ -110,7 +112,9 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
         return std::find(cases.front().lines.begin(), cases.front().lines.end(), line) != cases.front().lines.end();
       });
     found.free_motions = modal::free_motions(variant.system, assembled, modes);
-    if (cases.empty()) found.notes = plausibility::overturning_notes(variant.system);
+    found.notes = model::left_out_notes(variant.system.description());
+    if (cases.empty())
+      for (std::string& note : plausibility::overturning_notes(variant.system)) found.notes.push_back(std::move(note));
     if (deep) found.deep = deep_check(variant);
     cases.push_back(std::move(found));
   }

@@ -33,7 +33,7 @@ struct CaseCheck {
   foundation::Problems warnings;  ///< of the data, the modes and the roots
   std::vector<CheckLine> lines;   ///< for cases other than the base model: only those that differ from it
   std::vector<std::string> free_motions;
-  std::vector<std::string> notes;           ///< for the base model: bodies that gravity tilts
+  std::vector<std::string> notes;  ///< left-out directions of nodes; for the base model: bodies that gravity tilts
   std::optional<response::DeepCheck> deep;  ///< comparison of two solvers, if requested
 };
 

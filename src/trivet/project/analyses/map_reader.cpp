@@ -49,8 +49,8 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
         "parameter", shown, "a name with blanks needs quotes in a path",
         R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
   const std::vector<std::string> keys = path_keys(path);
-  const std::vector<std::string> parts = {"bodies",      "elements", "element_types",
-                                          "excitations", "damping",  "foundations"};
+  const std::vector<std::string> parts = {"bodies",      "nodes",   "elements",   "element_types",
+                                          "excitations", "damping", "foundations"};
   if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
     reader.error("parameter", shown, "an axis changes one number of the model, named by its path as in --set",
                  "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "trivet/project/analyses/left_out_results.h"
+
 namespace trivet::project {
 namespace {
 
@@ -45,6 +47,7 @@ void read_questions(TableReader& analyses, const ResultNames& names, const Names
 }
 
 void check_questions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+  refuse_left_out_results(system, asked, problems);
   for (const QuestionReader& reader : question_readers())
     if (const Question* question = asked.find<Question>(reader.name); question && reader.check)
       reader.check(*question, system, problems);

@@ -17,6 +17,7 @@ namespace trivet::project {
 ResultNames::ResultNames(const NamesInFile& in_file) : forces_(in_file.elements), guided_(in_file.guided) {
   forces_.push_back("ground");
   motions_ = in_file.bodies;
+  motions_.insert(motions_.end(), in_file.nodes.begin(), in_file.nodes.end());
   motions_.insert(motions_.end(), in_file.points.begin(), in_file.points.end());
   groups_ = {"coordinates"};
   for (const auto* names : {&motions_, &forces_}) groups_.insert(groups_.end(), names->begin(), names->end());

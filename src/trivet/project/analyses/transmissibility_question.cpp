@@ -35,6 +35,7 @@ std::unique_ptr<Question> read_transmissibility(TableReader& reader, const Resul
                    "a force is compared with the force on the ground in the same direction", "remove it");
   asked->direction.rotation = reader.boolean("rotation").value_or(false);
   std::vector<std::string> places = in_file.bodies;
+  places.insert(places.end(), in_file.nodes.begin(), in_file.nodes.end());
   places.insert(places.end(), in_file.points.begin(), in_file.points.end());
   asked->selection.of = reader.texts("of", R"(["BODY"])").value_or(in_file.bodies);
   for (const std::string& name : asked->selection.of)

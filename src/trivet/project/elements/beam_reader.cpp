@@ -137,18 +137,18 @@ ElementLength read_link(TableReader& reader, model::Element& element) {
 }  // namespace
 
 const ElementLaw beam_law = {.type = "beam", .sized = read_beam, .keys = R"json({"properties": {
-   "length": {"$ref": "#/$defs/number", "description": "m, > 0"},
+   "length": {"$ref": "#/$defs/number", "description": "m, > 0 (default: between its ends, if both are given)"},
    "section": {"$ref": "#/$defs/section"},
    "material": {"$ref": "#/$defs/metal"},
    "level": {"enum": ["quasi_static", "with_mass"], "description": "default: with_mass"}},
-  "required": ["length", "section", "material"]})json"};
+  "required": ["section", "material"]})json"};
 
 /// Two names of one law: a rod between two ball joints.
 constexpr const char* link_keys = R"json({"properties": {
-   "length": {"$ref": "#/$defs/number", "description": "between its two ball joints, m, > 0"},
+   "length": {"$ref": "#/$defs/number", "description": "between its two ball joints, m, > 0 (default: between its ends, if both are given)"},
    "stiffness": {"$ref": "#/$defs/number", "description": "axial, N/m, >= 0"},
    "tension": {"$ref": "#/$defs/number", "description": "static, N (default: 0)"}},
-  "required": ["length", "stiffness"]})json";
+  "required": ["stiffness"]})json";
 const ElementLaw link_law = {.type = "link", .sized = read_link, .keys = link_keys};
 const ElementLaw stay_law = {.type = "stay", .sized = read_link, .keys = link_keys};
 

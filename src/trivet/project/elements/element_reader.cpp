@@ -11,6 +11,7 @@
 #include "trivet/project/elements/adjustments_reader.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/elements/length_between_ends.h"
 #include "trivet/project/text/names_in_file.h"
 #include "trivet/project/text/outside_features.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -69,6 +70,8 @@ class ElementReader {
     }
   }
 
+  bool is_node(const std::optional<std::size_t>& body) const { return body && bodies_.bodies[*body].is_node; }
+
   bool read_ends() {
     if (!reader_.has("on")) reader_.missing("on", "name the body at end K: on = \"BODY\"");
     const auto on = body_named(reader_, "on", bodies_, in_file_);
@@ -76,9 +79,12 @@ class ElementReader {
     const bool on_ground = !written || (written->kind == Node::Kind::text && written->text == "ground");
     const auto from = on_ground ? std::nullopt : body_named(reader_, "from", bodies_, in_file_);
     const bool from_is_wrong = !on_ground && !from;
-    const auto at = reader_.vector("at", Quantity::length);
-    if (!reader_.has("at")) reader_.missing("at", "give the point on the body: at = [x, y, z]");
-    const auto from_at = reader_.vector("from_at", Quantity::length);
+    const auto at =
+        reader_.has("at") || !is_node(on) ? reader_.vector("at", Quantity::length) : Eigen::Vector3d::Zero();
+    if (!at && !reader_.has("at") && (on || !reader_.has("on")))
+      reader_.missing("at", "give the point on the body: at = [x, y, z]");
+    const auto from_at = reader_.has("from_at") || !is_node(from) ? reader_.vector("from_at", Quantity::length)
+                                                                  : Eigen::Vector3d::Zero();
     const auto axis = reader_.direction("axis");
     const auto orientation = reader_.orientation("orientation");
     const auto from_orientation = reader_.orientation("from_orientation");
@@ -123,7 +129,8 @@ class ElementReader {
                   fmt::format("the vector from N to K is ({:.9g}, {:.9g}, {:.9g}) m in the local axes",
                               ends_.span.arm.x(), ends_.span.arm.y(), ends_.span.arm.z()),
                   fmt::format("this element is {:.9g} m long along its local e3", *length_),
-                  "remove from_at, or correct the ends, the axis or the element");
+                  reader_.has("from_at") ? "remove from_at, or correct the ends, the axis or the element"
+                                         : "end N is on the node: move the node, or give from_at in its frame");
   }
 
   /// Reports a type that is not a law: a misspelling, or a feature outside this version.
@@ -179,9 +186,12 @@ void read_elements(TableReader& root, model::Description& description, NamesInFi
           .error("elements." + table->keys[i], kind_name(table->items[i].kind), "an element is a table",
                  "write [elements.NAME] and its type below")
           .origin = table->items[i].origin;
-    } else if (auto element =
-                   ElementReader(table->items[i], table->keys[i], description, in_file, root.problems()).read()) {
-      description.elements.push_back(std::move(*element));
+    } else {
+      const auto completed = with_length_between_ends(table->items[i], table->keys[i], description);
+      if (auto element = ElementReader(completed ? *completed : table->items[i], table->keys[i], description, in_file,
+                                       root.problems())
+                             .read())
+        description.elements.push_back(std::move(*element));
     }
   }
 }

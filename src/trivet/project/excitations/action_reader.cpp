@@ -101,7 +101,8 @@ std::optional<model::Action> read_place(TableReader& reader, const model::Descri
   model::Action action;
   action.body = body_named(reader, "on", description, in_file);
   action.at = reader.vector("at", Quantity::length).value_or(Eigen::Vector3d::Zero());
-  if (!reader.has("at")) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
+  const bool on_node = action.body && description.bodies[*action.body].is_node;
+  if (!reader.has("at") && !on_node) reader.missing("at", "give the point of action on the body: at = [x, y, z]");
   return action.body ? std::optional(action) : std::nullopt;
 }
 

@@ -16,7 +16,7 @@ bool is_exclusive_table(const std::string& key) {
 }
 
 bool holds_named_parts(const std::string& path) {
-  return path == "bodies" || path == "elements" || path == "element_types" || path == "excitations";
+  return path == "bodies" || path == "nodes" || path == "elements" || path == "element_types" || path == "excitations";
 }
 
 void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key,

@@ -13,8 +13,8 @@ namespace trivet::project {
 
 /// Names in the file, of readable and unreadable parts: a reference to an unreadable part is not a second problem.
 struct NamesInFile {
-  bool bodies_unknown = false;  ///< there is no readable table of bodies
-  std::vector<std::string> bodies, points, elements, element_types, harmonic_excitations, constant_excitations;
+  bool bodies_unknown = false;  ///< there is no readable table of bodies, or of nodes
+  std::vector<std::string> bodies, nodes, points, elements, element_types, harmonic_excitations, constant_excitations;
   std::vector<std::string> order_excitations, random_excitations,
       time_excitations;  ///< an unbalance drives harmonically and by orders
   struct FoundationReference {
@@ -36,7 +36,7 @@ struct KnownModel {
   [[nodiscard]] const Node* unchanged(const char* table, const std::string& name, const Node& now) const;
 };
 
-/// Index of the body named at `key`, if it was read; an unknown name is a problem.
+/// Index of the body or node named at `key`, if it was read; an unknown name is a problem.
 [[nodiscard]] std::optional<std::size_t> body_named(TableReader& reader, const std::string& key,
                                                     const model::Description& description, const NamesInFile& in_file);
 

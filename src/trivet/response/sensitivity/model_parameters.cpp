@@ -27,7 +27,8 @@ class List {
 
   std::vector<Parameter> all() {
     for (std::size_t e = 0; e < system_.elements().size(); ++e) add_element(e);
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b) add_body(b);
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b)
+      if (!system_.bodies()[b].is_node) add_body(b);
     add_system_damping();
     return std::move(list_);
   }

@@ -72,7 +72,7 @@ class PeakOfModel {
     VectorXcd shape(driven.assembled.layout.of_bodies());
     for (std::size_t b = 0; b < driven.system.bodies().size(); ++b)
       for (int j = 0; j < 6; ++j)
-        if (const Eigen::Index row = driven.assembled.layout.row(b, j); row >= 0)
+        if (const Eigen::Index row = driven.assembled.layout.row(b, j); row >= 0 && row < shape.size())
           shape(row) = mode.shape(6 * to_index(b) + j);
     const Complex slope = with(shape, dynamics_.stiffness[1] * shape);
     if (slope != 0.0) shape_ = shape / std::sqrt(slope);

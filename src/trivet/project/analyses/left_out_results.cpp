@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/left_out_results.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "trivet/foundation/plain_text.h"
+
+namespace trivet::project {
+namespace {
+
+/// Names of results by the path of the analysis that requests them.
+std::vector<std::pair<std::string, std::vector<std::string>>> requested(const Analyses& asked) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> all;
+  if (asked.response) all.emplace_back("analyses.response.of", asked.response->selection.of);
+  const bool of_response = asked.peaks && asked.response && asked.peaks->selection.of == asked.response->selection.of;
+  if (asked.peaks && !of_response) all.emplace_back("analyses.peaks.of", asked.peaks->selection.of);
+  if (asked.static_of) all.emplace_back("analyses.static.of", *asked.static_of);
+  for (const auto& [name, question] : asked.questions)
+    all.emplace_back("analyses." + name + ".of", question->selection.of);
+  if (asked.map) {
+    all.emplace_back("analyses.map.no_peak", asked.map->no_peak);
+    for (const MapLimit& limit : asked.map->limits)
+      all.emplace_back("analyses.map.limits", std::vector<std::string>{limit.name});
+  }
+  for (const Limit& limit : asked.limits) all.emplace_back("limits", std::vector<std::string>{limit.name});
+  for (const LimitLineRequest& line : asked.limit_lines)
+    all.emplace_back("limit_lines." + line.line.name, std::vector<std::string>{line.of});
+  return all;
+}
+
+/// True if the word names a direction of this node that is left out.
+bool names_left_out(const std::string& word, const model::Body& node) {
+  for (std::size_t j = 0; j < 6; ++j)
+    for (const char* kind : {".", ".relative."})
+      if (node.left_out[j] && word == node.name + kind + model::coordinate_names[j]) return true;
+  return false;
+}
+
+}  // namespace
+
+void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+  if (std::none_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& b) { return b.is_node; }))
+    return;
+  for (const auto& [path, words] : requested(asked))
+    for (const std::string& word : words)
+      for (const model::Body& node : system.bodies())
+        if (names_left_out(word, node))
+          problems.error(path, foundation::quoted(word),
+                         "no element holds this direction of node \"" + node.name + "\", so it is left out",
+                         "remove it, or add an element that holds it");
+}
+
+}  // namespace trivet::project
