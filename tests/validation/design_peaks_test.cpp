@@ -44,6 +44,24 @@ TEST(DesignPeaks, SingleMassHasItsPeakBelowTheNaturalFrequency) {  // [Ewins2000
   }
 }
 
+/// Two uncoupled masses with the same natural frequency: one undamped and at rest, the other nearly undamped. No panel
+/// of the search reaches the common pole. Heights there come from a parabola for 1/|y|².
+TEST(DesignPeaks, OfADampedMassNextToAnUndampedOneWithItsFrequency) {
+  constexpr double of_parabola = 1e-6;
+  for (const double zeta : {1e-5, 1e-4, 3e-4, 1e-3}) {
+    numerics::Designs designs{Eigen::ArrayXXd(1, 3), Eigen::ArrayXXd(1, 3), Eigen::ArrayXXd(1, 3),
+                              Eigen::ArrayXXd(1, 2)};
+    designs.A << 2, 0, 2;
+    designs.B << 2 * zeta * 20, 0, 0;
+    designs.K << 200, 0, 200;
+    designs.load << 3, 0;
+    const numerics::DesignPeaks peaks = numerics::design_peaks(designs);
+    const double height = 3.0 / 200 / (2 * zeta * std::sqrt(1 - zeta * zeta));
+    EXPECT_NEAR(peaks.highest(0, 0), height, of_parabola * height) << zeta;
+    EXPECT_EQ(peaks.peaks(0, 0), 1) << zeta;
+  }
+}
+
 TEST(DesignPeaks, DoNotExistFromSeventyOnePercentOfCriticalDampingOn) {
   const std::vector<double> zeta = {0.7072, 0.8, 0.999, 1, 1.0001, 3, 100};
   const numerics::DesignPeaks peaks = numerics::design_peaks(single_masses(zeta));

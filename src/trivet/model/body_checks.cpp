@@ -65,7 +65,7 @@ void check_body(const Body& body, foundation::Problems& problems) {
   }
 }
 
-void check_held(const Description& description, foundation::Problems& problems) {
+void check_loose_bodies(const Description& description, foundation::Problems& problems) {
   if (description.elements.empty()) return;
   std::vector<bool> held(description.bodies.size(), false);
   for (const Element& element : description.elements)

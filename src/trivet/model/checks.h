@@ -12,7 +12,7 @@ void check_preloads(const Description& description, foundation::Problems& proble
 void check_guides(const Description& description, foundation::Problems& problems);
 
 /// Warns of bodies on which no element ends, in a model that has elements.
-void check_held(const Description& description, foundation::Problems& problems);
+void check_loose_bodies(const Description& description, foundation::Problems& problems);
 void check_element(const Description& description, const Element& element, foundation::Problems& problems);
 
 }  // namespace trivet::model

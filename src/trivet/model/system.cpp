@@ -211,7 +211,8 @@ foundation::Expected<System> System::checked(Description description) {
   if (!problems.has_errors()) settle_nodes(description, problems);
   if (bodies.size() == description.bodies.size() || !problems.has_errors()) check_damping(description, problems);
   if (!problems.has_errors())
-    check_preloads(description, problems), check_guides(description, problems), check_held(description, problems);
+    check_preloads(description, problems), check_guides(description, problems),
+        check_loose_bodies(description, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
   for (Element& element : description.elements) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -90,8 +91,9 @@ void note_ends_and_poles(const DrivenSystem& system, const std::vector<ObservedC
     if (ends > 1) curve.at_end = y(row, 1);
     Eigen::Index at = ends;
     for (const double pole : poles) {
-      if (is_unbounded({y(row, at), y(row, at + 1), y(row, at + 2), y(row, at + 3)}))
-        curve.extrema.push_back(unbounded_at(pole));
+      const std::array<double, 4> beside = {y(row, at), y(row, at + 1), y(row, at + 2), y(row, at + 3)};
+      if (is_unbounded(beside)) curve.extrema.push_back(unbounded_at(pole));
+      else if (const auto maximum = bounded_at(pole, beside)) curve.extrema.push_back(*maximum);
       at += 4;
     }
     curve.extrema = alternating(std::move(curve.extrema));

@@ -35,8 +35,13 @@ CurveHeights heights_of(const SearchedCurve& curve, double from, double to, bool
   return heights;
 }
 
+namespace {
+
+constexpr double near = 16 * gap_at_pole, far = 160 * gap_at_pole;
+
+}  // namespace
+
 std::array<double, 4> around_pole(double pole) {
-  constexpr double near = 16 * gap_at_pole, far = 160 * gap_at_pole;
   return {pole * (1 - far), pole * (1 - near), pole * (1 + near), pole * (1 + far)};
 }
 
@@ -46,6 +51,18 @@ bool is_unbounded(const std::array<double, 4>& y) {
 
 Extremum unbounded_at(double pole) {
   return {pole, std::numeric_limits<double>::infinity(), true, gap_at_pole * pole, 0};
+}
+
+std::optional<Extremum> bounded_at(double pole, const std::array<double, 4>& y) {
+  if (!(y[1] > y[0]) || !(y[2] > y[3])) return std::nullopt;
+  std::array<double, 4> f;
+  std::transform(y.begin(), y.end(), f.begin(), [](double amplitude) { return 1 / (amplitude * amplitude); });
+  const double bend = (f[0] + f[3] - f[1] - f[2]) / (2 * (far * far - near * near));
+  const double slope = (far * (f[3] - f[0]) + near * (f[2] - f[1])) / (2 * (far * far + near * near));
+  const double middle = 0.25 * (f[0] + f[1] + f[2] + f[3]) - 0.5 * bend * (far * far + near * near);
+  const double place = -0.5 * slope / bend, least = middle + 0.5 * slope * place;
+  if (!(bend > 0) || !(least > 0) || !(std::abs(place) <= near)) return std::nullopt;
+  return Extremum{pole * (1 + place), 1 / std::sqrt(least), true, near * pole, gap_at_pole * pole};
 }
 
 }  // namespace trivet::numerics

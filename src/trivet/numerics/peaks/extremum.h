@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace trivet::numerics {
@@ -60,5 +61,9 @@ struct AxisSearch {
 
 /// The infinite maximum at an undamped pole.
 [[nodiscard]] Extremum unbounded_at(double pole);
+
+/// The finite maximum of a curve without that pole, but with a damped one next to it: no panel reaches there. From
+/// 1/|y|² at the four frequencies, which is a parabola near one pole. Empty if the curve has no maximum there.
+[[nodiscard]] std::optional<Extremum> bounded_at(double pole, const std::array<double, 4>& amplitudes);
 
 }  // namespace trivet::numerics
