@@ -27,6 +27,13 @@ std::string time_words(double seconds) {
 
 class ProgressLine {
  public:
+  ProgressLine() = default;
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (last_ < 1 && !task_.empty()) write_error(clear);
+  }
+
   void show(std::string_view task, double fraction) {
     const std::lock_guard lock(showing_);
     if (task != task_ || fraction < last_) {  // another task, or the same for the next case
@@ -38,11 +45,12 @@ class ProgressLine {
     }
     last_ = fraction;
     shown_ = Clock::now();
-    write_error(fraction >= 1 ? "\r\033[K"
-                              : fmt::format("\r\033[K{} {:.0f} %{}", task, 100 * fraction, time_left(fraction)));
+    write_error(fraction >= 1 ? clear
+                              : fmt::format("{}{} {:.0f} %{}", clear, task, 100 * fraction, time_left(fraction)));
   }
 
  private:
+  static constexpr const char* clear = "\r\033[K";
   static constexpr double between_lines = 0.1, known_after = 2;  // [s]
   static constexpr double least_share = 0.01;                    // done, for an estimate
 
