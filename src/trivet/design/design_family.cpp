@@ -89,9 +89,9 @@ std::optional<typename DesignFamily<Design>::Along> DesignFamily<Design>::fitted
   for (const int count : {2, 3, 5, 9, most_nodes_along_one})
     for (const bool logarithmic : {false, true}) {
       if (logarithmic && !(variable.from > 0)) continue;
-      const Along along{logarithmic,
-                        logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count)
-                                    : nodes_between(variable.from, variable.to, count)};
+      Along along{logarithmic,
+                  logarithmic ? nodes_between(std::log(variable.from), std::log(variable.to), count)
+                              : nodes_between(variable.from, variable.to, count)};
       Eigen::MatrixXd values(exact[0].size(), count);
       for (int k = 0; k < count; ++k) {
         const double node = along.nodes[to_size(k)];
