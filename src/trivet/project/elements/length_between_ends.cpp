@@ -19,7 +19,7 @@ std::optional<Eigen::Vector3d> stated_place(TableReader& reader, const char* on,
   if (!on_ground && body == bodies.end()) return std::nullopt;
   const bool node = !on_ground && body->is_node;
   if (!reader.has(at) && !node) return std::nullopt;
-  const auto place = reader.has(at) ? reader.vector(at, Quantity::length) : Eigen::Vector3d::Zero();
+  auto place = reader.has(at) ? reader.vector(at, Quantity::length) : Eigen::Vector3d::Zero();
   if (!place || on_ground) return place;
   return body->pose.position + body->pose.rotation * *place;
 }
