@@ -26,6 +26,14 @@ std::vector<double> nodes_between(double from, double to, int count) {
   return nodes;
 }
 
+/// The number at a node; exact at the ends of its range.
+template <typename Along>
+double node_value(const FamilyVariable& variable, const Along& along, std::size_t k) {
+  if (k == 0) return variable.from;
+  if (k + 1 == along.nodes.size()) return variable.to;
+  return along.logarithmic ? std::exp(along.nodes[k]) : along.nodes[k];
+}
+
 /// Largest difference between entries, divided by their scales; infinite if one is NaN.
 double difference(const Eigen::VectorXd& interpolated, const Eigen::VectorXd& exact, const Eigen::VectorXd& scale) {
   double worst = 0;
@@ -94,11 +102,7 @@ std::optional<typename DesignFamily<Design>::Along> DesignFamily<Design>::fitted
                               : nodes_between(variable.from, variable.to, count)};
       Eigen::MatrixXd values(exact[0].size(), count);
       for (int k = 0; k < count; ++k) {
-        const double node = along.nodes[to_size(k)];
-        const auto design = source(k == 0               ? variable.from
-                                       : k + 1 == count ? variable.to
-                                       : logarithmic    ? std::exp(node)
-                                                        : node);
+        const auto design = source(node_value(variable, along, to_size(k)));
         if (!design) return std::nullopt;
         values.col(k) = packed(*design);
       }
@@ -140,15 +144,9 @@ FamilyOrReason<Design> DesignFamily<Design>::fitted(const Source& source, const 
   family.y_ = *along_y;
   const auto nx = family.x_.nodes.size(), ny = family.y_.nodes.size();
   family.values_.resize(packed(family.first_).size(), to_index(nx * ny));
-  const auto value = [](const FamilyVariable& v, const Along& along, std::size_t k) {
-    return k == 0                     ? v.from
-        : k + 1 == along.nodes.size() ? v.to
-        : along.logarithmic           ? std::exp(along.nodes[k])
-                                      : along.nodes[k];
-  };
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
-      const auto design = design_at({value(x, family.x_, i), value(y, family.y_, j)});
+      const auto design = design_at({node_value(x, family.x_, i), node_value(y, family.y_, j)});
       if (!design) return declined("");
       family.values_.col(to_index(j * nx + i)) = packed(*design);
     }

@@ -20,12 +20,9 @@ void answer_driven(Size n, Poles, const DrivenDesigns& designs, const std::vecto
                    const SearchedBand& band, Eigen::Index first, int lane, TablePeaks& peaks) {
   FormedCurves<Poles> formed(ends);
   DrivenCurves<Size, Poles>(n, designs, first + lane).form(formed);
-  double good[table_lanes];
-  hn::StoreU(hn::IfThenElseZero(formed.pack.asked, all(1.0)), Lanes(), good);
   CurveSearch<Poles> curves(formed, band, lane);
   curves.search();
   curves.write_answers(peaks);
-  for (int i = 0; i < lane_count(); ++i) peaks.complete[lane + i] = peaks.complete[lane + i] && good[i] != 0;
 }
 
 void driven_peaks_in_lanes(int n, const DrivenDesigns& designs, const std::vector<CurveEnds>& ends,
