@@ -52,6 +52,7 @@ ELSEWHERE = {
     "scripts/benchmark": (IDLE, ".ci/run", "scripts/benchmark"),
     "scripts/benchmark --write": (IDLE, ".ci/run", "scripts/benchmark"),
     "scripts/benchmark QUESTION": (IDLE, ".ci/run", "scripts/benchmark"),
+    "build/release/benchmarks/many_bodies": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/coil_spring": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/rubber_mount": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/transient": (IDLE, ".ci/run", COMPILED),
