@@ -60,7 +60,7 @@ std::vector<int> condensed_rows(const NamedMatrix& matrix, const std::vector<int
 template <typename Dense>
 std::optional<Dense> condensed(const Dense& full, const NamedMatrix& matrix, const Partition& parts,
                                foundation::Problems& problems) {
-  const Dense boundary = full(parts.retained, parts.retained);
+  Dense boundary = full(parts.retained, parts.retained);
   if (parts.condensed.empty()) return boundary;
   Dense interior = full(parts.condensed, parts.condensed);
   const Eigen::VectorXd scale = interior.rowwise().template lpNorm<Eigen::Infinity>().unaryExpr(

@@ -121,7 +121,8 @@ ElementSystem condensed_pressure(const Eigen::Matrix3Xd& nodes, const Material& 
   constexpr int N = Element::nodes;
   const Eigen::Matrix<double, 3, N> x = nodes, u = displacement ? *displacement : Eigen::Matrix3Xd::Zero(3, N);
   const Kernel<Element, Modes> kernel(x, displacement ? &u : nullptr);
-  ElementSystem system{Eigen::MatrixXd::Zero(3 * N, 3 * N), Eigen::VectorXd::Zero(3 * N), kernel.inverted};
+  constexpr Eigen::Index all = 3 * Eigen::Index{N};
+  ElementSystem system{Eigen::MatrixXd::Zero(all, all), Eigen::VectorXd::Zero(all), kernel.inverted};
   if (kernel.inverted) return system;
   const Eigen::Matrix<double, Modes, Modes> inverse = kernel.mass.inverse();
   const Eigen::Matrix<double, Modes, 1> pressure = material.bulk_modulus * inverse * kernel.volume_change;

@@ -75,7 +75,7 @@ Section rectangle(const std::vector<double>& x, const std::vector<double>& y) {
   Section section;
   const std::vector<double> xs = with_midpoints(x), ys = with_midpoints(y);
   const int nx = static_cast<int>(xs.size()), ny = static_cast<int>(ys.size());
-  section.points.resize(2, nx * ny);
+  section.points.resize(2, Eigen::Index{nx} * ny);
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) section.points.col(i + nx * j) << xs[to_size(i)], ys[to_size(j)];
   for (int j = 0; j + 2 < ny; j += 2)
@@ -124,7 +124,7 @@ Section ring(double inner_radius, double outer_radius, int around, const std::ve
   const std::vector<double> levels = with_midpoints(to_outside);
   const int layers = static_cast<int>(levels.size()), count = 2 * around;
   Section section;
-  section.points.resize(2, layers * count);
+  section.points.resize(2, Eigen::Index{layers} * count);
   const auto node = [&](int layer, int t) { return layer * count + t % count; };
   for (int t = 0; t < count; ++t) {
     const double angle = 2 * std::numbers::pi * t / count;

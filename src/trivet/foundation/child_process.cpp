@@ -24,7 +24,7 @@ extern char** environ;
 namespace trivet::foundation {
 namespace {
 
-constexpr std::size_t output_kept = 256 * 1024;
+constexpr std::size_t output_kept = std::size_t{256} * 1024;
 constexpr double most_output = 100e6;   // [bytes]; gmsh prints a few kilobytes, at most one line per element
 constexpr int poll_milliseconds = 100;  // ten progress reports per second
 constexpr int ending_milliseconds = 2;  // between the end of the output and the end of the program
@@ -89,7 +89,7 @@ std::optional<std::filesystem::path> program_on_path(const std::string& name) {
   while (!rest.empty()) {
     const std::string_view folder = rest.substr(0, rest.find(':'));
     rest.remove_prefix(std::min(rest.size(), folder.size() + 1));
-    const std::filesystem::path file = std::filesystem::path(folder) / name;
+    std::filesystem::path file = std::filesystem::path(folder) / name;
     std::error_code ignored;
     if (file.is_absolute() && std::filesystem::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0)
       return file;

@@ -40,7 +40,7 @@ foundation::Problems sample_problems(const LoopRecord& record) {
                    "each sample must have all of them", "give the columns the same length");
     return problems;
   }
-  if (count < 2 * fewest_samples_per_cycle)
+  if (count < Eigen::Index{2} * fewest_samples_per_cycle)
     problems.error(subject, fmt::format("{} samples", count),
                    fmt::format("at least {} are needed", 2 * fewest_samples_per_cycle), "record more");
   const auto report = [&](Eigen::Index sample, const std::string& finding, const char* rule, const char* remedy) {
@@ -218,7 +218,7 @@ foundation::Expected<LoopFit> loop_fit(const LoopRecord& record, const LoopOptio
   LoopFit loop;
   loop.name = record.name;
   loop.cycles = std::max(1, static_cast<int>(cycles_in_record + nearly_whole));
-  if (record.time.size() > 0) loop.angular_frequency = *frequency;
+  if (record.time.size() > 0) loop.angular_frequency = frequency;
   else if (!std::isnan(record.angular_frequency)) loop.angular_frequency = record.angular_frequency;
   Eigen::Index used = all;
   while (time(used - 1) - time(0) >= 2 * pi * loop.cycles / *frequency - 0.25 * spacing && used > all / 3) --used;

@@ -87,7 +87,8 @@ std::optional<double> outside_of(const std::vector<Eigen::Vector2d>& points, con
   if (hull.size() < 3) return std::nullopt;
   double size = 0, worst = -1e300, width = 1e300;
   for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Eigen::Vector2d a = hull[i], edge = hull[(i + 1) % hull.size()] - a;
+    const Eigen::Vector2d& a = hull[i];
+    const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - a;
     const Eigen::Vector2d out = Eigen::Vector2d(edge.y(), -edge.x()).normalized();
     double across = 0;
     for (const Eigen::Vector2d& q : hull) {

@@ -31,7 +31,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
 /// Question of a subject: "static" for "analyses.static.of", "limits" for "limits.\"body.x\"", "analyses" for the table
 /// itself; empty for a part of the model.
 std::string question_of(const std::string& subject) {
-  const std::string first = subject.substr(0, subject.find('.'));
+  std::string first = subject.substr(0, subject.find('.'));
   if (first == "limits" || first == "limit_lines") return first;
   if (first != "analyses") return "";
   if (subject == first) return first;

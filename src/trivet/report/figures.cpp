@@ -271,8 +271,9 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const study::Answers& answers = *shown[i];
     const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
-    const double left = 68 + column_pitch * static_cast<double>(i % columns),
-                 top = 66 + row_pitch * static_cast<double>(i / columns);
+    const std::size_t row = i / columns, column = i % columns;
+    const double left = 68 + column_pitch * static_cast<double>(column),
+                 top = 66 + row_pitch * static_cast<double>(row);
     canvas.text({left + width / 2, top - 8},
                 (answers.case_name.empty() ? "Base model" : answers.case_name) +
                     (&answers == as_base ? " = base model: " : ": ") + group.name,

@@ -25,8 +25,8 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 }  // namespace
 
 std::string axis_label(const project::MapAxis& axis) {
-  const std::string unit = results::axis_unit(axis),
-                    words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
+  const std::string unit = results::axis_unit(axis);
+  std::string words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
   if (results::is_pure_number(axis)) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }

@@ -171,7 +171,8 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
   const std::vector<View> all = views();
   for (std::size_t v = 0; v < all.size(); ++v) {
-    const PixelPoint corner{40 + 460.0 * static_cast<double>(v % 2), 40 + 325.0 * static_cast<double>(v / 2)};
+    const std::size_t row = v / 2, column = v % 2;
+    const PixelPoint corner{40 + 460.0 * static_cast<double>(column), 40 + 325.0 * static_cast<double>(row)};
     canvas.rectangle(corner, 440, 315, "fill=\"none\" stroke=\"#ccc\"");
     canvas.text({corner.x + 8, corner.y + 16}, all[v].name, "fill=\"#333\" font-weight=\"bold\"");
     Drawing drawing(canvas, all[v], {corner.x + 220, corner.y + 157}, size, 270);

@@ -134,7 +134,7 @@ double limit_at_infinity(const CurveSeries& series, const Panel& panel) {
   const double negligible = std::pow(vanishing_share * size_of(series), 2);
   const auto leading =
       std::find_if(series.square.begin(), series.square.end(), [&](double s) { return s > negligible; });
-  const auto power = 2 * series.power + (leading - series.square.begin());  // of 1/ω in |y|²
+  const auto power = std::ptrdiff_t{2} * series.power + (leading - series.square.begin());  // of 1/ω in |y|²
   if (leading == series.square.end() || power > 0) return 0;
   return power < 0 ? std::numeric_limits<double>::infinity()
                    : std::sqrt(*leading) * std::pow(panel.radius, series.power);

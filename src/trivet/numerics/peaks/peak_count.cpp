@@ -15,8 +15,8 @@ struct Minima {
 
 Minima minima_of(std::span<const double> heights, std::size_t peak) {
   std::size_t left = peak, right = peak;
-  for (std::size_t k = peak; k-- > 0 && heights[k] <= heights[peak];)
-    if (heights[k] < heights[left]) left = k;
+  for (std::size_t k = peak; k > 0 && heights[k - 1] <= heights[peak]; --k)
+    if (heights[k - 1] < heights[left]) left = k - 1;
   for (std::size_t k = peak + 1; k < heights.size() && heights[k] <= heights[peak]; ++k)
     if (heights[k] < heights[right]) right = k;
   return heights[left] > heights[right] ? Minima{left, right} : Minima{right, left};

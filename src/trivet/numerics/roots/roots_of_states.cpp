@@ -44,7 +44,7 @@ double missed_sums(const DynamicMatrices& m, const Eigen::VectorXd& load, const 
 }  // namespace
 
 bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, RootTable& table, int lane) {
-  const auto n = static_cast<int>(m.size());
+  const Eigen::Index n = m.size();
   PoleResidueForm form;
   try {
     form = pole_residue_form(m, load.cast<Complex>());
@@ -56,8 +56,8 @@ bool roots_of_states(const DynamicMatrices& m, const Eigen::VectorXd& load, Root
   const Eigen::MatrixXcd r = form.shapes * form.participation.col(0).asDiagonal();
   const double missed = missed_sums(m, load, form.poles, r);
   if (!(missed <= tolerance)) return false;
-  table.coordinates = n;
-  for (int j = 0; j < n; ++j) table.mass[j][lane] = m.A(j, j);
+  table.coordinates = static_cast<int>(n);
+  for (int j = 0; j < table.coordinates; ++j) table.mass[j][lane] = m.A(j, j);
   table.round_off[lane] = std::max(least_round_off, margin * missed);
   std::vector<Eigen::Index> turning, real;
   for (Eigen::Index k = 0; k < 2 * n; ++k) {

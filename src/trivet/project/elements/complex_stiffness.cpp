@@ -72,7 +72,7 @@ void set_loss(TableReader& reader, const Matrix12& loss, const model::Span& span
         {"loss factor", fmt::format("{:.6g}: the imaginary part is this multiple of the real part", *eta)});
     return;
   }
-  const elements::Matrix12c both = element.law.nominal_stiffness.cast<std::complex<double>>() +
+  elements::Matrix12c both = element.law.nominal_stiffness.cast<std::complex<double>>() +
       std::complex<double>(0, 1) * loss.cast<std::complex<double>>();
   elements::FrequencyDependence constant;
   constant.elastic = false;

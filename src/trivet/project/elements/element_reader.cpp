@@ -97,7 +97,7 @@ class ElementReader {
 
     const spatial::Pose body = bodies_.bodies[*on].pose;
     const spatial::Pose other = from ? bodies_.bodies[*from].pose : spatial::Pose{};
-    element_.k.body = *on;
+    element_.k.body = on;
     element_.k.at = *at;
     element_.k.axes = orientation ? *orientation
         : axis                    ? spatial::axes_along(*axis)

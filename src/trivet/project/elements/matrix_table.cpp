@@ -30,8 +30,8 @@ std::optional<std::pair<int, int>> entry_of(std::string_view column) {
   if (!column.starts_with("k_")) return std::nullopt;
   column.remove_prefix(2);
   std::pair<int, int> entry;
-  const char* end = column.data() + column.size();
-  const auto first = std::from_chars(column.data(), end, entry.first);
+  const char* end = column.end();
+  const auto first = std::from_chars(column.begin(), end, entry.first);
   if (first.ec != std::errc() || first.ptr == end || *first.ptr != '_') return std::nullopt;
   const auto second = std::from_chars(first.ptr + 1, end, entry.second);
   if (second.ec != std::errc() || second.ptr != end) return std::nullopt;

@@ -141,8 +141,8 @@ std::optional<elements::CompressedCoil> read_compressed(TableReader& reader, con
     return std::nullopt;
   }
   try {
-    const elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value)
-                                                           : elements::compressed_by(spring, asked->value);
+    elements::CompressedCoil state = asked->is_force ? elements::compressed_with(spring, asked->value)
+                                                     : elements::compressed_by(spring, asked->value);
     foundation::Problems findings = elements::check_compression(spring, state.compression);
     for (foundation::Problem& problem : findings.list()) problem.subject = key;
     preload.add(findings);

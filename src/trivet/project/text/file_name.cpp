@@ -9,7 +9,7 @@ std::optional<std::filesystem::path> read_file_name(TableReader& reader, const s
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
   const fs::path folder = fs::path(reader.node(key)->origin.source).parent_path();
-  const fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
+  fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
   std::error_code unreadable;
   if (!fs::is_regular_file(path, unreadable)) {
     reader.error(key, "\"" + name->substr(0, 200) + "\"", "no file of this name can be read",

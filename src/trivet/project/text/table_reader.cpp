@@ -284,7 +284,7 @@ std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) 
     const auto matrix = inside.matrix("matrix", [](int, int, int) { return Quantity::pure; }, {3});
     inside.finish();
     if (!matrix) return std::nullopt;
-    const Eigen::Matrix3d axes = *matrix;
+    Eigen::Matrix3d axes = *matrix;
     const double deviation = (axes.transpose() * axes - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     const double handed = axes.col(0).dot(spatial::cross_matrix(axes.col(1)) * axes.col(2));
     if (deviation <= orthonormal_within && handed > 0) return axes;
@@ -306,7 +306,7 @@ std::optional<Eigen::Matrix3d> TableReader::orientation(const std::string& key) 
 }
 
 std::optional<std::string> TableReader::choice(const std::string& key, const std::vector<std::string>& words) {
-  const auto word = text(key);
+  auto word = text(key);
   if (!word || std::find(words.begin(), words.end(), *word) != words.end()) return word;
   const std::string guess = foundation::nearest_name(*word, words);
   error(key, foundation::quoted(*word), "one of " + joined(words) + " is expected here",

@@ -131,7 +131,7 @@ std::string key_around(std::string_view text, const toml::source_position& place
 
 /// The parser repeats letters of a quoted key that appears twice, so the key is taken from the text.
 std::string finding_of(const toml::parse_error& error, std::string_view text) {
-  const std::string finding(error.description());
+  std::string finding(error.description());
   const std::size_t begin = finding.find('\''), end = finding.rfind('\'');
   const std::string key = key_around(text, error.source().begin);
   if (finding.find("cannot redefine existing") == std::string::npos || begin == end || key.empty()) return finding;
