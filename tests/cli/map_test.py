@@ -295,7 +295,7 @@ class Map(unittest.TestCase):
         self.assertNotIn("clipPath", svg)  # no design is feasible
 
     def test_a_coarse_grid_is_called_coarse(self):
-        self.assertIn("a coarse grid: regions below 25 % of an axis", run("map", self.project, "--points", "5")[0])
+        self.assertIn("a feasible region narrower than 25 % of an axis", run("map", self.project, "--points", "5")[0])
         self.assertNotIn("coarse", run("map", self.project, "--points", "21")[0])
 
     def test_the_best_of_designs_without_bound_is_in_their_middle(self):

@@ -88,6 +88,7 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
          amplitude ? amplitude_words(channel.name, rule.allowed, channel.unit) : "no peak of " + channel.name});
   }
   if (options.fast) fit_family(variant);
+  else report_.no_family = "as asked";
 }
 
 /// @param form  plain_design or driven_design
@@ -122,7 +123,8 @@ void DesignEvaluation::fit_family(const project::Case& variant) {
     plain_family_ = std::move(plain.family);
   } else {
     FamilyOrReason<DrivenDesign> driven = fitted<DrivenDesign>(variant, driven_design);
-    report_.family = driven.family ? words(*driven.family) : driven.reason;
+    if (driven.family) report_.family = words(*driven.family);
+    else report_.no_family = driven.reason;
     driven_family_ = std::move(driven.family);
   }
   if (has_family()) plan_searches();

@@ -50,9 +50,9 @@ std::string EvaluationReport::summary() const {
     text = fmt::format("{} designs by poles and residues{}; {}", proven + fallback,
                        fallback > 0 ? fmt::format(", {} of them recomputed by a slower solver", fallback) : "", family);
   if (assembled_separately > 0)
-    text += fmt::format("{}{} designs assembled from the changed project and searched separately{}",
+    text += fmt::format("{}{} designs assembled from the changed project and searched separately: {}",
                         text.empty() ? "" : "; ", assembled_separately,
-                        proven + fallback > 0 || family.empty() ? "" : ": " + family);
+                        family.empty() ? no_family : "not certain by poles and residues");
   return text;
 }
 

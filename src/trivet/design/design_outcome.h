@@ -58,7 +58,8 @@ struct EvaluationReport {
   std::size_t fallback = 0;  ///< fallback designs, with poles or bounds not good enough for that: by the poles of an
                              ///< eigensolver, or on discs free of poles
   std::size_t assembled_separately = 0;  ///< designs assembled from the changed project and searched separately
-  std::string family;  ///< how the matrices of the proven and fallback designs were found, or why there are none
+  std::string family;                    ///< how the matrices of the proven and fallback designs were found
+  std::string no_family;                 ///< why there are none
   std::vector<MissingReason> missing;
 
   [[nodiscard]] std::string summary() const;

@@ -103,7 +103,8 @@ DesignOrReason<DrivenDesign> driven_design(const assembly::Assembled& assembled,
       curve.load = design.loads.size() - 1;
       curve.rows = rows_of(given.curves[k], n);
       if (!powers_are_possible(curve.rows, load) || !add_given(given.curves[k], given.given, curve.constant))
-        return {{}, "results that grow without bound towards low or high frequencies"};
+        return {{},
+                fmt::format("{} grows without bound towards low or high frequencies", channels[group.which[k]].name)};
     }
   }
   return {std::move(design), ""};

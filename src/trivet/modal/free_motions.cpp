@@ -86,13 +86,16 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
   for (Eigen::Index i = 0; i < whole.cols(); ++i) words.push_back(whole_words(whole.col(i), about));
 
   if (words.size() < rigid.size()) {
+    constexpr std::size_t most_named = 6;
     std::string parts;
+    std::size_t moving = 0;
     for (std::size_t b = 0; b < system.bodies().size(); ++b) {
       const bool moves = std::any_of(rigid.begin(), rigid.end(), [&](const Mode* mode) {
         return mode->principal_kinetic_energy_share.segment<6>(6 * to_index(b)).cwiseAbs().sum() > 1e-9;
       });
-      if (moves) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
+      if (moves && ++moving <= most_named) parts += (parts.empty() ? "" : ", ") + system.bodies()[b].name;
     }
+    if (moving > most_named) parts += fmt::format(" and {} more bodies", moving - most_named);
     const std::size_t more = rigid.size() - words.size();
     words.push_back(fmt::format("{} more {} in which bodies move relative to each other: {}", more,
                                 more == 1 ? "rigid-body mode" : "rigid-body modes", parts));

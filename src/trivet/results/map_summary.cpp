@@ -55,7 +55,7 @@ std::string feasible_words(const study::DesignMap& map) {
         map.steep == 1 ? "one pair" : fmt::format("{} pairs", map.steep));
   if (std::any_of(map.marks.begin(), map.marks.end(),
                   [&](const study::MapMark& mark) { return study::contradicts(map, mark); }))
-    text += "; unreliable: a case contradicts all designs around it";
+    text += "; unreliable: a case is feasible where all designs around it are not, or the reverse; use more points";
   return text;
 }
 

@@ -33,8 +33,9 @@ std::string coarse_words(const study::DesignMap& map) {
   const int fewest = std::min(map.grid.nx, map.grid.ny);
   return fewest >= enough
       ? ""
-      : fmt::format(" (a coarse grid: regions below {:.0f} % of an axis are missed; use more points)",
-                    100.0 / (fewest - 1));
+      : fmt::format(
+            " (a coarse grid: a feasible region narrower than {:.0f} % of an axis may be missed; use more points)",
+            100.0 / (fewest - 1));
 }
 
 std::string shares_text(const study::DesignMap& map) {

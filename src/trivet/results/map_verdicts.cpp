@@ -14,7 +14,7 @@ namespace {
 /// A peak within the tolerance is called slight only if it is hardly visible in the curve.
 std::string peak_words(bool counted, double tallest) {
   constexpr double slight = 0.05;
-  return counted ? "peaks" : tallest <= slight ? "rises slightly" : "has a peak within the tolerance";
+  return counted ? "peaks" : tallest <= slight ? "rises within the tolerance" : "has a peak within the tolerance";
 }
 
 }  // namespace

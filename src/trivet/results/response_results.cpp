@@ -140,6 +140,7 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
     header.push_back("phase");
   }
   TextTable table(header, 2);
+  bool at_rest = false;  // a result is zero: no phase
   const std::size_t count = answer.curves.angular_frequency.size();
   const std::size_t step = (count + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < count; i += step) {
@@ -147,11 +148,13 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
       row.push_back(number_text(std::abs(answer.curves.curves[c].value(to_index(i)))));
       const double degrees = answer.phase[c](to_index(i)) * 360 / foundation::two_pi;
+      at_rest |= answer.curves.curves[c].value(to_index(i)) == 0.0;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);
   }
   std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
+  if (at_rest) text += "  (–: a result that is zero has no phase)\n";
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format(
       "  backward error ≤ {:.1e} at {} frequenc{}; second solver at {}: difference {:.1e}, allowed {:.1e} "

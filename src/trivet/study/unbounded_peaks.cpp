@@ -62,9 +62,11 @@ void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequ
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   throw foundation::NotComputable(fmt::format(
-      "map: no_peak of {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every design; name "
-      "other results in no_peak, and limit the amplitude of {}{}",
-      name_of(request.quantity), list, names.size() == 1 ? "this one" : "these",
+      "{}: analyses.map.no_peak: {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
+      "design; "
+      "name other results in no_peak, and limit the amplitude of {}{}",
+      foundation::place(project::deepest(variant.written, "analyses.map.no_peak").origin), name_of(request.quantity),
+      list, names.size() == 1 ? "this one" : "these",
       request.quantity == assembly::MotionQuantity::displacement ? "" : ", or set quantity = \"displacement\""));
 }
 

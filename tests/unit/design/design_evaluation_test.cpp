@@ -79,7 +79,7 @@ TEST(DesignEvaluation, ReportsThatResultsGrowWithoutBound) {
   const project::Project project = test::project(machine_on_moving_ground());
   const study::DesignMap map = study::design_map(project, project.base(), *project.base().analyses.map);
   EXPECT_EQ(map.report.assembled_separately, 20u);
-  EXPECT_THAT(map.report.summary(), testing::HasSubstr("grow without bound"));
+  EXPECT_THAT(map.report.summary(), testing::HasSubstr("machine.z grows without bound"));
 }
 
 TEST(DesignEvaluation, CountsDesignsByTheMethodThatJudgedThem) {

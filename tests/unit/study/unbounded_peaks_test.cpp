@@ -28,7 +28,7 @@ TEST(UnboundedPeaks, ATiltThatVanishesAtRestAndAtInfinityIsRejected) {
   EXPECT_EQ(mapped(text).outcomes.size(), 9u);  // the force has a lever about the spring
   text.replace(text.find("at = [0, 0, 0.1]"), 16, "at = [0, 0, 0.0]");
   text.insert(text.find("inertia"), "center_of_mass = [0, 0, 0.1]\n");
-  expect_refusal(text, "no_peak of block.ry: a curve that vanishes");
+  expect_refusal(text, "no_peak: block.ry: a curve that vanishes");
 }
 
 TEST(UnboundedPeaks, VelocitiesAreRejectedUnderAForceAndJudgedUnderAnUnbalance) {

@@ -125,7 +125,7 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
                    "a range goes from the smaller to the larger number", "exchange or change them");
     else if (axis.logarithmic && !(axis.from > 0))
       reader.error("from", fmt::format("{:.6g}", axis.from), "a logarithmic range starts above 0",
-                   "raise it, or take spacing = \"linear\"");
+                   "raise it; if 0 or less is a possible value, take spacing = \"linear\"");
   }
   if (const auto points = reader.number("points", Quantity::pure)) {
     if (*points >= 2 && *points <= most_designs && *points == std::floor(*points))
@@ -153,10 +153,10 @@ void read_limit(TableReader& reader, const std::string& name, const Node& value,
     std::string units;
     for (const assembly::MotionQuantity quantity : derivatives) {
       const std::string unit = si_unit(*names.component(name, quantity));
-      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : ", ") + unit;
+      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
     }
-    reader.error(name, value_text(value), "this result has another unit",
-                 "use a unit that converts to one of " + units);
+    reader.error(name, value_text(value), "the limit of this result needs a unit of its kind",
+                 "give " + units + ", or a multiple");
     return;
   }
   const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
@@ -211,9 +211,7 @@ void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& reques
                 "name a free coordinate, or remove it");
       continue;
     }
-    map.error("no_peak", foundation::quoted(word),
-              "no such result; known are coordinates, a body, BODY.POINT, an element or one component of these",
-              names.remedy(word));
+    names.refuse(map, "no_peak", word, "coordinates, a body, BODY.POINT, an element or one component of these");
   }
   request.no_peak = *words;
 }

@@ -55,7 +55,7 @@ class Sizes {
     if (count > static_cast<double>(most_curves))
       problems.error(question, fmt::format("{:.0f} curves", count),
                      fmt::format("at most {} are computed for one analysis", most_curves),
-                     "name fewer results in `of`");
+                     "name fewer results in " + question + ".of");
   }
 
   void check_coordinates(const std::string& question) {

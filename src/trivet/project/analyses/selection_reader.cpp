@@ -75,13 +75,19 @@ std::vector<std::string> ResultNames::components() const {
   return names;
 }
 
-std::string ResultNames::remedy(const std::string& name) const {
+void ResultNames::refuse(TableReader& reader, const std::string& key, const std::string& name,
+                         const std::string& known) const {
   std::vector<std::string> longer;
   for (const std::string& component : components())
     if (component.starts_with(name + ".")) longer.push_back("\"" + component + "\"");
-  if (!longer.empty()) return fmt::format("name its components: {}", fmt::join(longer, ", "));
+  if (!longer.empty()) {
+    reader.error(key, foundation::quoted(name), "a result is one component of a force or moment",
+                 fmt::format("name the component: {}", fmt::join(longer, ", ")));
+    return;
+  }
   const std::string guess = foundation::nearest_name(name, groups_);
-  return guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?";
+  reader.error(key, foundation::quoted(name), "no such result; known are " + known,
+               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
 }
 
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of) {
@@ -94,11 +100,10 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
   }
   for (const std::string& word : *words) {
     if (names.is_group(word) || names.component(word, assembly::MotionQuantity::displacement)) continue;
-    reader.error("of", foundation::quoted(word),
-                 "no such result; known are coordinates, ground, base, a body, BODY.POINT, an element, one of these "
-                 "with .relative, .deflection or .foot, or one component (x … rz of a motion that is free, force.x … "
-                 "moment.z of an element or the ground)",
-                 names.remedy(word));
+    names.refuse(reader, "of", word,
+                 "coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection "
+                 "or .foot, or one component (x … rz of a motion that is free, force.x … moment.z of an element or the "
+                 "ground)");
   }
   if (words->empty())
     reader.error("of", "an empty list", "at least one result is expected", "remove `of` for all coordinates");

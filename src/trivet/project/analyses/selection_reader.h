@@ -28,8 +28,9 @@ class ResultNames {
   /// All full names.
   [[nodiscard]] std::vector<std::string> components() const;
 
-  /// Remedy for an unknown name: its components, the most similar group, or a check of the name.
-  [[nodiscard]] std::string remedy(const std::string& name) const;
+  /// Reports a name that is no result: names its components or the most similar group.
+  /// @param known  what may be named here, in words
+  void refuse(TableReader& reader, const std::string& key, const std::string& name, const std::string& known) const;
 
   /// True for a coordinate that is not in `free` of its body: it does not move.
   [[nodiscard]] bool is_guided(const std::string& name) const;
