@@ -186,4 +186,29 @@ TEST(Iso7626, ReceptanceMobilityAndAccelerance) {
     }
 }
 
+/// A cantilever of rigid bodies joined by bushings that bend: EI = rotational stiffness × pitch.
+std::string cantilever(int bodies, double pitch, double mass, double rotational_stiffness) {
+  std::string text = "trivet = 1\n[element_types.joint]\ntype = \"bushing\"\ntranslation = [2e5, 2e5, 2e5]\n" +
+      fmt::format("rotation = [{0}, {0}, {0}]\n", rotational_stiffness);
+  for (int i = 0; i < bodies; ++i)
+    text += fmt::format(
+        "[bodies.b{0}]\nmass = {1}\nfree = [\"y\", \"rz\"]\nposition = [{2}, 0, 0]\n"
+        "inertia = {{about = \"center_of_mass\", xx = 1, yy = 1, zz = 1}}\n"
+        "[elements.e{0}]\ntype = \"joint\"\non = \"b{0}\"\nfrom = \"{3}\"\nat = [{4}, 0, 0]\nfrom_at = [{5}, 0, 0]\n",
+        i, mass, pitch * i, i == 0 ? "ground" : fmt::format("b{}", i - 1), -pitch / 2, (i == 0 ? -1 : 1) * pitch / 2);
+  return text;
+}
+
+TEST(LongCantilever, HasNoRigidBodyModeHoweverSlow) {
+  constexpr double continuous = 0.005;  // 300 bodies in the place of a beam
+  const int bodies = 300;
+  const double pitch = 0.5, mass = 20, rotational_stiffness = 2e2, length = bodies * pitch;
+  const auto project = test::project(cantilever(bodies, pitch, mass, rotational_stiffness));
+  const modal::Modes modes = modal::modes(project.base().system);
+  const double bending = std::sqrt(rotational_stiffness * pitch / (mass / pitch)) / (length * length);
+  const double roots[] = {1.875104, 4.694091, 7.854757};  // of cos β cosh β = −1
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_THAT(*modes.list[i].angular_frequency, RelativelyNear(roots[i] * roots[i] * bending, continuous));
+}
+
 }  // namespace

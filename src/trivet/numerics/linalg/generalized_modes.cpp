@@ -22,6 +22,9 @@ namespace {
 
 using foundation::epsilon;
 
+/// Round-off of φᵀKφ relative to |φ|ᵀ|K||φ|: some ε for each entry that is a sum over elements, however many rows.
+constexpr double free_within = 1536 * epsilon;
+
 /// Shapes y and values of S y = μ P y with P positive definite.
 void solve_definite(const Eigen::MatrixXd& S, const Eigen::MatrixXd& P, Eigen::VectorXd& mu, Eigen::MatrixXd& y) {
   const SymmetricEigen<Eigen::MatrixXd> eigen = symmetric_eigen(S, P);
@@ -46,7 +49,7 @@ GeneralizedModes finish(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, cons
     const long double k = stiffness(shapes.col(i));
     lambda(i) = rayleigh ? static_cast<double>(k / a) : given(i);
     const double available = stiffness.terms(shapes.col(i));
-    if (std::abs(static_cast<double>(k)) <= 256 * static_cast<double>(n) * epsilon * available) lambda(i) = 0;
+    if (std::abs(static_cast<double>(k)) <= free_within * available) lambda(i) = 0;
     norm(i) = a < 0 ? -1 : 1;
     normed.col(i) /= std::sqrt(std::abs(static_cast<double>(a)));
     Eigen::Index largest = 0;

@@ -22,7 +22,7 @@ struct GeneralizedModes {
 };
 
 /// Modes of K φ = λ A φ. Definiteness is always checked first: a generalized solver may return wrong values for an
-/// indefinite A. λ counts as 0 if |φᵀKφ| ≤ 256 n ε |φ|ᵀ|K||φ|, or |λ| ≤ (64 n ε)² of the largest.
+/// indefinite A. λ counts as 0 if |φᵀKφ| ≤ 1536 ε |φ|ᵀ|K||φ|, or |λ| ≤ (64 n ε)² of the largest.
 [[nodiscard]] GeneralizedModes generalized_modes(const Eigen::MatrixXd& K, const Eigen::MatrixXd& A, bool symmetric);
 
 }  // namespace trivet::numerics
