@@ -71,7 +71,7 @@ std::vector<double> frequencies(const std::string& option, const std::string& te
     }
     if (const auto broken = project::outside_range(value, project::Quantity::angular_frequency))
       throw BadArgument(fmt::format("{}: {:.6g} rad/s; {}", option, value, *broken));
-    if (!(value >= 0)) throw BadArgument(fmt::format("{}: {:.6g} rad/s; an angular frequency is ≥ 0", option, value));
+    if (!(value >= 0)) throw BadArgument(fmt::format("{}: \"{}\"; a frequency is ≥ 0; remove the sign", option, item));
     result.push_back(value);
   }
   return result;

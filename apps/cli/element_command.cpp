@@ -23,8 +23,9 @@ std::size_t chosen_element(const project::Case& variant, const std::string& name
     names.push_back(element.name);
   }
   const std::string guess = foundation::nearest_name(name, names);
-  throw BadArgument(fmt::format("\"{}\": no element has this name{}", name,
-                                guess.empty() ? "" : "; did you mean \"" + guess + "\"?"));
+  throw BadArgument(fmt::format(
+      "\"{}\": no element has this name{}", name,
+      guess.empty() ? fmt::format("; they are {}", fmt::join(names, ", ")) : "; did you mean \"" + guess + "\"?"));
 }
 
 std::vector<std::size_t> replaced(const project::Case& variant, std::size_t element, bool all) {

@@ -91,8 +91,8 @@ std::string stiffness_properties_text(const elements::StiffnessProperties& c) {
              "centre\n",
              c.coupling_at_k, c.coupling_at_centre) +
       fmt::format(
-             "  strain energy of unit motions of K that act together: {:.3g} to {:.3g} times the sum of their separate "
-             "energies (1 to 1: uncoupled)\n",
+             "  strain energy of combined unit motions of end K over the sum of their single energies: {:.3g} … {:.3g} "
+             "(1 … 1: uncoupled)\n",
              c.softest_combination, c.stiffest_combination);
 }
 

@@ -34,7 +34,7 @@ study::MapOptions sizes(const std::string& text) {
   options.nx = whole(text.substr(0, cross));
   options.ny = cross == std::string::npos ? options.nx : whole(text.substr(cross + 1));
   if (static_cast<double>(options.nx) * options.ny > project::most_designs)
-    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map has at most {:.0e}", text,
+    throw BadArgument(fmt::format("--points {}: {:.3g} designs; a map has at most {:.0e}; take fewer points", text,
                                   static_cast<double>(options.nx) * options.ny, project::most_designs));
   return options;
 }

@@ -260,7 +260,7 @@ class Rejections(InTemporaryFolder):
         ask = "[analyses]\ntransient = {to = 1, initial_velocity = {\"machine.z\" = 1}}\n"
         lossy = trivet("transient", self.file((MACHINE + ask).replace("proportional = 0.001", "loss_factor = 0.1")))
         self.assertEqual(lossy.returncode, 2)
-        self.assertIn("key damping", lossy.stderr)
+        self.assertIn("replace `damping` of these elements", lossy.stderr)
         self.assertIn("damping = {proportional = ", lossy.stderr)
         law = "fractional_zener = {ratio = 1, time = 0.01, order = 0.5}"
         fractional = trivet("transient", self.file((MACHINE + ask).replace("proportional = 0.001", law)))

@@ -59,23 +59,23 @@ class MapMessages(unittest.TestCase):
             code=2,
         )
         self.assertIn('no "q" there', misspelt)
-        self.assertIn("bodies.m.mas = unknown key", misspelt)
+        self.assertIn("bodies.m.mas: unknown key", misspelt)
         units = self.map(
             BODY.replace(SCALE, 'parameter = "bodies.m.mass", from = "1 s", to = "2 s"').replace(
                 DAMPING, 'parameter = "elements.s.damping.proportional", from = "1 kg", to = "2 kg"'
             ),
             code=2,
         )
-        self.assertIn('bodies.m.mass = "1 s"', units)
-        self.assertIn('elements.s.damping.proportional = "1 kg"', units)
+        self.assertIn('bodies.m.mass: "1 s"', units)
+        self.assertIn('elements.s.damping.proportional: "1 kg"', units)
         both = self.map(
             BODY.replace(SCALE, SCALE.replace(".scale", ".scal") + ', spacing = "log"').replace(
                 DAMPING, 'parameter = "bodies.m.mas", from = -1, to = "5 kg"'
             ),
             code=2,
         )
-        self.assertIn("elements.s.scal = unknown key", both)
-        self.assertIn("bodies.m.mas = unknown key", both)
+        self.assertIn("elements.s.scal: unknown key", both)
+        self.assertIn("bodies.m.mas: unknown key", both)
 
     def test_a_misspelt_limit_has_a_suggestion(self):
         self.assertIn('did you mean "m.z"?', self.map(BODY.replace('"m.z" =', '"m.zz" ='), code=2))

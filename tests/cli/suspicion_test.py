@@ -297,14 +297,14 @@ class Acceptances(InTemporaryFolder):
             self.assertEqual(done.returncode, 0, done.stderr)
             found = [w for w in json.loads(done.stdout)["warnings"] if 'suspicion "mass"' in w]
             self.assertEqual(len(found), 1, command)
-            self.assertIn("400 kg if typed in grams", found[0])
+            self.assertIn("400 kg if the number was meant in grams", found[0])
             self.assertRegex(found[0], r"slipped.toml:\d+: ")
         done = subprocess.run(
             [TRIVET, "run", str(path), "-o", str(self.folder / "out")], capture_output=True, text=True, timeout=60
         )
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("400 kg if typed in grams", (self.folder / "out/report.html").read_text())
-        self.assertIn("400 kg if typed in grams", (self.folder / "out/results.json").read_text())
+        self.assertIn("400 kg if the number was meant in grams", (self.folder / "out/report.html").read_text())
+        self.assertIn("400 kg if the number was meant in grams", (self.folder / "out/results.json").read_text())
 
     def test_are_errors_if_nothing_is_suspicious(self):
         self.machine["bodies"]["compressor"]["accept"] = {"mass": "heavy"}

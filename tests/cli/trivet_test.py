@@ -360,7 +360,7 @@ class Faults(InTemporaryFolder):
     def test_a_folder_that_cannot_be_written(self):
         done = trivet("run", PAPER, "-o", "/proc/nowhere/out")
         self.assertEqual(done.returncode, 1)
-        self.assertIn("cannot write", done.stderr)
+        self.assertIn("cannot be created", done.stderr)
 
     def test_an_interrupt_leaves_nothing_behind(self):
         text = 'trivet = 1\n'

@@ -107,15 +107,16 @@ FamilyOrReason<Design> DesignEvaluation::fitted(const project::Case& variant, co
   return DesignFamily<Design>::fitted(
       [&](const FamilyPoint& point) -> DesignOrReason<Design> {
         const auto system = system_at({point.x, point.y});
-        return system ? formed(*system) : DesignOrReason<Design>{{}, "designs without a valid model"};
+        return system ? formed(*system) : DesignOrReason<Design>{{}, "some designs are no valid model"};
       },
       {request_.x.from, request_.x.to, request_.x.name}, {request_.y.from, request_.y.to, request_.y.name});
 }
 
 void DesignEvaluation::fit_family(const project::Case& variant) {
   const auto words = [](const auto& family) {
-    return fmt::format("matrices between {} × {} assembled designs, reproduced at 41 others within {:.0e}",
-                       family.x_nodes(), family.y_nodes(), std::max(family.worst_difference(), 1e-16));
+    return fmt::format(
+        "matrices interpolated from {} × {} assembled designs, compared with 41 others: largest deviation {:.0e}",
+        family.x_nodes(), family.y_nodes(), std::max(family.worst_difference(), 1e-16));
   };
   FamilyOrReason<PlainDesign> plain = fitted<PlainDesign>(variant, plain_design);
   if (plain.family) {

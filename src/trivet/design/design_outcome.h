@@ -55,11 +55,11 @@ struct JudgedDesign {
 /// How designs were evaluated, for the user.
 struct EvaluationReport {
   std::size_t proven = 0;    ///< designs judged by poles and residues, many at once
-  std::size_t fallback = 0;  ///< fallback designs, with poles or bounds not good enough for that: by the poles of an
-                             ///< eigensolver, or on discs free of poles
+  std::size_t fallback = 0;  ///< designs whose fast result was not certain: judged again with the poles of an
+                             ///< eigensolver, or by bounds on discs free of poles
   std::size_t assembled_separately = 0;  ///< designs assembled from the changed project and searched separately
-  std::string family;                    ///< how the matrices of the proven and fallback designs were found
-  std::string no_family;                 ///< why there are none
+  std::string family;                    ///< how the matrices of the proven and fallback designs were interpolated
+  std::string no_family;                 ///< why they could not be interpolated; otherwise empty
   std::vector<MissingReason> missing;
 
   [[nodiscard]] std::string summary() const;

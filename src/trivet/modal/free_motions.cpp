@@ -97,8 +97,9 @@ std::vector<std::string> free_motions(const model::System& system, const assembl
     }
     if (moving > most_named) parts += fmt::format(" and {} more bodies", moving - most_named);
     const std::size_t more = rigid.size() - words.size();
-    words.push_back(fmt::format("{} more {} in which bodies move relative to each other: {}", more,
-                                more == 1 ? "rigid-body mode" : "rigid-body modes", parts));
+    words.push_back(fmt::format("{}{} that no element resists{}: {} move{}", more,
+                                more == 1 ? " rigid-body mode" : " rigid-body modes",
+                                words.empty() ? "" : ", in addition", parts, moving == 1 ? "s" : ""));
   }
   return words;
 }

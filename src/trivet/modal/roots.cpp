@@ -158,7 +158,7 @@ Roots roots(const model::System& system, const assembly::Assembled& assembled, c
     result.warnings.warning(
         "roots", fmt::format("{} root{} with Re λ > 0", growing, growing == 1 ? "" : "s"),
         "the free vibration grows and hides every steady vibration",
-        "amplitudes computed for this model are formal; correct the mass, stiffness or damping data");
+        "amplitudes computed for this model have no physical meaning; correct the mass, stiffness or damping data");
   return result;
 }
 

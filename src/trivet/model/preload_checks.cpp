@@ -64,9 +64,12 @@ void check_preloads(const Description& description, foundation::Problems& proble
     }
     if (!description.gravity) {
       problems.warning(
-          "bodies." + body.name, fmt::format("its preloaded elements exert {:.6g} N on it", sum->force.norm()),
+          "bodies." + body.name,
+          fmt::format("its preloaded elements exert ({:.6g}, {:.6g}, {:.6g}) N on it", sum->force.x(), sum->force.y(),
+                      sum->force.z()),
           "at rest the preloads of a body balance its weight, and both contribute to its geometric stiffness",
-          "give gravity = [0, 0, -9.80665]");
+          "give gravity, for instance [0, 0, -9.80665], and check that the preloads act against it (preload of an "
+          "element is positive in compression)");
       continue;
     }
     const Eigen::Vector3d weight = body.mass.mass * (body.pose.rotation.transpose() * *description.gravity);

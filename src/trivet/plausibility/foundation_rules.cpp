@@ -49,7 +49,7 @@ void judge_foundations(const model::System& system, const std::vector<BodyPictur
            fmt::format("{:.6g} N/m along {}", below(j), "xyz"[j]),
            fmt::format("the mount \"{}\" on it has {:.6g} N/m; on such springs alone \"{}\" would have {:.2g} Hz",
                        mount.name, own(j), system.bodies()[picture->body].name, frequency_on(below(j), *picture)),
-           fmt::format("it would be {:.6g} N/m if typed in N/mm", 1000 * below(j))});
+           fmt::format("it would be {:.6g} N/m if the number was meant in N/mm", 1000 * below(j))});
       break;
     }
   }

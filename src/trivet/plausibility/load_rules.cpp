@@ -40,10 +40,10 @@ struct GravityUnit {
   const char* words;
 };
 constexpr GravityUnit gravity_units[] = {
-    {1, 0.05, standard_gravity, "typed in g"},
-    {9806.65, 0.03, 1e-3, "typed in mm/s²"},
-    {980.665, 0.03, 1e-2, "typed in cm/s²"},
-    {32.174, 0.01, 0.3048, "typed in ft/s²"},
+    {1, 0.05, standard_gravity, "the number was meant in g"},
+    {9806.65, 0.03, 1e-3, "the number was meant in mm/s²"},
+    {980.665, 0.03, 1e-2, "the number was meant in cm/s²"},
+    {32.174, 0.01, 0.3048, "the number was meant in ft/s²"},
 };
 
 /// Mean depth of the mounts of a body below its centre of mass, along `down`, in sizes of the body; empty for fewer

@@ -177,7 +177,7 @@ void find_ends_in_another_frame(const model::System& system, const std::vector<B
                      fmt::format("its ends are {:.4g} m apart{}",
                                  model::span(system.bodies(), first.n, first.k).arm.norm(), and_more(mounts.size())),
                      "from_at is in the frame of the ground, and the body has a position",
-                     fmt::format("they would be {:.4g} m apart if typed in the frame of \"{}\"",
+                     fmt::format("they would be {:.4g} m apart if the numbers were meant in the frame of \"{}\"",
                                  (first.k.at - first.n.at).norm(), system.bodies()[picture.body].name)});
   }
 }
@@ -215,7 +215,8 @@ void find_mixed_directions(const model::System& system, const std::vector<BodyPi
          fmt::format("{:.6g} N/m in its softest direction, {:.6g} N/m in its stiffest", least,
                      first->translation.diagonal().maxCoeff()),
          fmt::format("the lowest translation of \"{}\" has {:.3g} Hz", system.bodies()[picture.body].name, frequency),
-         fmt::format("the softest would be {:.6g} N/m if typed in N/mm; check the other elements too", 1e3 * least)});
+         fmt::format("the softest would be {:.6g} N/m if the number was meant in N/mm; check the other elements too",
+                     1e3 * least)});
   }
 }
 

@@ -109,7 +109,7 @@ void judge_pulses(const model::System& system, const TimeQuestion& question, dou
            fmt::format(
                "over more than {:.0f} periods of the lowest mode ({:.4g} Hz) a pulse acts like a constant force",
                most_periods_of_pulse, hertz(lowest)),
-           fmt::format("it would last {:.6g} s if typed in milliseconds", duration / 1000)});
+           fmt::format("it would last {:.6g} s if the number was meant in milliseconds", duration / 1000)});
   }
 }
 

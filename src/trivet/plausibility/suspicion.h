@@ -122,7 +122,8 @@ struct Stated {
   std::vector<AllowedMotion> allowed_motions;
   std::vector<Engine> engines;
   std::optional<TimeQuestion> transient;
-  /// Table and kind of each suspicion that the user has accepted; it casts no doubt on the rest.
+  /// Table and kind of each suspicion that the user has accepted; an accepted value causes no suspicion about other
+  /// values.
   std::vector<std::pair<std::string, std::string>> accepted;
 };
 

@@ -23,7 +23,7 @@ struct Range {
   static constexpr double open = 1e9;
 };
 constexpr Range density_range{"mass / size³", "kg/m³", 3, 15000, 0.8, "density", "density"};
-constexpr Range spread_range{"RMS distance of the mounts from the centre of mass / that of the mass",
+constexpr Range spread_range{"RMS distance of the mounts from the centre of mass / RMS distance of the mass from it",
                              "",
                              0.15,
                              8,
@@ -66,21 +66,21 @@ constexpr double window_margin = 1.3;
 constexpr double tilt = 0.02;
 
 constexpr Slip slips[] = {
-    {.kind = "mass", .words = "typed in grams", .mass = 1e-3},
-    {.kind = "mass", .words = "typed in tonnes", .mass = 1e3},
-    {.kind = "inertia", .words = "typed in kg cm²", .inertia = 1e-4},
-    {.kind = "inertia", .words = "typed in kg mm²", .inertia = 1e-6},
-    {.kind = "inertia", .words = "typed in g cm²", .inertia = 1e-7},
-    {.kind = "inertia", .words = "typed in g mm²", .inertia = 1e-9},
-    {.kind = "inertia", .words = "typed in t m²", .inertia = 1e3},
-    {.kind = "center of mass", .words = "typed in millimetres", .centre = 1e-3},
-    {.kind = "center of mass", .words = "typed in centimetres", .centre = 1e-2},
-    {.kind = "places", .words = "typed in millimetres", .places = 1e-3},
-    {.kind = "places", .words = "typed in centimetres", .places = 1e-2},
-    {.kind = "points", .words = "typed in millimetres", .points = 1e-3},
-    {.kind = "points", .words = "typed in centimetres", .points = 1e-2},
+    {.kind = "mass", .words = "the number was meant in grams", .mass = 1e-3},
+    {.kind = "mass", .words = "the number was meant in tonnes", .mass = 1e3},
+    {.kind = "inertia", .words = "the number was meant in kg cm²", .inertia = 1e-4},
+    {.kind = "inertia", .words = "the number was meant in kg mm²", .inertia = 1e-6},
+    {.kind = "inertia", .words = "the number was meant in g cm²", .inertia = 1e-7},
+    {.kind = "inertia", .words = "the number was meant in g mm²", .inertia = 1e-9},
+    {.kind = "inertia", .words = "the number was meant in t m²", .inertia = 1e3},
+    {.kind = "center of mass", .words = "the number was meant in millimetres", .centre = 1e-3},
+    {.kind = "center of mass", .words = "the number was meant in centimetres", .centre = 1e-2},
+    {.kind = "places", .words = "the number was meant in millimetres", .places = 1e-3},
+    {.kind = "places", .words = "the number was meant in centimetres", .places = 1e-2},
+    {.kind = "points", .words = "the number was meant in millimetres", .points = 1e-3},
+    {.kind = "points", .words = "the number was meant in centimetres", .points = 1e-2},
     {.kind = "viscous damping", .words = "the number is in N s/m and its unit N s/mm a slip", .damping = 1e-3},
-    {.kind = "stiffness", .words = "typed in N/mm", .stiffness = 1e3},
+    {.kind = "stiffness", .words = "the number was meant in N/mm", .stiffness = 1e3},
     {.kind = "stiffness", .words = "the number is in N/m and its unit N/mm a slip", .stiffness = 1e-3},
     {.kind = "stiffness per degree", .words = "given in N m/deg", .rotation = 180 / std::numbers::pi},
 };

@@ -96,7 +96,11 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   const Node* list = reader.node("modes");
   if (!list || list->kind != Node::Kind::array || list->items.empty()) {
     reader.error(
-        "modes", list ? kind_name(list->kind) : "missing", "a list of modes is expected",
+        "modes",
+        !list                     ? "missing"
+            : list->items.empty() ? "empty"
+                                  : kind_name(list->kind),
+        "a list of at least one mode is expected",
         "modes = [{frequency = \"12 Hz\", modal_mass = 800, damping = 0.02, shapes = {\"MOUNT\" = [0, 0, 1]}}]");
     return ground;
   }

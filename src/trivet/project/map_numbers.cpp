@@ -69,7 +69,7 @@ void check_map_numbers(const Node& document, const MapRequest& map, const ReadMo
     if (possible || (!has_range && first->finding != "unknown key")) continue;  // 1 may be outside an unreadable range
     problems
         .error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"",
-               fmt::format("the model rejects this number: {} = {}; {}", first->subject, first->finding, first->rule),
+               fmt::format("the model rejects this parameter: {}: {}; {}", first->subject, first->finding, first->rule),
                first->remedy)
         .origin = deepest(document, subject + ".parameter").origin;
   }

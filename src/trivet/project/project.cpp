@@ -60,10 +60,11 @@ bool has_every_element(const model::Description& description, const NamesInFile&
 foundation::Problems beyond_reading(const foundation::Problems& found, const foundation::Problems& reading,
                                     bool every_body_was_read, bool every_element_was_read) {
   std::set<std::string> unread;
-  bool misplaced = !every_body_was_read;
+  bool misplaced = !every_body_was_read, lost_excitation = false;
   for (const auto& problem : reading.list()) {
     if (problem.severity != foundation::Severity::error) continue;
     unread.insert(part_path(problem.subject));
+    lost_excitation = lost_excitation || problem.subject.starts_with("excitations.");
     const std::string path_in_part =
         problem.subject.substr(std::min(problem.subject.size(), part_path(problem.subject).size()));
     misplaced = misplaced ||
@@ -76,6 +77,10 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
     if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
     if ((misplaced || !every_element_was_read) && problem.subject.starts_with("nodes.")) continue;
     if (!every_body_was_read && problem.subject == "bodies") continue;
+    if (!every_element_was_read && problem.subject.starts_with("bodies.") &&
+        problem.severity == foundation::Severity::warning)
+      continue;  // that nothing holds a body
+    if (lost_excitation && problem.subject.ends_with(".coherence")) continue;
     result.add(problem);
   }
   return result;

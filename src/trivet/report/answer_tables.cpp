@@ -43,7 +43,7 @@ std::string random_table(const study::Answers& answers) {
   const bool has_weights = weighted(random), has_shares = random.inputs.size() > 1;
   const bool has_remarks = std::any_of(random.response.answers.begin(), random.response.answers.end(),
                                        [](const auto& a) { return !remark(a).empty(); });
-  std::vector<Cell> headings = {{"result"}, right("rms"), right("3σ"), right("zero crossings [1/s]")};
+  std::vector<Cell> headings = {{"result"}, right("rms"), right("3σ"), right("upward zero crossings [1/s]")};
   if (has_weights) headings.push_back(right("weighted rms"));
   if (has_shares)
     for (const std::string& input : random.inputs) headings.push_back(right("variance from " + input));

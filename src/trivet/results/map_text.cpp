@@ -82,9 +82,9 @@ std::string map_text(const study::DesignMap& map) {
   if (map.best) text += best_words(map) + "\n";
   text += shares_text(map);
   for (const design::MissingReason& reason : map.report.missing)
-    text +=
-        fmt::format("  {} design{} not computed, {}{}: {}\n", reason.designs, reason.designs == 1 ? "" : "s",
-                    reason.designs == 1 ? "" : "the first ", point_words(map, map.point(reason.first)), reason.words);
+    text += fmt::format("  {} design{} without a result, {}at {}: {}\n", reason.designs, reason.designs == 1 ? "" : "s",
+                        reason.designs == 1 ? "" : "the first one ", point_words(map, map.point(reason.first)),
+                        reason.words);
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
   return text + "  " + map.report.summary() + "\n";

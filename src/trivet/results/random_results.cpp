@@ -127,7 +127,7 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
   const bool weighted = std::any_of(list.begin(), list.end(), [](const response::RandomAnswer& a) {
     return a.weighted_rms || a.infinite_weighted_rms;
   });
-  std::vector<std::string> header = {"result", "rms", "3σ", "unit", "zero crossings [1/s]"};
+  std::vector<std::string> header = {"result", "rms", "3σ", "unit", "upward zero crossings [1/s]"};
   if (weighted) header.push_back("weighted rms [m/s², rad/s²]");
   if (random.inputs.size() > 1)
     for (const std::string& input : random.inputs) header.push_back("from " + input);

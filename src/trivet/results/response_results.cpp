@@ -100,10 +100,15 @@ Json drawn_response(const study::Answers& answers) {
 
 std::string limits_text(const study::Answers& answers) {
   if (answers.limits.empty()) return "";
-  TextTable table({"limit on", "allowed", "largest in band", "at ω [rad/s]", "largest at any ω", "unit", "verdict"});
+  const bool one = answers.response && answers.response->band.from == answers.response->band.to;
+  TextTable table({"limit on", "allowed", one ? "at this ω alone" : "largest in band", "at ω [rad/s]",
+                   "largest at any ω", "unit", "verdict"});
   for (const study::LimitAnswer& limit : answers.limits)
     table.add({limit.name, number_text(limit.limit), number_text(limit.in_band), number_text(limit.in_band_at),
-               number_text(limit.anywhere), limit.unit, limit.met ? "met" : "EXCEEDED"});
+               number_text(limit.anywhere), limit.unit,
+               !limit.met ? "EXCEEDED"
+                   : one  ? "met at this ω"
+                          : "met"});
   return "Limits\n" + table.text();
 }
 

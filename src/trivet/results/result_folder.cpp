@@ -30,7 +30,7 @@ constexpr const char* advice = "choose another folder with -o";
 }
 
 [[noreturn]] void refuse_writing(const fs::path& target, const std::string& reason) {
-  throw std::runtime_error(fmt::format("cannot write next to {}: {}; {}", target.string(), reason, advice));
+  throw std::runtime_error(fmt::format("{} cannot be created: {}; {}", target.string(), reason, advice));
 }
 
 /// Absolute path of the target that ends in a name, so that it can be addressed from its parent folder.

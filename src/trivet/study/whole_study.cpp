@@ -36,10 +36,10 @@ void add_matrix_lines(const std::string& subject, const std::string& quantity, c
                       double lowest, bool symmetric, std::vector<CheckLine>& lines) {
   if (v.highest_eigenvalue == 0) return;
   lines.push_back({subject, quantity + " gives no force under rigid motion",
-                   fmt::format("{:.1e} of its scale", v.rigid_residual),
+                   fmt::format("{:.1e} (scaled by √(K_ii K_jj))", v.rigid_residual),
                    v.rigid_residual <= elements::silent_residual});
   if (symmetric) {
-    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} of its scale", v.asymmetry),
+    lines.push_back({subject, quantity + " is symmetric", fmt::format("{:.1e} (scaled by √(K_ii K_jj))", v.asymmetry),
                      v.asymmetry <= elements::rounding_of_data});
     lines.push_back({subject, quantity + " generates no energy",
                      fmt::format("lowest scaled eigenvalue {:.2g}", std::abs(lowest) < 1e-13 ? 0.0 : lowest),

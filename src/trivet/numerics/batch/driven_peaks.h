@@ -16,9 +16,10 @@ struct DrivenPeakOptions {
 };
 
 /// Highest amplitudes and resonance peaks of every curve of every design, as `design_peaks`, for loss factors, complex
-/// loads, loads and curves with powers of s, and curves that differ from design to design; at most twelve coordinates.
-/// From partial fractions of |y|² in ω over all 2n roots, eight designs at once (docs/decisions/peaks-of-designs.md).
-/// The status is `proven`, or `undecided` where poles or bounds are not good enough: no values. On one thread.
+/// loads, loads and curves with powers of s = iω, and curves that differ from design to design; at most twelve
+/// coordinates. From partial fractions of |y|² in ω over all 2n roots, eight designs at once
+/// (docs/decisions/peaks-of-designs.md). The status is `proven`, or `undecided` where poles or bounds are not good
+/// enough: no values. On one thread.
 /// @throws foundation::InvalidInput for sizes that do not match, products of powers outside `least_power` …
 /// `most_power`, a band that is empty or negative
 [[nodiscard]] DesignPeaks driven_peaks(const DrivenDesigns& designs, const DrivenPeakOptions& options = {});

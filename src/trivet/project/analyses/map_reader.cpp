@@ -80,7 +80,8 @@ void check_parameter(TableReader& root, TableReader& reader, const std::string& 
     reader.error("parameter", shown,
                  fmt::format("it is {}, not a number",
                              node->kind == Node::Kind::text ? project::value_text(*node) : kind_name(node->kind)),
-                 "name one number; those of an array of three are .x, .y and .z");
+                 "name one number: those of an array of three are .x, .y and .z; a matrix is varied by the scale of "
+                 "its element");
 }
 
 std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {

@@ -8,7 +8,7 @@
 namespace trivet::project {
 
 /// Most free coordinates of a system, as of three hundred free bodies: modes take six seconds and two gigabytes then,
-/// and the third power of that beyond.
+/// and the time grows with the third power of the number.
 inline constexpr std::size_t most_coordinates = 1800;
 
 /// The same for all analyses but modes, roots, static results, response and peaks, which were measured up to this size
@@ -16,7 +16,7 @@ inline constexpr std::size_t most_coordinates = 1800;
 inline constexpr std::size_t most_coordinates_of_others = 600;
 
 /// Most coordinates with those that represent frequency-dependent laws in modes and roots: 21 per direction of a
-/// fractional law, 126 of such a mount.
+/// fractional law, 126 for a mount with such a law in all six directions.
 inline constexpr std::size_t most_with_laws = 2000;
 
 /// Most curves of one question: tables, figures and a page of more curves are useless.

@@ -116,7 +116,7 @@ void refuse_excitation(TableReader& reader, const std::string& name, const std::
                        const std::string& kind) {
   const std::string guess = foundation::nearest_name(name, known);
   reader.error("excitations", foundation::quoted(name), "no " + kind + " excitation has this name",
-               guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+               guess.empty() ? "check the name, and its type" : "did you mean \"" + guess + "\"?");
 }
 
 /// Reports an empty list; without the key, all excitations are taken.

@@ -81,7 +81,8 @@ std::optional<elements::Metal> read_metal(TableReader& reader) {
                                                metal.young_modulus, metal.shear_modulus, poisson)
                                  : fmt::format("{:.6g}", poisson),
                   "Poisson's ratio of an isotropic material lies between −1 and 0.5",
-                  "correct E or G; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
+                  std::string(table.has("G") ? "correct E or G" : "correct nu") +
+                      "; steel has E = 206 GPa, G = 79 GPa, Poisson's ratio 0.3");
   }
   if (const auto density = table.number("density", Quantity::density)) {
     metal.density = *density;

@@ -165,7 +165,10 @@ foundation::Expected<Node> parse_toml(std::string_view text, const std::string& 
     const bool encoding = finding.find("utf-8") != std::string::npos || finding.find("UTF-8") != std::string::npos;
     return refused(origin_of(error.source(), source), finding, "the file must be valid TOML",
                    encoding ? "it is not UTF-8 text: save it as UTF-8"
-                            : "correct this line (strings in quotes, one value per key, arrays in square brackets)");
+                       : finding.find("control characters") != std::string::npos
+                       ? "look for a missing closing quote"
+                       : "correct this line (strings and numbers with a unit in quotes, one value per key, arrays in "
+                         "square brackets)");
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace trivet::response {
 
-/// What is known of the curves in blocks of `every` points.
+/// Motion in blocks of `every` points: where each block starts, and bounds of each curve in it.
 struct TimeBlocks {
   Eigen::Index every = 1;
   Eigen::MatrixXd states;                                 ///< one column per block: the state at its first point
@@ -21,7 +21,8 @@ struct TimeBlocks {
 /// Raises the extremes at the points and corners to those of the motion between the points: steps around the highest
 /// points are repeated, and zeros of the derivative are searched in them. Exact to about 1e-9 if the fastest excited
 /// motion has at least four points per period; a coarser grid may miss an extreme (with a warning).
-/// @param row  of the result with this index
+/// @param row    output row of the result
+/// @param index  of the result
 void search_between_points(TimeStepper& stepper, const StateSpace& space, const LinearRows& row, std::size_t index,
                            const TimeGrid& grid, const TimeBlocks& blocks, const foundation::Progress& progress,
                            TimeCurve& curve);

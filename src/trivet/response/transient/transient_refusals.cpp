@@ -97,10 +97,12 @@ std::optional<foundation::Problem> without_motion_in_time(const model::System& s
         .finding = factors,
         .rule = "a loss factor is defined for steady harmonic motion only; in time it would respond before its cause",
         .remedy = omega > 0
-            ? fmt::format("replace their key damping by an equivalent with the same stiffness and loss at one "
-                          "frequency, here that of the mode most excited by the inputs, {:.4g} Hz{}",
-                          omega / (2 * std::numbers::pi), offers)
-            : "replace their key damping by an equivalent: damping = {proportional = …}, or {zener = {ratio, time}}"};
+            ? fmt::format(
+                  "replace `damping` of these elements by an equivalent with the same stiffness and loss at one "
+                  "frequency, here that of the mode most excited by the inputs, {:.4g} Hz{}",
+                  omega / (2 * std::numbers::pi), offers)
+            : "replace `damping` of these elements by an equivalent: damping = {proportional = …}, or {zener = {ratio, "
+              "time}}"};
   }
   if (!dependent.empty() && !nearest_linear_system)
     return foundation::Problem{
