@@ -68,14 +68,17 @@ Eigen::MatrixXd BasisIntegrals::coefficients(const PoleExpansion& part) const {
   return result;
 }
 
-Eigen::VectorXcd BasisIntegrals::value(const PoleExpansion& part, Eigen::Index node) const {
-  Eigen::VectorXcd sum = Eigen::VectorXcd::Zero(part.residue.rows());
-  for (Eigen::Index k = 0; k < poles_.size(); ++k) sum += Complex(real_(node, k), imag_(node, k)) * part.residue.col(k);
-  for (std::size_t p = 0; p < powers_.size(); ++p) {
-    const Eigen::Index k = poles_.size() + to_index(p);
-    sum += Complex(real_(node, k), imag_(node, k)) * part.power.col(powers_[p] - lowest_power);
-  }
-  return sum;
+Eigen::MatrixXcd BasisIntegrals::values(const PoleExpansion& part) const {
+  const Eigen::Index count = poles_.size();
+  Eigen::MatrixXcd amplitude(part.residue.rows(), real_.cols());
+  amplitude.leftCols(count) = part.residue;
+  for (std::size_t p = 0; p < powers_.size(); ++p)
+    amplitude.col(count + to_index(p)) = part.power.col(powers_[p] - lowest_power);
+  const Eigen::MatrixXd re = amplitude.real(), im = amplitude.imag();
+  Eigen::MatrixXcd result(amplitude.rows(), real_.rows());
+  result.real() = re * real_.transpose() - im * imag_.transpose();
+  result.imag() = re * imag_.transpose() + im * real_.transpose();
+  return result;
 }
 
 Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const {
@@ -107,6 +110,7 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
   } else {
     j.col(1) = j.col(0);
   }
+  const Eigen::VectorXd of_first = j.col(0).cwiseAbs(), of_second = j.col(1).cwiseAbs();
   const Eigen::VectorXd size = (square_.transpose() * weight.cwiseAbs()).cwiseSqrt();
 
   Eigen::MatrixXcd result(functions, functions);
@@ -115,7 +119,7 @@ Eigen::MatrixXcd BasisIntegrals::products(const Eigen::VectorXcd& density) const
     for (Eigen::Index a = 0; a < count; ++a) {
       const Complex sum = poles_(a) + std::conj(poles_(b));
       // The sum of two fractions is used only if it does not cancel.
-      if (epsilon * (std::abs(j(a, 0)) + std::abs(j(b, 1))) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
+      if (epsilon * (of_first(a) + of_second(b)) <= fraction_accuracy * std::abs(sum) * size(a) * size(b)) {
         result(a, b) = -(j(a, 0) + std::conj(j(b, 1))) / sum;
         continue;
       }

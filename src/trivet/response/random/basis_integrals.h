@@ -23,8 +23,8 @@ class BasisIntegrals {
   [[nodiscard]] const Eigen::VectorXd& omega() const { return nodes_.omega; }
   /// Real coefficients of the basis: channels × functions.
   [[nodiscard]] Eigen::MatrixXd coefficients(const PoleExpansion& part) const;
-  /// All channels at one node, without the delay of the part.
-  [[nodiscard]] Eigen::VectorXcd value(const PoleExpansion& part, Eigen::Index node) const;
+  /// Channels × nodes, without the delay of the part.
+  [[nodiscard]] Eigen::MatrixXcd values(const PoleExpansion& part) const;
   /// Re ∫ weight u_j conj(u_k) dω for all pairs of basis functions; `weight` per node.
   [[nodiscard]] Eigen::MatrixXd real_products(const Eigen::VectorXcd& weight) const;
 

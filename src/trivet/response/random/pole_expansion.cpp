@@ -19,48 +19,42 @@ constexpr std::size_t powers = highest_power - lowest_power + 1;
 
 std::size_t index_of(int power) { return to_size(power - lowest_power); }
 
-/// A Laurent polynomial in s, and the sums of the magnitudes of its terms.
-struct Laurent {
-  std::array<Complex, powers> value{};
-  std::array<double, powers> possible{};
-  void add(int power, Complex term, double size) { value[index_of(power)] += term, possible[index_of(power)] += size; }
+/// A term of a polynomial in s and 1/s, and its magnitude before cancellation.
+struct Term {
+  int power;
+  Complex value;
+  double possible;
 };
 
-/// λ^m for m = lowest_power … highest_power.
-std::array<Complex, powers> powers_of(Complex lambda) {
-  std::array<Complex, powers> result;
-  result[index_of(0)] = 1;
-  for (int m = 1; m <= highest_power; ++m) result[index_of(m)] = result[index_of(m - 1)] * lambda;
-  for (int m = -1; m >= lowest_power; --m) result[index_of(m)] = result[index_of(m + 1)] / lambda;
+/// λ^m for m = lowest_power … highest_power, and |λ^m|.
+struct PolePowers {
+  std::array<Complex, powers> value;
+  std::array<double, powers> size;
+};
+
+PolePowers powers_of(Complex lambda) {
+  PolePowers result;
+  result.value[index_of(0)] = 1;
+  for (int m = 1; m <= highest_power; ++m) result.value[index_of(m)] = result.value[index_of(m - 1)] * lambda;
+  for (int m = -1; m >= lowest_power; --m) result.value[index_of(m)] = result.value[index_of(m + 1)] / lambda;
+  for (std::size_t i = 0; i < powers; ++i) result.size[i] = std::abs(result.value[i]);
   return result;
 }
 
-/// P(s)/(s − λ) = P(λ)/(s − λ) + powers of s.
-void add_fraction(const Laurent& p, const std::array<Complex, powers>& of_pole, Eigen::Index c, Eigen::Index k,
-                  PoleExpansion& to) {
-  for (int m = lowest_power; m <= highest_power; ++m) {
-    const Complex value = p.value[index_of(m)];
-    const double possible = p.possible[index_of(m)];
-    if (possible == 0) continue;
-    to.residue(c, k) += value * of_pole[index_of(m)];
-    to.possible_residue(c, k) += possible * std::abs(of_pole[index_of(m)]);
-    for (int j = 0; j < m; ++j) {
-      to.power(c, j - lowest_power) += value * of_pole[index_of(m - 1 - j)];
-      to.possible_power(c, j - lowest_power) += possible * std::abs(of_pole[index_of(m - 1 - j)]);
-    }
-    for (int j = -1; j >= m; --j) {
-      to.power(c, j - lowest_power) -= value * of_pole[index_of(m - 1 - j)];
-      to.possible_power(c, j - lowest_power) += possible * std::abs(of_pole[index_of(m - 1 - j)]);
-    }
+/// Adds s^m/(s − λ) = λ^m/(s − λ) + powers of s.
+void add_fraction(const Term& term, const PolePowers& of_pole, Eigen::Index c, Eigen::Index k, PoleExpansion& to) {
+  const int m = term.power;
+  to.residue(c, k) += term.value * of_pole.value[index_of(m)];
+  to.possible_residue(c, k) += term.possible * of_pole.size[index_of(m)];
+  for (int j = std::min(m, 0); j < std::max(m, 0); ++j) {
+    to.power(c, j - lowest_power) += (m > 0 ? term.value : -term.value) * of_pole.value[index_of(m - 1 - j)];
+    to.possible_power(c, j - lowest_power) += term.possible * of_pole.size[index_of(m - 1 - j)];
   }
 }
 
-void add_powers(const Laurent& p, int shift, Eigen::Index c, PoleExpansion& to) {
-  for (int m = lowest_power; m <= highest_power; ++m) {
-    if (p.possible[index_of(m)] == 0) continue;
-    to.power(c, m + shift - lowest_power) += p.value[index_of(m)];
-    to.possible_power(c, m + shift - lowest_power) += p.possible[index_of(m)];
-  }
+void add_power(const Term& term, int shift, Eigen::Index c, PoleExpansion& to) {
+  to.power(c, term.power + shift - lowest_power) += term.value;
+  to.possible_power(c, term.power + shift - lowest_power) += term.possible;
 }
 
 /// One column of the matrix of right sides of all loads.
@@ -84,31 +78,38 @@ struct Projection {
   std::array<Eigen::RowVectorXd, 3> possible;
 };
 
-Projection projected(const std::vector<ChannelTerm>& terms, const Eigen::MatrixXcd& coordinates) {
+/// Values of the coordinates (one per row of the given matrix) and their magnitudes, one coordinate per column.
+struct Coordinates {
+  explicit Coordinates(const Eigen::MatrixXcd& rows) : value(rows.transpose()), size(value.cwiseAbs()) {}
+  Eigen::MatrixXcd value;
+  Eigen::MatrixXd size;
+};
+
+Projection projected(const std::vector<ChannelTerm>& terms, const Coordinates& coordinates) {
   Projection result;
+  const Eigen::Index count = coordinates.value.rows();
   for (std::size_t t = 0; t < 3; ++t) {
-    result.value[t] = Eigen::RowVectorXcd::Zero(coordinates.cols());
-    result.possible[t] = Eigen::RowVectorXd::Zero(coordinates.cols());
-    if (coordinates.cols() == 0) continue;
+    result.value[t] = Eigen::RowVectorXcd::Zero(count);
+    result.possible[t] = Eigen::RowVectorXd::Zero(count);
+    if (count == 0) continue;
     for (const ChannelTerm& term : terms) {
       if (term.by_power[t] == 0.0) continue;
-      result.value[t] += term.by_power[t] * coordinates.row(term.row);
-      result.possible[t] += std::abs(term.by_power[t]) * coordinates.row(term.row).cwiseAbs();
+      result.value[t] += term.by_power[t] * coordinates.value.col(term.row).transpose();
+      result.possible[t] += std::abs(term.by_power[t]) * coordinates.size.col(term.row).transpose();
     }
   }
   return result;
 }
 
-/// All terms of one channel for one pole or a rigid-body motion: projection × s^(derivative + power of the load + 0, 1,
-/// 2).
-Laurent laurent(const Projection& projection, Eigen::Index column, int power, Complex factor) {
-  Laurent p;
+/// Calls `add` with each term of one channel for one pole or a rigid-body motion: projection × factor × s^(derivative +
+/// power of the load + 0, 1, 2).
+template <typename Add>
+void for_each_term(const Projection& projection, Eigen::Index column, int power, Complex factor, double size,
+                   const Add& add) {
   for (int t = 0; t < 3; ++t) {
-    const auto at = to_size(t);
-    if (projection.possible[at](column) > 0)
-      p.add(power + t, projection.value[at](column) * factor, projection.possible[at](column) * std::abs(factor));
+    const double possible = projection.possible[to_size(t)](column);
+    if (possible > 0) add(Term{power + t, projection.value[to_size(t)](column) * factor, possible * size});
   }
-  return p;
 }
 
 PoleExpansion& part(std::vector<PoleExpansion>& parts, std::size_t load, double delay, Eigen::Index channels,
@@ -166,33 +167,39 @@ PoleExpansions pole_expansions(const assembly::Assembled& assembled, const std::
   for (Eigen::Index k = 0; k < form.poles.size(); ++k)
     if (form.poles(k) != 0.0) moving.push_back(k);
   result.poles = form.poles(moving);
-  std::vector<std::array<Complex, powers>> of_pole;
+  std::vector<PolePowers> of_pole;
   for (const Complex& pole : result.poles) of_pole.push_back(powers_of(pole));
   const std::vector<ChannelTerms> terms = channel_terms(channels);
   const auto count = to_index(channels.size());
+  const Coordinates of_shapes(form.shapes), of_drift(form.free_motion), of_statics(form.static_part);
+  const Eigen::MatrixXd participation_size = form.participation.cwiseAbs();
   for (Eigen::Index c = 0; c < count; ++c) {
     const ChannelTerms& channel = terms[to_size(c)];
-    const Projection shapes = projected(channel.free, form.shapes);
-    const Projection drifting = projected(channel.free, form.free_motion),
-                     statics = projected(channel.free, form.static_part);
+    const Projection shapes = projected(channel.free, of_shapes), drifting = projected(channel.free, of_drift),
+                     statics = projected(channel.free, of_statics);
     for (Eigen::Index j = 0; j < right_sides.cols(); ++j) {
       const LoadColumn& column = columns[to_size(j)];
       if (column.group != group_of[column.load][to_size(c)]) continue;
       PoleExpansion& to = part(result.parts, column.load, column.delay, count, result.poles.size());
       const int power = channel.derivative + column.power;
       for (Eigen::Index k = 0, m = 0; k < form.poles.size(); ++k) {
-        const Laurent p = laurent(shapes, k, power, form.participation(k, j));
-        if (form.poles(k) == 0.0) add_powers(p, -1, c, to);
-        else add_fraction(p, of_pole[to_size(m)], c, m, to), ++m;
+        const bool at_rest = form.poles(k) == 0.0;
+        for_each_term(shapes, k, power, form.participation(k, j), participation_size(k, j), [&](const Term& term) {
+          if (at_rest) add_power(term, -1, c, to);
+          else add_fraction(term, of_pole[to_size(m)], c, m, to);
+        });
+        if (!at_rest) ++m;
       }
-      add_powers(laurent(drifting, j, power, 1), -2, c, to);
-      add_powers(laurent(statics, j, power, 1), 0, c, to);
+      for_each_term(drifting, j, power, 1, 1, [&](const Term& term) { add_power(term, -2, c, to); });
+      for_each_term(statics, j, power, 1, 1, [&](const Term& term) { add_power(term, 0, c, to); });
     }
     for (const GroupedLoad& each : grouped)
       for (const numerics::LoadTerm& term : each.loading.motion.terms())
-        if (each.group == group_of[each.load][to_size(c)])
-          add_powers(laurent(projected(channel.ground, term.value), 0, channel.derivative + term.power, 1), 0, c,
-                     part(result.parts, each.load, term.delay, count, result.poles.size()));
+        if (each.group == group_of[each.load][to_size(c)]) {
+          PoleExpansion& to = part(result.parts, each.load, term.delay, count, result.poles.size());
+          for_each_term(projected(channel.ground, Coordinates(term.value)), 0, channel.derivative + term.power, 1, 1,
+                        [&](const Term& of_ground) { add_power(of_ground, 0, c, to); });
+        }
   }
   return result;
 }

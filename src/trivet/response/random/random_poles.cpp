@@ -125,12 +125,14 @@ void compare_with_solutions(const assembly::Assembled& assembled, const std::vec
     const BasisIntegrals basis(expansions, check_nodes(expansions.poles, nodes_within(input.spectrum, all_nodes)));
     const std::vector<double> omega(basis.omega().begin(), basis.omega().end());
     const AnswerSamples direct = answer_samples(assembled, channels, input.loading, omega);
+    std::vector<std::pair<double, Eigen::MatrixXcd>> parts;  // delay and values
+    for (const PoleExpansion& part : expansions.parts)
+      if (part.load == i) parts.emplace_back(part.delay, basis.values(part));
     for (std::size_t f = 0; f < omega.size(); ++f) {
       const double amplitude = std::sqrt(excitation::density(input.spectrum, omega[f]));
       const auto column = to_index(f);
       Eigen::VectorXcd value = Eigen::VectorXcd::Zero(count);
-      for (const PoleExpansion& part : expansions.parts)
-        if (part.load == i) value += std::polar(1.0, -omega[f] * part.delay) * basis.value(part, column);
+      for (const auto& [delay, values] : parts) value += std::polar(1.0, -omega[f] * delay) * values.col(column);
       const Eigen::VectorXd size = direct.value.col(column).cwiseAbs(),
                             difference = (value - direct.value.col(column)).cwiseAbs();
       const Eigen::VectorXd noise = conditioning(expansions.poles, omega[f]) * size +
