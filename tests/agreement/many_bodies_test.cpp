@@ -80,6 +80,41 @@ TEST(SparseSystem, SolvesLikeExtendedPrecisionForEveryGraph) {
     }
 }
 
+/// Stiffness of a cantilever of rigid links with rotational springs between them: condition near 3 n⁴.
+DynamicMatrices cantilever(Eigen::Index n) {
+  Eigen::MatrixXd bending = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    bending(i, i) = 1;
+    if (i > 0) bending(i, i - 1) = -2;
+    if (i > 1) bending(i, i - 2) = 1;
+  }
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
+  return {none, none, bending.transpose() * bending / 3.0, {}, true};
+}
+
+TEST(SparseSystem, SolvesIllConditionedChainsWithoutFactorsInExtendedPrecision) {
+  const Eigen::Index n = 300;
+  const DynamicMatrices m = cantilever(n);
+  const SparseSystem system(m);
+  const numerics::ExtendedMatrix z = m.K.cast<std::complex<Extended>>();
+  const numerics::ExtendedVector b = CoupledBodies(6).load(n, n).cast<std::complex<Extended>>();
+  using Terms = Eigen::Matrix<Extended, Eigen::Dynamic, 1>;
+  const numerics::ExtendedProducts products{
+      [&](const numerics::ExtendedVector& x) -> numerics::ExtendedVector { return b - z * x; },
+      [&](const numerics::ExtendedVector& x) -> Terms { return z.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs(); }};
+  const auto found = numerics::refined_solution(system.factors(0), b, products);
+  ASSERT_TRUE(found);
+  const numerics::ExtendedVector by_factors = numerics::lu_solution(z, b);
+  const auto backward_error = [&](const numerics::ExtendedVector& x) {
+    return static_cast<double>((products.residual(x).cwiseAbs().array() / products.terms(x).array()).maxCoeff());
+  };
+  EXPECT_LE(backward_error(*found), std::max(backward_error(by_factors), extended_digits));
+  const double condition = 3.0 * std::pow(static_cast<double>(n), 4);
+  EXPECT_LE(static_cast<double>((*found - by_factors).norm() / by_factors.norm()), extended_digits * condition);
+  const numerics::ExtendedVector by_entries = system.solution(system.factors(0), 0, b);
+  EXPECT_LE(static_cast<double>((*found - by_entries).norm() / by_entries.norm()), extended_digits * condition);
+}
+
 TEST(SparseSystem, DerivativesAreDifferencesOfTheStiffness) {
   const DynamicMatrices m = system_of(graphs(6)[0], 1, 0.05);
   const SparseSystem system(m);

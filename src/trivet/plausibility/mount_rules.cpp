@@ -243,10 +243,10 @@ void judge_undamped(const model::System& system, const std::vector<BodyPicture>&
     return !std::holds_alternative<std::monostate>(system.elements()[e].law.damping);
   };
   for (const auto& [group, members] : groups(system, pictures)) {
-    const bool with_dampers =
-        std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& e) {
-          return e.type == "damper" && (e.k.body == std::get<0>(group) || e.n.body == std::get<0>(group));
-        });
+    const std::optional<std::size_t> body = std::get<0>(group);
+    const bool with_dampers = std::any_of(
+        system.elements().begin(), system.elements().end(),
+        [&](const model::Element& e) { return e.type == "damper" && (e.k.body == body || e.n.body == body); });
     const bool are_equal = std::all_of(members.begin(), members.end(), [&](const Member& m) {
       return std::abs(m.translation - members.front().translation) <= equal * members.front().translation;
     });

@@ -56,7 +56,7 @@ TEST(QuestionSizes, AllPeaksAreAcceptedButCurvesOfTwoHundredBodiesAreNot) {
   EXPECT_FALSE(project::too_large(tower(300), peaks).has_errors());
   EXPECT_FALSE(project::too_large(tower(100), response).has_errors());
   EXPECT_THAT(messages(project::too_large(tower(200), response)),
-              HasSubstr("resonance peaks of 1200 curves of a system of 1200 coordinates: about 1.2 hours of search"));
+              HasSubstr("resonance peaks of 1200 curves of a system of 1200 coordinates: about 1.3 hours of search"));
 }
 
 TEST(QuestionSizes, PointsTimesCurvesHaveALimit) {

@@ -19,9 +19,11 @@ RefinedSolver::RefinedSolver(ExtendedMatrix Z)
     : z_(std::move(Z)), system_(stiffness_alone(z_)), factors_(system_.factors(0)) {}
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
-  if (const auto x =
-          refined_solution(factors_, b, [&](const ExtendedVector& found) -> ExtendedVector { return b - z_ * found; }))
-    return *x;
+  using Terms = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  const ExtendedProducts products{
+      [&](const ExtendedVector& x) -> ExtendedVector { return b - z_ * x; },
+      [&](const ExtendedVector& x) -> Terms { return z_.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs(); }};
+  if (const auto x = refined_solution(factors_, b, products)) return *x;
   // Too ill-conditioned for factors in double: solve in extended precision.
   return lu_solution(z_, b);
 }

@@ -151,8 +151,20 @@ SystemFactors SparseSystem::factors(double omega, bool transposed) const {
   return result;
 }
 
+Eigen::Matrix<long double, Eigen::Dynamic, 1> SparseSystem::terms(long double omega, const Vector<long double>& x,
+                                                                  bool transposed) const {
+  Eigen::Matrix<long double, Eigen::Dynamic, 1> sums(size_);
+  sums.setZero();
+  for (const Entry& e : entries_) {
+    const long double real = std::abs(static_cast<long double>(e.k.real())) + omega * omega * std::abs(e.a),
+                      imaginary = std::abs(static_cast<long double>(e.k.imag())) + omega * std::abs(e.b);
+    sums(transposed ? e.column : e.row) += (real + imaginary) * std::abs(x(transposed ? e.row : e.column));
+  }
+  return sums;
+}
+
 std::optional<ExtendedVector> refined_solution(const SystemFactors& factors, const ExtendedVector& b,
-                                               const std::function<ExtendedVector(const ExtendedVector& x)>& residual) {
+                                               const ExtendedProducts& products) {
   using Extended = long double;
   constexpr int most_steps = 12;
   constexpr Extended settled = 64 * std::numeric_limits<Extended>::epsilon();
@@ -162,10 +174,13 @@ std::optional<ExtendedVector> refined_solution(const SystemFactors& factors, con
   ExtendedVector x = step(b);
   Extended previous = std::numeric_limits<Extended>::infinity();
   for (int i = 0; i < most_steps; ++i) {
-    const ExtendedVector correction = step(residual(x));
+    const ExtendedVector residual = products.residual(x), correction = step(residual);
     const Extended size = correction.norm();
     if (size <= settled * x.norm()) return x + correction;
-    if (!(size < 0.5L * previous)) break;
+    if (!(size < 0.5L * previous)) {
+      if ((residual.cwiseAbs().array() <= settled * products.terms(x).array()).all()) return x;
+      break;
+    }
     x += correction;
     previous = size;
   }
@@ -174,10 +189,11 @@ std::optional<ExtendedVector> refined_solution(const SystemFactors& factors, con
 
 SparseSystem::Vector<long double> SparseSystem::solution(const SystemFactors& factors, long double omega,
                                                          const Vector<long double>& b, bool transposed) const {
-  const auto residual = [&](const Vector<long double>& x) -> Vector<long double> {
-    return b - product<long double>(0, omega, x, transposed);
-  };
-  if (const auto refined = refined_solution(factors, b, residual)) return *refined;
+  using Terms = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+  const ExtendedProducts products{
+      [&](const ExtendedVector& x) -> ExtendedVector { return b - product<long double>(0, omega, x, transposed); },
+      [&](const ExtendedVector& x) -> Terms { return terms(omega, x, transposed) + b.cwiseAbs(); }};
+  if (const auto refined = refined_solution(factors, b, products)) return *refined;
   // Too ill-conditioned for factors in double: solve in extended precision.
   ExtendedMatrix z = ExtendedMatrix::Zero(size_, size_);
   for (const Entry& e : entries_) (transposed ? z(e.column, e.row) : z(e.row, e.column)) = coefficient(e, 0, omega);

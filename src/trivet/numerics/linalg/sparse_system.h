@@ -67,6 +67,9 @@ class SparseSystem {
 
  private:
   [[nodiscard]] Eigen::MatrixXcd dense(double omega, bool transposed) const;
+  /// Σ_j |Z_ij| |x_j|.
+  [[nodiscard]] Eigen::Matrix<long double, Eigen::Dynamic, 1> terms(long double omega, const Vector<long double>& x,
+                                                                    bool transposed) const;
 
   Eigen::Index size_;
   bool symmetric_, sparse_;
@@ -74,9 +77,16 @@ class SparseSystem {
   std::vector<Eigen::Index> order_;  ///< of the coordinates for sparse factors: place of each one
 };
 
-/// Solution of Z x = b refined with residuals b − Z x in extended precision; empty if it does not converge.
-[[nodiscard]] std::optional<ExtendedVector> refined_solution(
-    const SystemFactors& factors, const ExtendedVector& b,
-    const std::function<ExtendedVector(const ExtendedVector& x)>& residual);
+/// A linear system Z x = b in extended precision, by its products.
+struct ExtendedProducts {
+  std::function<ExtendedVector(const ExtendedVector& x)> residual;  ///< b − Z x
+  /// Σ|Z_ij||x_j| + |b_i| per row: the residual is exact to some units of round-off of it.
+  std::function<Eigen::Matrix<long double, Eigen::Dynamic, 1>(const ExtendedVector& x)> terms;
+};
+
+/// Solution refined by factors of Z in double: converged, or with a residual of round-off, as no factors in extended
+/// precision would give a smaller one. Empty if neither is reached.
+[[nodiscard]] std::optional<ExtendedVector> refined_solution(const SystemFactors& factors, const ExtendedVector& b,
+                                                             const ExtendedProducts& products);
 
 }  // namespace trivet::numerics

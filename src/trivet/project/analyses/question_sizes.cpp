@@ -16,11 +16,11 @@ constexpr double most_values = 3e6;       // points × curves; with tables, page
 constexpr double longest_search = 3600;   // [s]
 constexpr std::size_t most_inputs = 100;  // correlated random inputs: every pair has a cross-spectrum with every answer
 
-/// Time of searches on one core, measured on chains of 10 to 300 bodies. With frequency-dependent elements (some ten
-/// bodies) every sample of a search is a solution of its own.
+/// Time of searches on one core, measured on chains of 10 to 300 bodies; those held at one end only take longest. With
+/// frequency-dependent elements (some ten bodies) every sample of a search is a solution of its own.
 double seconds_of_peaks(double curves, double coordinates, bool frequency_dependent) {
   if (frequency_dependent) return curves * (0.003 + 0.07 * std::pow(coordinates / 60, 3.7));
-  return 7.5e-9 * std::pow(coordinates, 3) + 1e-4 * coordinates * curves;
+  return 7.5e-9 * std::pow(coordinates, 3) + 3e-4 * coordinates * curves;
 }
 /// With the rational model of an automatic spacing, which has as many pieces as there are resonances.
 double seconds_of_curves(double curves, double coordinates, bool frequency_dependent) {
