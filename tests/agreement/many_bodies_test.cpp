@@ -7,11 +7,14 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "support/coupled_bodies.h"
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/lowest_modes.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/sparse_system.h"
 #include "trivet/numerics/linalg/system_roots.h"
@@ -80,14 +83,20 @@ TEST(SparseSystem, SolvesLikeExtendedPrecisionForEveryGraph) {
     }
 }
 
-/// Stiffness of a cantilever of rigid links with rotational springs between them: condition near 3 n⁴.
-DynamicMatrices cantilever(Eigen::Index n) {
+/// Angles between rigid links, the first one clamped, for displacements of their ends: second differences.
+Eigen::MatrixXd cantilever_differences(Eigen::Index n) {
   Eigen::MatrixXd bending = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     bending(i, i) = 1;
     if (i > 0) bending(i, i - 1) = -2;
     if (i > 1) bending(i, i - 2) = 1;
   }
+  return bending;
+}
+
+/// A cantilever of such links with rotational springs between them: condition near 3 n⁴.
+DynamicMatrices cantilever(Eigen::Index n) {
+  const Eigen::MatrixXd bending = cantilever_differences(n);
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, n);
   return {none, none, bending.transpose() * bending / 3.0, {}, true};
 }
@@ -113,6 +122,64 @@ TEST(SparseSystem, SolvesIllConditionedChainsWithoutFactorsInExtendedPrecision) 
   EXPECT_LE(static_cast<double>((*found - by_factors).norm() / by_factors.norm()), extended_digits * condition);
   const numerics::ExtendedVector by_entries = system.solution(system.factors(0), 0, b);
   EXPECT_LE(static_cast<double>((*found - by_entries).norm() / by_entries.norm()), extended_digits * condition);
+}
+
+TEST(LowestModes, AgreeWithTheDenseEigensolverForEveryGraph) {
+  constexpr double of_largest = 1e-12;  // of the dense eigenvalues, whose error is round-off of the largest
+  constexpr double orthogonal = 1e-10;  // shapes settle to 1e-11
+  for (const Eigen::Index bodies : {40, 60})
+    for (const Graph& graph : graphs(bodies)) {
+      const DynamicMatrices m = system_of(graph, 5, 0.02);
+      const auto found = numerics::lowest_modes(m.K, m.A, 7);
+      EXPECT_EQ(found.has_value(), graph.name != "full") << graph.name;
+      if (!found) continue;
+      const numerics::GeneralizedModes all = numerics::generalized_modes(m.K, m.A, true);
+      const double largest = all.lambda(all.lambda.size() - 1);
+      EXPECT_LE((found->lambda - all.lambda.head(7)).cwiseAbs().maxCoeff(), of_largest * largest) << graph.name;
+      const Eigen::MatrixXd rest = m.K * found->shapes - m.A * found->shapes * found->lambda.asDiagonal();
+      EXPECT_LE(rest.cwiseAbs().maxCoeff(), of_largest * largest) << graph.name;
+      EXPECT_TRUE((found->shapes.transpose() * m.A * found->shapes).isIdentity(orthogonal)) << graph.name;
+    }
+}
+
+TEST(LowestModes, TellRigidBodyModesFromSlowBending) {
+  // A free beam of 200 links: two motions without stiffness, then bending with λ 1e-9 of the largest.
+  constexpr double of_beam = 0.02;
+  const Eigen::Index n = 200;
+  const Eigen::MatrixXd bending = cantilever_differences(n).bottomRows(n - 2);
+  const auto found = numerics::lowest_modes(bending.transpose() * bending, Eigen::MatrixXd::Identity(n, n), 4);
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->lambda(0), 0);
+  EXPECT_EQ(found->lambda(1), 0);
+  const double roots[] = {4.730041, 7.853205};  // of cos β cosh β = 1
+  for (Eigen::Index j = 0; j < 2; ++j)
+    EXPECT_NEAR(found->lambda(j + 2) / std::pow(roots[j] / static_cast<double>(n), 4), 1, of_beam);
+}
+
+TEST(LowestModes, FindEveryOneOfEqualFrequencies) {
+  // Three equal chains beside each other: every frequency three times.
+  constexpr double of_closed_form = 1e-12;
+  const Eigen::Index length = 100, n = 3 * length;
+  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    stiffness(i, i) = 2;
+    if (i % length > 0) stiffness(i, i - 1) = stiffness(i - 1, i) = -1;
+  }
+  const auto found = numerics::lowest_modes(stiffness, Eigen::MatrixXd::Identity(n, n), 10);
+  ASSERT_TRUE(found);
+  for (Eigen::Index j = 0; j < 10; ++j) {
+    const double half =
+        std::sin(std::numbers::pi * static_cast<double>(j / 3 + 1) / (2.0 * static_cast<double>(length + 1)));
+    EXPECT_NEAR(found->lambda(j) / (4 * half * half), 1, of_closed_form) << j;
+  }
+}
+
+TEST(LowestModes, AreLeftToTheDenseSolverIfTheMassIsIndefinite) {
+  const Eigen::MatrixXd stiffness = cantilever(60).K;
+  Eigen::MatrixXd mass = Eigen::MatrixXd::Identity(60, 60);
+  mass(30, 30) = -1;
+  EXPECT_FALSE(numerics::lowest_modes(stiffness, mass, 4));
+  EXPECT_FALSE(numerics::lowest_modes(-stiffness, Eigen::MatrixXd::Identity(60, 60), 4));
 }
 
 TEST(SparseSystem, DerivativesAreDifferencesOfTheStiffness) {

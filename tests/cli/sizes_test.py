@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Projects that are too large, and machines at the limits of the program (docs/limits.md)."""
+import json
+import math
 import unittest
 
 from limits_test import BODY, FORCE, Refused, mount
@@ -12,6 +14,31 @@ class Sizes(Refused):
             f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n' for i in range(400)
         )
         self.refused("2400 free coordinates", "at most 1800", text=text, command="run")
+
+    def test_the_lowest_modes_of_four_hundred_free_bodies(self):
+        text = "trivet = 1\n[element_types.k]\ntype = \"bushing\"\ntranslation = [1e5, 2e5, 3e5]\nrotation = [1e3, 1e3, 1e3]\n"
+        for i in range(400):
+            text += f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n'
+            text += (
+                f'[elements.e{i}]\ntype = "k"\non = "b{i}"\nfrom = "{f"b{i - 1}" if i else "ground"}"\nat = [0, 0, 0]\n'
+            )
+        self.refused("2400 free coordinates", "for modes = {lowest = 20} alone 6000", text=text, command="modes")
+        # A chain of masses held at one end: ω = 2 √(k/m) sin(π / (4 n + 2)).
+        slowest = 2 * math.sqrt(1e3) * math.sin(math.pi / (4 * 400 + 2))
+        done = trivet("modes", self.file(text + "[analyses]\npeaks = {}\n"), "--lowest", "2", "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        modes = json.loads(done.stdout)["modes"]
+        self.assertEqual(len(modes), 2)
+        self.assertAlmostEqual(modes[0]["angular_frequency"] / slowest, 1, 9)
+        self.refused(
+            "2400 free coordinates",
+            "at most 1800",
+            text=text + "[analyses]\nmodes = {lowest = 2}\n",
+            command="suspension",
+        )
+        short = self.file(text + "[analyses]\nmodes = {lowest = 2}\n")
+        self.assertEqual(trivet("check", short).returncode, 0)
+        self.assertEqual(trivet("run", short, "-o", self.folder / "out").returncode, 0)
 
     def test_twenty_thousand_answers(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))

@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/modal/motion_words.h"
+#include "trivet/numerics/linalg/lowest_modes.h"
 #include "trivet/numerics/linalg/massless.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -103,12 +104,11 @@ void warn(const numerics::GeneralizedModes& raw, Modes& result) {
 
 }  // namespace
 
-Modes modes(const model::System& system, const assembly::Assembled& assembled) {
-  const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
-  const numerics::GeneralizedModes raw =
-      numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
-  const bool all_massive = massive.A.rows() == assembled.matrices.A.rows();
-  const Eigen::MatrixXd shapes = all_massive ? raw.shapes : Eigen::MatrixXd(massive.recovery * raw.shapes);
+namespace {
+
+/// @param shapes  of `raw` in all coordinates
+Modes described(const model::System& system, const assembly::Assembled& assembled,
+                const numerics::GeneralizedModes& raw, const Eigen::MatrixXd& shapes) {
   const Eigen::MatrixXd momentum = assembled.matrices.A * shapes, strain = strain_energies(assembled, shapes);
   std::vector<spatial::PrincipalInertia> principal;
   for (const model::Body& body : system.bodies()) principal.push_back(spatial::principal_inertia(body.mass));
@@ -128,6 +128,27 @@ Modes modes(const model::System& system, const assembly::Assembled& assembled) {
   mark_repeated(result.list);
   warn(raw, result);
   return result;
+}
+
+}  // namespace
+
+Modes modes(const model::System& system, const assembly::Assembled& assembled) {
+  const numerics::MassiveSystem massive = numerics::massive_system(assembled.matrices);
+  const numerics::GeneralizedModes raw =
+      numerics::generalized_modes(massive.K, massive.A, assembled.matrices.symmetric);
+  const bool all_massive = massive.A.rows() == assembled.matrices.A.rows();
+  return described(system, assembled, raw, all_massive ? raw.shapes : massive.recovery * raw.shapes);
+}
+
+Modes lowest_modes(const model::System& system, const assembly::Assembled& assembled, Eigen::Index count) {
+  const numerics::DynamicMatrices& m = assembled.matrices;
+  if (m.symmetric && to_index(numerics::massive_rows(m.A).size()) == m.size())
+    if (const auto raw = numerics::lowest_modes(m.K, m.A, count)) {
+      Modes result = described(system, assembled, *raw, raw->shapes);
+      result.lowest_only = true;
+      return result;
+    }
+  return modes(system, assembled);
 }
 
 Modes modes(const model::System& system) { return modes(system, assembly::assemble(system)); }

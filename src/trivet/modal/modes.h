@@ -39,6 +39,7 @@ struct Mode {
 
 struct Modes {
   std::vector<Mode> list;
+  bool lowest_only = false;  ///< the list has the lowest modes, and there are others
   numerics::ModeRoute route = numerics::ModeRoute::definite_mass;
   foundation::Problems warnings;
 };
@@ -47,6 +48,10 @@ struct Modes {
 /// warning).
 [[nodiscard]] Modes modes(const model::System& system, const assembly::Assembled& assembled);
 [[nodiscard]] Modes modes(const model::System& system);
+
+/// At least the `count` lowest modes, for few modes of many bodies: by iteration on sparse factors, proven complete, or
+/// all modes where that is not possible.
+[[nodiscard]] Modes lowest_modes(const model::System& system, const assembly::Assembled& assembled, Eigen::Index count);
 
 /// Number of the mode with the natural frequency nearest to ω. If some of the n modes are missing (complex ω²), a mode
 /// is returned only if it is within 1 % of ω, because the nearest one may be among the missing.

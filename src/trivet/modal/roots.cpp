@@ -166,7 +166,7 @@ bool cannot_grow(const assembly::Assembled& assembled, const Modes& modes) {
   const numerics::DynamicMatrices& m = assembled.matrices;
   if (assembled.frequency_dependent()) return false;  // the matrices are those of the nearest linear system
   const bool stable_modes = m.symmetric && modes.route == numerics::ModeRoute::definite_mass &&
-      to_index(modes.list.size()) == m.size() &&
+      (modes.lowest_only || to_index(modes.list.size()) == m.size()) &&
       std::all_of(modes.list.begin(), modes.list.end(), [](const Mode& mode) { return mode.eigenvalue_squared >= 0; });
   return stable_modes && numerics::is_positive_semidefinite(m.B) &&
       (!m.lossy() || numerics::is_positive_semidefinite(m.K_loss));

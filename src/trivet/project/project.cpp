@@ -122,7 +122,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading,
                                                  every_body_was_read, every_element_was_read);
   if (!system) name_slips(bodies, document, physical);
-  if (system) physical.add(too_large(system->description(), analyses));
+  if (system) physical.add(too_large(system->description(), counted_part(questions, analyses)));
   if (system && !reading.has_errors()) check_questions(*system, analyses, physical);
   locate(physical, document);
   all.add(physical);

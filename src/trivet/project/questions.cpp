@@ -123,6 +123,18 @@ class UsedExcitationCollector {
 
 }  // namespace
 
+Analyses counted_part(const Questions& questions, const Analyses& analyses) {
+  if (!questions.modes_alone) {
+    Analyses counted = analyses;
+    if (questions.requested) counted.lowest_modes = 0;  // another command, which may need all modes
+    return counted;
+  }
+  Analyses modes;
+  modes.modes = true;
+  modes.lowest_modes = questions.lowest_modes > 0 ? questions.lowest_modes : analyses.lowest_modes;
+  return modes;
+}
+
 foundation::Problems without_unrequested(const foundation::Problems& found, const Questions& questions,
                                          const std::string& of_case, Analyses& analyses) {
   if (!questions.requested && !questions.of_case) return found;

@@ -15,7 +15,13 @@ namespace trivet::project {
 struct Questions {
   std::optional<std::vector<std::string>> requested = {};  ///< none: all
   std::optional<std::string> of_case = {};  ///< only those of this case ("" the base model); none: of all
+  bool modes_alone = false;                 ///< the command computes modes and nothing else
+  int lowest_modes = 0;                     ///< of that command; 0: what the file says
 };
+
+/// The part of the analyses of a file that a command for these questions takes, where the size of a model depends on
+/// it: for modes alone, only these.
+[[nodiscard]] Analyses counted_part(const Questions& questions, const Analyses& analyses);
 
 /// As `read_project`, but questions with errors that were not requested are removed from the analyses of their case.
 [[nodiscard]] foundation::Expected<Project> read_project_for(const Questions& questions,

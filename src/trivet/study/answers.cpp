@@ -90,7 +90,8 @@ std::vector<double> subsample(const std::vector<double>& all, int most) {
 
 class CaseStudy {
  public:
-  CaseStudy(const project::Case& variant, const foundation::Progress& progress) : c_(variant.system, progress) {}
+  CaseStudy(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress)
+      : c_(variant.system, progress, project::asks_only_lowest_modes(analyses) ? analyses.lowest_modes : 0) {}
 
   Answers answer(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* asked : {&variant.analyses, &analyses})
@@ -101,13 +102,15 @@ class CaseStudy {
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.notes = model::left_out_notes(c_.system.description());
     result.modes = c_.modes;
-    if (const int lowest = analyses.lowest_modes; lowest > 0 && std::ssize(result.modes.list) > lowest) {
+    const int lowest = analyses.lowest_modes;
+    if (lowest > 0 && (result.modes.lowest_only || std::ssize(result.modes.list) > lowest)) {
       result.modes.list.resize(to_size(lowest));
       result.lowest_modes = lowest;
     }
     result.warnings = variant.warnings;
     result.warnings.add(c_.modes.warnings);
-    if (analyses.roots || !modal::cannot_grow(c_.assembled, c_.modes)) result.warnings.add(c_.roots().warnings);
+    if (analyses.roots || !modal::cannot_grow(c_.assembled, c_.modes))
+      result.warnings.add(is_too_large_for_roots(c_.assembled) ? warning_of_unknown_roots() : c_.roots().warnings);
     if (analyses.roots) {
       result.roots = c_.roots();
       result.warnings.add(c_.roots().remarks);
@@ -301,11 +304,14 @@ Answers answers(const project::Case& variant, const project::Analyses& analyses,
   if (sizes.has_errors())
     throw foundation::NotComputable(sizes.list().front().subject + ": " + sizes.list().front().finding + "; " +
                                     sizes.list().front().rule + "; " + sizes.list().front().remedy);
-  return CaseStudy(variant, progress).answer(variant, analyses);
+  return CaseStudy(variant, analyses, progress).answer(variant, analyses);
 }
 
 response::DeepCheck deep_check(const project::Case& variant) {
   const foundation::Progress silent;
+  if (project::coordinates(variant.system.description()) > project::most_coordinates)
+    throw foundation::NotComputable(
+        fmt::format("check --deep: a model of more than {} free coordinates; split it", project::most_coordinates));
   const CaseContext c(variant.system, silent);
   const assembly::Assembled& assembled = c.assembled;
   const auto& request = variant.analyses.response;

@@ -7,6 +7,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/model/modal_ground.h"
 #include "trivet/project/analyses/drive.h"
+#include "trivet/project/analyses/question_sizes.h"
 
 namespace trivet::study {
 namespace {
@@ -15,11 +16,11 @@ constexpr double default_band_factor = 1.3;
 
 }  // namespace
 
-CaseContext::CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress)
+CaseContext::CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest)
     : system(system_of_case),
       progress(shown_progress),
       assembled(assembly::assemble(system)),
-      modes(modal::modes(system, assembled)) {}
+      modes(lowest > 0 ? modal::lowest_modes(system, assembled, lowest) : modal::modes(system, assembled)) {}
 
 const modal::Roots& CaseContext::roots() const {
   if (!roots_) roots_ = modal::roots(system, assembled, modes);
@@ -43,6 +44,18 @@ response::Band default_band(const CaseContext& c) {
   for (const assembly::ElementMap& map : c.assembled.elements)
     band = {std::max(band.from, map.defined_from), std::min(band.to, map.defined_to)};
   return band;
+}
+
+bool is_too_large_for_roots(const assembly::Assembled& assembled) {
+  return assembled.matrices.size() > to_index(project::most_coordinates);
+}
+
+foundation::Problems warning_of_unknown_roots() {
+  foundation::Problems warnings;
+  warnings.warning("roots", "the stiffness or the damping may feed energy",
+                   "motions may grow, and the damped roots of so large a model are not computed",
+                   "check the damping, or split the model and compute its roots");
+  return warnings;
 }
 
 foundation::NotComputable without_excitation(const std::string& question) {

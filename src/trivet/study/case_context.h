@@ -11,7 +11,8 @@ namespace trivet::study {
 /// The solved model of a case; damped roots are computed when they are first needed.
 class CaseContext {
  public:
-  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress);
+  /// @param lowest  only so many of the lowest modes are needed, and nothing but modes; 0: all
+  CaseContext(const model::System& system_of_case, const foundation::Progress& shown_progress, int lowest = 0);
 
   const model::System& system;
   const foundation::Progress& progress;
@@ -29,6 +30,11 @@ class CaseContext {
 
 /// Band from 0 to 1.3 times the highest natural frequency, within the tables of the elements.
 [[nodiscard]] response::Band default_band(const CaseContext& context);
+
+/// True if the damped roots of so large a model are not computed, because only its lowest modes are asked for.
+[[nodiscard]] bool is_too_large_for_roots(const assembly::Assembled& assembled);
+/// The warning of such a model whose stiffness or damping may feed energy.
+[[nodiscard]] foundation::Problems warning_of_unknown_roots();
 
 /// The error of a question for which the model has no excitation.
 [[nodiscard]] foundation::NotComputable without_excitation(const std::string& question);

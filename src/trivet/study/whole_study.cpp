@@ -13,6 +13,8 @@
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/suspicion.h"
+#include "trivet/project/analyses/question_sizes.h"
+#include "trivet/study/case_context.h"
 #include "trivet/study/element_summary.h"
 
 namespace trivet::study {
@@ -101,11 +103,14 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     CaseCheck found;
     found.case_name = variant.name;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
-    const modal::Modes modes = modal::modes(variant.system, assembled);
+    const modal::Modes modes = project::asks_only_lowest_modes(variant.analyses)
+        ? modal::lowest_modes(variant.system, assembled, variant.analyses.lowest_modes)
+        : modal::modes(variant.system, assembled);
     found.warnings = variant.warnings;
     found.warnings.add(modes.warnings);
     if (!modal::cannot_grow(assembled, modes))
-      found.warnings.add(modal::roots(variant.system, assembled, modes).warnings);
+      found.warnings.add(is_too_large_for_roots(assembled) ? warning_of_unknown_roots()
+                                                           : modal::roots(variant.system, assembled, modes).warnings);
     found.lines = check_lines(variant);
     if (!cases.empty())
       std::erase_if(found.lines, [&](const CheckLine& line) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/linalg/cholesky.h"
 
-#include <cassert>
-
 #include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <cassert>
 
 #include "trivet/foundation/constants.h"
 
@@ -21,13 +22,27 @@ Right ldlt_solution(const Eigen::PlainObjectBase<Matrix>& A, const Eigen::PlainO
 
 Eigen::VectorXd ldlt_pivots(const Eigen::MatrixXd& A) { return Eigen::LDLT<Eigen::MatrixXd>(A).vectorD(); }
 
+namespace {
+
+/// True if A = L Lᵀ exists: by sparse factors where most entries of a large matrix are zero.
+bool has_cholesky_factor(const Eigen::MatrixXd& A) {
+  constexpr Eigen::Index least_sparse = 300;
+  constexpr double most_filled = 0.1;
+  if (A.rows() >= least_sparse &&
+      static_cast<double>((A.array() != 0).count()) < most_filled * static_cast<double>(A.size()))
+    return Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>(A.sparseView()).info() == Eigen::Success;
+  return Eigen::LLT<Eigen::MatrixXd>(A).info() == Eigen::Success;
+}
+
+}  // namespace
+
 bool is_positive_definite(const Eigen::MatrixXd& A) {
   assert(A.rows() == A.cols());
   if (!A.allFinite() || !(A.diagonal().minCoeff() > 0)) return false;
   const Eigen::VectorXd d = A.diagonal().cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd shifted = d.asDiagonal() * A * d.asDiagonal();
   shifted.diagonal().array() -= 8 * static_cast<double>(A.rows()) * foundation::epsilon;
-  return Eigen::LLT<Eigen::MatrixXd>(shifted).info() == Eigen::Success;
+  return has_cholesky_factor(shifted);
 }
 
 bool is_positive_semidefinite(const Eigen::MatrixXd& A) {
@@ -40,7 +55,7 @@ bool is_positive_semidefinite(const Eigen::MatrixXd& A) {
   Eigen::MatrixXd shifted = d.asDiagonal() * A * d.asDiagonal();
   const double round_off = 64 * static_cast<double>(A.rows()) * foundation::epsilon;
   shifted.diagonal().array() += (diagonal.array() > 0).select(round_off, Eigen::ArrayXd::Ones(A.rows()));
-  return Eigen::LLT<Eigen::MatrixXd>(shifted).info() == Eigen::Success;
+  return has_cholesky_factor(shifted);
 }
 
 namespace {

@@ -131,16 +131,27 @@ std::size_t coordinates(const model::Description& description, bool with_laws) {
   return count;
 }
 
+bool asks_only_lowest_modes(const Analyses& asked) {
+  return asked.lowest_modes > 0 && !asked.roots && !asked.response && !asked.peaks && !asked.static_of &&
+      !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.limits.empty() && asked.questions.empty();
+}
+
 foundation::Problems too_large(const model::Description& description, const Analyses& asked) {
   Sizes sizes(description);
-  if (const std::size_t count = coordinates(description); count > most_coordinates) {
+  const bool lowest = asks_only_lowest_modes(asked);
+  if (const std::size_t count = coordinates(description),
+      most = lowest ? most_coordinates_of_lowest_modes : most_coordinates;
+      count > most) {
     sizes.problems.error(
         "bodies", fmt::format("{} free coordinates", count),
-        fmt::format("at most {} are computed: three hundred free bodies", most_coordinates),
+        lowest ? fmt::format("at most {} are computed: a thousand free bodies", most)
+               : fmt::format("at most {} are computed: three hundred free bodies; for modes = {{lowest = 20}} alone {}",
+                             most, most_coordinates_of_lowest_modes),
         "constrain bodies by `free` where they cannot move, join bodies that move together, or split the model");
     return sizes.problems;
   }
-  if (const std::size_t count = coordinates(description, true); count > most_with_laws) {
+  if (const std::size_t count = coordinates(description, true);
+      count > most_with_laws && count > coordinates(description)) {
     sizes.problems.error(
         "elements", fmt::format("{} coordinates with those of their laws", count),
         fmt::format("at most {} are computed; a fractional law adds 21 for each direction", most_with_laws),

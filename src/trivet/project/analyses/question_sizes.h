@@ -11,6 +11,12 @@ namespace trivet::project {
 /// and the time grows with the third power of the number.
 inline constexpr std::size_t most_coordinates = 1800;
 
+/// The same if only some of the lowest modes are asked for: a thousand free bodies. The matrices take two gigabytes.
+inline constexpr std::size_t most_coordinates_of_lowest_modes = 6000;
+
+/// True if nothing but a number of the lowest modes is asked for.
+[[nodiscard]] bool asks_only_lowest_modes(const Analyses& asked);
+
 /// The same for all analyses but modes, roots, static results, response and peaks, which were measured up to this size
 /// only.
 inline constexpr std::size_t most_coordinates_of_others = 600;
