@@ -123,7 +123,7 @@ class Nodes(unittest.TestCase):
 
     def test_a_node_has_no_initial_value(self):
         text = BARS + 'transient = {of = ["m.z"], to = 0.1, step = 1e-3, initial_displacement = {"joint.z" = 1e-3}}\n'
-        self.assertIn("a node has no mass", self.run_on("transient", text, code=1))
+        self.assertIn("a node has no mass", self.run_on("transient", text, code=2))
         text = text.replace('"joint.z" = 1e-3', '"m.z" = 1e-3')
         self.run_on("transient", text)
 

@@ -80,7 +80,7 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
     if (!every_element_was_read && problem.subject.starts_with("bodies.") &&
         problem.severity == foundation::Severity::warning)
       continue;  // that nothing holds a body
-    if (lost_excitation && problem.subject.ends_with(".coherence")) continue;
+    if (lost_excitation && (problem.subject == "excitations" || problem.subject.ends_with(".coherence"))) continue;
     result.add(problem);
   }
   return result;

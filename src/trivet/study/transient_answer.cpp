@@ -12,15 +12,11 @@ namespace {
 
 /// Row of a coordinate by its full name.
 Eigen::Index row_of(const CaseContext& c, const std::string& name) {
-  for (std::size_t b = 0; b < c.system.bodies().size(); ++b) {
-    if (c.system.bodies()[b].is_node && name.starts_with(c.system.bodies()[b].name + "."))
-      throw foundation::NotComputable("transient: initial value of \"" + name +
-                                      "\": a node has no mass; it starts where the elements hold it at rest");
+  for (std::size_t b = 0; b < c.system.bodies().size(); ++b)
     for (int j = 0; j < 6; ++j)
       if (name == c.system.bodies()[b].name + "." + model::coordinate_names[to_size(j)] &&
           c.assembled.layout.row(b, j) >= 0)
         return c.assembled.layout.row(b, j);
-  }
   throw foundation::NotComputable("transient: initial value of \"" + name + "\": no free coordinate has this name");
 }
 

@@ -14,7 +14,9 @@ namespace {
 constexpr double most_time_points = 20'000'000;
 
 std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, const std::string& key,
-                                                         const ResultNames& names, assembly::MotionQuantity quantity) {
+                                                         const ResultNames& names,
+                                                         const std::vector<std::string>& nodes,
+                                                         assembly::MotionQuantity quantity) {
   std::vector<std::pair<std::string, double>> values;
   const Node* table = reader.table(key);
   if (!table) return values;
@@ -26,6 +28,11 @@ std::vector<std::pair<std::string, double>> read_initial(TableReader& reader, co
     if (!coordinate) {
       inside.error(name, "no such coordinate",
                    "initial values belong to free coordinates of bodies, in quotes: \"BODY.z\"", "check the name");
+      continue;
+    }
+    if (std::find(nodes.begin(), nodes.end(), name.substr(0, name.find('.'))) != nodes.end()) {
+      inside.error(name, "a coordinate of a node", "a node has no mass: it starts where the elements hold it at rest",
+                   "remove it");
       continue;
     }
     if (const auto value = inside.number(name, *measured)) values.emplace_back(name, *value);
@@ -51,8 +58,10 @@ std::unique_ptr<Question> read_transient(TableReader& reader, const ResultNames&
     reader.error("step", fmt::format("{:.3g} points", (*asked->to - asked->from) / *asked->step),
                  fmt::format("at most {:.0f} points are computed at once", most_time_points), "take a longer step");
   asked->nearest_linear_system = reader.boolean("nearest_linear_system").value_or(false);
-  asked->displacements = read_initial(reader, "initial_displacement", names, assembly::MotionQuantity::displacement);
-  asked->velocities = read_initial(reader, "initial_velocity", names, assembly::MotionQuantity::velocity);
+  asked->displacements =
+      read_initial(reader, "initial_displacement", names, in_file.nodes, assembly::MotionQuantity::displacement);
+  asked->velocities =
+      read_initial(reader, "initial_velocity", names, in_file.nodes, assembly::MotionQuantity::velocity);
   return asked;
 }
 

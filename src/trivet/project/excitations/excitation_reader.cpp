@@ -49,6 +49,9 @@ std::vector<model::Random::Partner> read_partners(TableReader& reader) {
     model::Random::Partner partner;
     partner.other = inside.required_text("with");
     partner.coherence.at_zero = inside.required_number("value", Quantity::pure);
+    if (partner.coherence.at_zero < 0 || partner.coherence.at_zero > 1)
+      inside.error("value", fmt::format("coherence {:.6g}", partner.coherence.at_zero),
+                   "γ² is between 0 (uncorrelated) and 1 (fully coherent)", "correct it");
     partner.coherence.decay = inside.number("decay", Quantity::pure).value_or(0);
     partner.coherence.distance = inside.number("distance", Quantity::length).value_or(0);
     partner.coherence.speed = inside.number("speed", Quantity::velocity).value_or(0);
