@@ -77,7 +77,8 @@ void require_rigid_ground(const CaseContext& c, const std::string& question) {
   if (const auto standing = model::element_on_modes(c.system.description()))
     throw foundation::NotComputable(
         question + ": \"" + *standing +
-        "\" is mounted on a modal foundation, for which a rigid motion of the ground is not defined");
+        "\" is mounted on a modal foundation, for which a rigid motion of the ground is not defined; describe it "
+        "by an impedance or a mobility, or as a body on its own elements");
 }
 
 }  // namespace trivet::study
