@@ -214,7 +214,7 @@ int check_command(const Options& options) {
 int answer_command(const std::string& which, const Options& options) {
   const study::AskedQuestion& question = study::asked_question(which);
   project::Questions looked_at = questions_of(options, question.looks_at);
-  looked_at.modes_alone = which == "modes";
+  looked_at.command = which;
   looked_at.lowest_modes = options.lowest;
   const auto project = read_or_complain(options, looked_at);
   if (!project) return wrong_input;

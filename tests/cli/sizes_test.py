@@ -22,7 +22,7 @@ class Sizes(Refused):
             text += (
                 f'[elements.e{i}]\ntype = "k"\non = "b{i}"\nfrom = "{f"b{i - 1}" if i else "ground"}"\nat = [0, 0, 0]\n'
             )
-        self.refused("2400 free coordinates", "for modes = {lowest = 20} alone 6000", text=text, command="modes")
+        self.refused("2400 free coordinates", "6000 with modes = {lowest = 20}", text=text, command="modes")
         # A chain of masses held at one end: ω = 2 √(k/m) sin(π / (4 n + 2)).
         slowest = 2 * math.sqrt(1e3) * math.sin(math.pi / (4 * 400 + 2))
         done = trivet("modes", self.file(text + "[analyses]\npeaks = {}\n"), "--lowest", "2", "--json")
@@ -39,6 +39,30 @@ class Sizes(Refused):
         short = self.file(text + "[analyses]\nmodes = {lowest = 2}\n")
         self.assertEqual(trivet("check", short).returncode, 0)
         self.assertEqual(trivet("run", short, "-o", self.folder / "out").returncode, 0)
+
+    def test_response_of_four_hundred_free_bodies(self):
+        """Longitudinal motion of a chain of masses on springs: (k₁ + k₂ − m ω²) x = k₁ x₋ + k₂ x₊, from the held end."""
+        stiffness, omega, count = 1e5, [2.0, 30.0], 400
+        text = "trivet = 1\n[element_types.k]\ntype = \"bushing\"\ntranslation = [1e5, 2e5, 3e5]\nrotation = [1e3, 1e3, 1e3]\n"
+        for i in range(count):
+            text += f'[bodies.b{i}]\nmass = 1\ninertia = {{about = "pole", xx = 1, yy = 1, zz = 1}}\n'
+            text += (
+                f'[elements.e{i}]\ntype = "k"\non = "b{i}"\nfrom = "{f"b{i - 1}" if i else "ground"}"\nat = [0, 0, 0]\n'
+            )
+        text += '[excitations.f]\ntype = "harmonic"\non = "b399"\nat = [0, 0, 0]\nforce = [7, 0, 0]\n'
+        path = self.file(text + f'[analyses.response]\nat = {omega}\nof = ["b0.x", "b399.x"]\n')
+        done = trivet("response", path, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        self.assertTrue(answer["checks"]["second_solver"]["passed"])
+        for at, w in enumerate(omega):
+            x = [0.0, 1.0]  # ground and first body; the last one has no spring behind it
+            for _ in range(count - 1):
+                x.append((2 - w * w / stiffness) * x[-1] - x[-2])
+            force = stiffness * (x[-1] - x[-2]) - w * w * x[-1]
+            for curve, shape in zip(answer["results"], (x[1], x[-1])):
+                exact = 7 * shape / force
+                self.assertAlmostEqual(math.hypot(*curve["complex"][at]) / abs(exact), 1, 8)
 
     def test_twenty_thousand_answers(self):
         points = "".join(f"points.p{i} = [{i}e-4, 0, 0]\n" for i in range(4000))

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/text/outside_features.h"
 
 namespace trivet::project {
@@ -124,15 +125,20 @@ class UsedExcitationCollector {
 }  // namespace
 
 Analyses counted_part(const Questions& questions, const Analyses& analyses) {
-  if (!questions.modes_alone) {
-    Analyses counted = analyses;
-    if (questions.requested) counted.lowest_modes = 0;  // another command, which may need all modes
-    return counted;
+  Analyses counted;
+  if (questions.command == "modes") {
+    counted.modes = true;
+    counted.lowest_modes = questions.lowest_modes > 0 ? questions.lowest_modes : analyses.lowest_modes;
+  } else if (questions.command == "response") {
+    counted.response = analyses.response;
+    counted.limits = analyses.limits;
+    counted.limit_lines = analyses.limit_lines;
+    counted.lowest_modes = modes_beside_a_response;
+  } else {
+    counted = analyses;
+    if (questions.requested) counted.lowest_modes = 0;  // this command may need all modes
   }
-  Analyses modes;
-  modes.modes = true;
-  modes.lowest_modes = questions.lowest_modes > 0 ? questions.lowest_modes : analyses.lowest_modes;
-  return modes;
+  return counted;
 }
 
 foundation::Problems without_unrequested(const foundation::Problems& found, const Questions& questions,

@@ -15,12 +15,12 @@ namespace trivet::project {
 struct Questions {
   std::optional<std::vector<std::string>> requested = {};  ///< none: all
   std::optional<std::string> of_case = {};  ///< only those of this case ("" the base model); none: of all
-  bool modes_alone = false;                 ///< the command computes modes and nothing else
-  int lowest_modes = 0;                     ///< of that command; 0: what the file says
+  std::string command = {};                 ///< that answers one question, "modes" for example; empty: all are answered
+  int lowest_modes = 0;                     ///< of the command `modes`; 0: what the file says
 };
 
 /// The part of the analyses of a file that a command for these questions takes, where the size of a model depends on
-/// it: for modes alone, only these.
+/// it: `modes` takes only these, `response` only the response with its limits.
 [[nodiscard]] Analyses counted_part(const Questions& questions, const Analyses& analyses);
 
 /// As `read_project`, but questions with errors that were not requested are removed from the analyses of their case.

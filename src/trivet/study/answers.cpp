@@ -91,7 +91,7 @@ std::vector<double> subsample(const std::vector<double>& all, int most) {
 class CaseStudy {
  public:
   CaseStudy(const project::Case& variant, const project::Analyses& analyses, const foundation::Progress& progress)
-      : c_(variant.system, progress, project::asks_only_lowest_modes(analyses) ? analyses.lowest_modes : 0) {}
+      : c_(variant.system, progress, project::lowest_modes_suffice(analyses) ? analyses.lowest_modes : 0) {}
 
   Answers answer(const project::Case& variant, const project::Analyses& analyses) {
     for (const project::Analyses* asked : {&variant.analyses, &analyses})

@@ -5,6 +5,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/drive.h"
+#include "trivet/project/analyses/question_sizes.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -39,6 +40,7 @@ Analyses response_of(const Case& variant) {
   Analyses asked;
   asked.response = variant.analyses.response.value_or(project::ResponseRequest{});
   asked.limits = variant.analyses.limits;
+  asked.lowest_modes = project::modes_beside_a_response;
   if (asked.response->at.empty()) asked.limit_lines = variant.analyses.limit_lines;  // lines are compared over a band
   return asked;
 }

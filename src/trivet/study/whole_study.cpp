@@ -103,7 +103,7 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     CaseCheck found;
     found.case_name = variant.name;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
-    const modal::Modes modes = project::asks_only_lowest_modes(variant.analyses)
+    const modal::Modes modes = project::lowest_modes_suffice(variant.analyses)
         ? modal::lowest_modes(variant.system, assembled, variant.analyses.lowest_modes)
         : modal::modes(variant.system, assembled);
     found.warnings = variant.warnings;

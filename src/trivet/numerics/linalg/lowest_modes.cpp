@@ -40,7 +40,7 @@ Eigen::MatrixXd random_columns(Eigen::Index rows, Eigen::Index columns) {
   return x;
 }
 
-/// Subspace iteration with a shift σ below all eigenvalues.
+/// Subspace iteration with a shift σ below all eigenvalues of K − λA.
 class Subspace {
  public:
   Subspace(const SparseReal& k, const SparseReal& a, Eigen::Index size)
@@ -124,25 +124,27 @@ std::optional<GeneralizedModes> lowest_modes(const Eigen::MatrixXd& K, const Eig
     return std::nullopt;
   if (Eigen::SimplicialLLT<SparseReal>(a).info() != Eigen::Success) return std::nullopt;
 
-  // The shift follows the eigenvalues down: it is a tenth of the largest one of the subspace below zero.
+  // The shift follows the eigenvalues: it lies below the first one by a tenth of the width of the subspace.
   constexpr int most_steps = 200;
   constexpr double settled = 1e-11, below = 0.1, far = 3;
   const double round_off = 16 * foundation::epsilon * k.diagonal().maxCoeff();  // of Kx
   if (!(round_off > 0)) return std::nullopt;
   Subspace subspace(k, a, size);
-  double shift = 1e-3 * k.diagonal().mean();
-  if (!subspace.set_shift(-shift)) return std::nullopt;
+  double shift = -1e-3 * k.diagonal().mean();
+  if (!subspace.set_shift(shift)) return std::nullopt;
   for (int step = 0; step < most_steps; ++step) {
     if (!subspace.step()) return std::nullopt;
     if (step % 4 != 3) continue;
-    const double wanted = std::max(below * subspace.theta()(size - 1), 64 * round_off);
-    if (wanted * far < shift) {
-      shift = wanted;
-      if (!subspace.set_shift(-shift)) return std::nullopt;
+    const double first = subspace.theta()(0),
+                 distance = std::max(below * (subspace.theta()(size - 1) - first), 64 * round_off);
+    if (distance * far < first - shift) {
+      const bool is_below_all = subspace.set_shift(first - distance);
+      if (is_below_all) shift = first - distance;
+      else if (!subspace.set_shift(shift)) return std::nullopt;
       continue;
     }
     const Eigen::Index columns = columns_before_step(subspace.theta(), count);
-    if (subspace.residual(columns + 1) > std::max(settled, round_off / shift)) continue;
+    if (subspace.residual(columns + 1) > std::max(settled, round_off / (std::abs(first) + std::abs(shift)))) continue;
     const double lower = subspace.theta()(columns - 1), upper = subspace.theta()(columns);
     const auto found = inertia_below(k, a, (lower + upper) / 2, (upper - lower) / 2);
     if (!found || *found != columns) return std::nullopt;

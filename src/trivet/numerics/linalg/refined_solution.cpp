@@ -7,25 +7,50 @@
 namespace trivet::numerics {
 namespace {
 
+std::vector<ExtendedEntry> nonzero_entries(const ExtendedMatrix& z) {
+  std::vector<ExtendedEntry> entries;
+  for (Eigen::Index j = 0; j < z.cols(); ++j)
+    for (Eigen::Index i = 0; i < z.rows(); ++i)
+      if (z(i, j) != std::complex<long double>()) entries.push_back({i, j, z(i, j)});
+  return entries;
+}
+
 /// Z itself as a system without mass and damping.
-DynamicMatrices stiffness_alone(const ExtendedMatrix& z) {
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(z.rows(), z.cols());
-  return {none, none, z.real().cast<double>(), z.imag().cast<double>(), false};
+SparseSystem stiffness_alone(Eigen::Index size, const std::vector<ExtendedEntry>& entries) {
+  std::vector<SparseSystem::Entry> stiffness;
+  stiffness.reserve(entries.size());
+  for (const ExtendedEntry& e : entries) stiffness.push_back({e.row, e.column, 0, 0, Complex(e.value)});
+  return SparseSystem(size, std::move(stiffness));
 }
 
 }  // namespace
 
-RefinedSolver::RefinedSolver(ExtendedMatrix Z)
-    : z_(std::move(Z)), system_(stiffness_alone(z_)), factors_(system_.factors(0)) {}
+RefinedSolver::RefinedSolver(const ExtendedMatrix& Z) : RefinedSolver(Z.rows(), nonzero_entries(Z)) {}
+
+RefinedSolver::RefinedSolver(Eigen::Index size, std::vector<ExtendedEntry> entries)
+    : size_(size),
+      entries_(std::move(entries)),
+      system_(stiffness_alone(size_, entries_)),
+      factors_(system_.factors(0)) {}
 
 ExtendedVector RefinedSolver::solve(const ExtendedVector& b) const {
   using Terms = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
-  const ExtendedProducts products{
-      [&](const ExtendedVector& x) -> ExtendedVector { return b - z_ * x; },
-      [&](const ExtendedVector& x) -> Terms { return z_.cwiseAbs() * x.cwiseAbs() + b.cwiseAbs(); }};
+  const ExtendedProducts products{[&](const ExtendedVector& x) {
+                                    ExtendedVector rest = b;
+                                    for (const ExtendedEntry& e : entries_) rest(e.row) -= e.value * x(e.column);
+                                    return rest;
+                                  },
+                                  [&](const ExtendedVector& x) {
+                                    Terms sums = b.cwiseAbs();
+                                    for (const ExtendedEntry& e : entries_)
+                                      sums(e.row) += std::abs(e.value) * std::abs(x(e.column));
+                                    return sums;
+                                  }};
   if (const auto x = refined_solution(factors_, b, products)) return *x;
   // Too ill-conditioned for factors in double: solve in extended precision.
-  return lu_solution(z_, b);
+  ExtendedMatrix z = ExtendedMatrix::Zero(size_, size_);
+  for (const ExtendedEntry& e : entries_) z(e.row, e.column) = e.value;
+  return lu_solution(z, b);
 }
 
 double RefinedSolver::condition() const {
@@ -33,8 +58,7 @@ double RefinedSolver::condition() const {
   if (factors_.singular()) return std::numeric_limits<double>::infinity();
   constexpr int most_steps = 5;
   const SystemFactors transposed = system_.factors(0, true);
-  const Eigen::Index n = z_.rows();
-  Eigen::VectorXcd x = Eigen::VectorXcd::Constant(n, 1.0 / static_cast<double>(n));
+  Eigen::VectorXcd x = Eigen::VectorXcd::Constant(size_, 1.0 / static_cast<double>(size_));
   double largest = 0;
   for (int step = 0; step < most_steps; ++step) {
     const Eigen::VectorXcd y = factors_.solve(x);
@@ -45,9 +69,12 @@ double RefinedSolver::condition() const {
     const Eigen::VectorXcd rise = transposed.solve(Eigen::VectorXcd(sign.conjugate())).conjugate();
     Eigen::Index steepest = 0;
     if (!(rise.cwiseAbs().maxCoeff(&steepest) > std::real(rise.dot(x)))) break;
-    x = Eigen::VectorXcd::Unit(n, steepest);
+    x = Eigen::VectorXcd::Unit(size_, steepest);
   }
-  return largest * static_cast<double>(z_.cwiseAbs().colwise().sum().maxCoeff());
+  Eigen::Matrix<long double, Eigen::Dynamic, 1> columns(size_);
+  columns.setZero();
+  for (const ExtendedEntry& e : entries_) columns(e.column) += std::abs(e.value);
+  return largest * static_cast<double>(columns.maxCoeff());
 }
 
 }  // namespace trivet::numerics

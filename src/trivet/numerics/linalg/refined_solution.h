@@ -3,11 +3,18 @@
 
 #include <Eigen/Core>
 #include <complex>
+#include <vector>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/sparse_system.h"
 
 namespace trivet::numerics {
+
+/// One entry of a matrix in extended precision that is mostly zero.
+struct ExtendedEntry {
+  Eigen::Index row, column;
+  std::complex<long double> value;
+};
 
 /// Solves Z x = b to nearly extended precision: pivoted LU in double (sparse if Z is) with residuals in long double,
 /// refined until converged; if it does not converge, LU in long double. Accurate even at a resonance with damping ratio
@@ -15,14 +22,17 @@ namespace trivet::numerics {
 class RefinedSolver {
  public:
   /// Z in extended precision, scaled so that its rows and columns are comparable in size.
-  explicit RefinedSolver(ExtendedMatrix Z);
+  explicit RefinedSolver(const ExtendedMatrix& Z);
+  /// The same of the entries that are not zero, each place once.
+  RefinedSolver(Eigen::Index size, std::vector<ExtendedEntry> entries);
 
   [[nodiscard]] ExtendedVector solve(const ExtendedVector& b) const;
   /// Condition number ‖Z⁻¹‖₁ ‖Z‖₁, estimated from the factors by a few solutions. (Hager 1984)
   [[nodiscard]] double condition() const;
 
  private:
-  ExtendedMatrix z_;
+  Eigen::Index size_;
+  std::vector<ExtendedEntry> entries_;
   SparseSystem system_;
   SystemFactors factors_;
 };

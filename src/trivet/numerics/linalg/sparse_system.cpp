@@ -75,6 +75,15 @@ SparseSystem::SparseSystem(const DynamicMatrices& m) : size_(m.size()), symmetri
       if (m.A(i, j) != 0 || m.B(i, j) != 0 || m.K(i, j) != 0 || loss != 0)
         entries_.push_back({i, j, m.A(i, j), m.B(i, j), {m.K(i, j), loss}});
     }
+  choose_factors();
+}
+
+SparseSystem::SparseSystem(Eigen::Index size, std::vector<Entry> entries)
+    : size_(size), symmetric_(false), entries_(std::move(entries)) {
+  choose_factors();
+}
+
+void SparseSystem::choose_factors() {
   sparse_ = size_ > least_sparse &&
       static_cast<double>(entries_.size()) < most_filled * static_cast<double>(size_) * static_cast<double>(size_);
   if (sparse_) order_ = elimination_order(size_, entries_);

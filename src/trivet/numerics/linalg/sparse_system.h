@@ -40,6 +40,8 @@ class SparseSystem {
   };
 
   explicit SparseSystem(const DynamicMatrices& matrices);
+  /// @param entries  column by column, each place once; not taken as symmetric
+  SparseSystem(Eigen::Index size, std::vector<Entry> entries);
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
   [[nodiscard]] bool symmetric() const { return symmetric_; }
@@ -66,13 +68,14 @@ class SparseSystem {
                                              const Vector<long double>& b, bool transposed = false) const;
 
  private:
+  void choose_factors();
   [[nodiscard]] Eigen::MatrixXcd dense(double omega, bool transposed) const;
   /// Σ_j |Z_ij| |x_j|.
   [[nodiscard]] Eigen::Matrix<long double, Eigen::Dynamic, 1> terms(long double omega, const Vector<long double>& x,
                                                                     bool transposed) const;
 
   Eigen::Index size_;
-  bool symmetric_, sparse_;
+  bool symmetric_, sparse_ = false;
   std::vector<Entry> entries_;       ///< column by column
   std::vector<Eigen::Index> order_;  ///< of the coordinates for sparse factors: place of each one
 };

@@ -131,21 +131,27 @@ std::size_t coordinates(const model::Description& description, bool with_laws) {
   return count;
 }
 
-bool asks_only_lowest_modes(const Analyses& asked) {
-  return asked.lowest_modes > 0 && !asked.roots && !asked.response && !asked.peaks && !asked.static_of &&
+bool lowest_modes_suffice(const Analyses& asked) {
+  const bool at_given_frequencies = !asked.response ||
+      (!asked.response->continuous_phase &&
+       (!asked.response->at.empty() ||
+        (asked.response->band && asked.response->spacing != response::Spacing::automatic)));
+  return asked.lowest_modes > 0 && at_given_frequencies && !asked.roots && !asked.peaks && !asked.static_of &&
       !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.limits.empty() && asked.questions.empty();
 }
 
 foundation::Problems too_large(const model::Description& description, const Analyses& asked) {
   Sizes sizes(description);
-  const bool lowest = asks_only_lowest_modes(asked);
+  const bool lowest = lowest_modes_suffice(asked);
   if (const std::size_t count = coordinates(description),
       most = lowest ? most_coordinates_of_lowest_modes : most_coordinates;
       count > most) {
     sizes.problems.error(
         "bodies", fmt::format("{} free coordinates", count),
         lowest ? fmt::format("at most {} are computed: a thousand free bodies", most)
-               : fmt::format("at most {} are computed: three hundred free bodies; for modes = {{lowest = 20}} alone {}",
+               : fmt::format("at most {} are computed: three hundred free bodies; {} with modes = {{lowest = 20}}, and "
+                             "with a response at given "
+                             "frequencies (band, points, spacing)",
                              most, most_coordinates_of_lowest_modes),
         "constrain bodies by `free` where they cannot move, join bodies that move together, or split the model");
     return sizes.problems;

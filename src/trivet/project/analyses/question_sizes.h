@@ -11,11 +11,16 @@ namespace trivet::project {
 /// and the time grows with the third power of the number.
 inline constexpr std::size_t most_coordinates = 1800;
 
-/// The same if only some of the lowest modes are asked for: a thousand free bodies. The matrices take two gigabytes.
+/// The same if the lowest modes suffice: a thousand free bodies. The matrices take two gigabytes.
 inline constexpr std::size_t most_coordinates_of_lowest_modes = 6000;
 
-/// True if nothing but a number of the lowest modes is asked for.
-[[nodiscard]] bool asks_only_lowest_modes(const Analyses& asked);
+/// Number of modes computed where only a response at given frequencies is asked for: the second solver checks it at
+/// their frequencies.
+inline constexpr int modes_beside_a_response = 20;
+
+/// True if only a number of the lowest modes is asked for, and nothing that needs the others: at most a response at
+/// given frequencies.
+[[nodiscard]] bool lowest_modes_suffice(const Analyses& asked);
 
 /// The same for all analyses but modes, roots, static results, response and peaks, which were measured up to this size
 /// only.

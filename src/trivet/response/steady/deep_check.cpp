@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "trivet/assembly/geometric_stiffness.h"
@@ -38,9 +39,39 @@ struct Carrier {
   std::vector<Eigen::Index> rows;
   ExtendedMatrix t;
 
-  /// T M Tᵀ added to a matrix.
-  void add(const ExtendedMatrix& m, ExtendedMatrix& sum) const { sum(rows, rows) += t * m * t.transpose(); }
+  /// T M Tᵀ, in these rows and columns.
+  [[nodiscard]] ExtendedMatrix of(const ExtendedMatrix& m) const { return t * m * t.transpose(); }
 };
+
+/// Constant parts of one entry of Z.
+struct ConstantParts {
+  ExtendedComplex stiffness, damping, mass;
+};
+/// One entry of Z at one ω, with the magnitudes of the terms that it is a sum of.
+struct Sum {
+  ExtendedComplex value;
+  Extended terms = 0;
+};
+/// Entries by column and row.
+template <typename Entry>
+using Entries = std::map<std::pair<Eigen::Index, Eigen::Index>, Entry>;
+
+/// Adds what is not zero of a matrix to one part of entries.
+template <typename Matrix>
+void add(const std::vector<Eigen::Index>& rows, const Matrix& m, ExtendedComplex ConstantParts::* part,
+         Entries<ConstantParts>& entries) {
+  for (Eigen::Index j = 0; j < m.cols(); ++j)
+    for (Eigen::Index i = 0; i < m.rows(); ++i)
+      if (const ExtendedComplex value = m(i, j); value != ExtendedComplex())
+        entries[{rows[to_size(j)], rows[to_size(i)]}].*part += value;
+}
+
+/// Rows first … first + count − 1.
+std::vector<Eigen::Index> rows_from(Eigen::Index first, Eigen::Index count) {
+  std::vector<Eigen::Index> rows(to_size(count));
+  std::iota(rows.begin(), rows.end(), first);
+  return rows;
+}
 
 Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::Element& element,
                 Eigen::Index internal) {
@@ -76,8 +107,21 @@ Carrier carrier(const assembly::Layout& layout, std::size_t index, const model::
   return result;
 }
 
-/// Largest column sum of the magnitudes of entries.
-Extended one_norm(const ExtendedMatrix& m) { return m.cwiseAbs().colwise().sum().maxCoeff(); }
+/// Largest column sum.
+template <typename Magnitude>
+Extended one_norm(Eigen::Index n, const Entries<Sum>& entries, const Magnitude& magnitude) {
+  Eigen::Matrix<Extended, Eigen::Dynamic, 1> columns(n);
+  columns.setZero();
+  for (const auto& [place, sum] : entries) columns(place.first) += magnitude(sum);
+  return columns.maxCoeff();
+}
+
+std::vector<numerics::ExtendedEntry> nonzero(const Entries<Sum>& z) {
+  std::vector<numerics::ExtendedEntry> entries;
+  for (const auto& [place, sum] : z)
+    if (sum.value != ExtendedComplex()) entries.push_back({place.second, place.first, sum.value});
+  return entries;
+}
 
 /// Relative difference that round-off explains: that of the terms of Z and of the load per unit motion, times the size
 /// of Z⁻¹. An entry of Z sums the 12×12 of elements, so at least twelve terms contribute to it however few coordinates
@@ -100,34 +144,35 @@ class SecondSystem {
     const numerics::DynamicMatrices& constant =
         assembled.frequency_dependent() ? assembled.constant : assembled.matrices;
     n_ = constant.size();
-    stiffness_ = damping_ = mass_ = ExtendedMatrix::Zero(n_, n_);
     add_elements(assembled.layout);
     add_foundations(assembled.layout);
     // System damping (Rayleigh, modal ratios) has no second derivation here.
     if (!std::holds_alternative<std::monostate>(system.description().damping)) {
-      const Eigen::MatrixXd of_parts = damping_.real().cast<double>();
-      damping_ += (constant.B - of_parts).cast<ExtendedComplex>();
+      Eigen::MatrixXd of_system = constant.B;
+      for (const auto& [place, parts] : entries_)
+        of_system(place.second, place.first) -= static_cast<double>(parts.damping.real());
+      add(rows_from(0, n_), of_system, &ConstantParts::damping, entries_);
       driven_damping_ = system_damping_on_ground(assembled, n_).cast<ExtendedComplex>();
     }
     add_bodies(assembled.layout);
-    stiffness_ += assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n_, n_).cast<ExtendedComplex>();
-    stiffness_terms_ = stiffness_.cwiseAbs();
-    damping_terms_ = damping_.cwiseAbs();
-    mass_terms_ = mass_.cwiseAbs();
+    add(rows_from(0, n_), assembly::geometric_stiffness(system, assembled.layout).topLeftCorner(n_, n_),
+        &ConstantParts::stiffness, entries_);
   }
 
   [[nodiscard]] Eigen::Index size() const { return n_; }
 
   /// Z q = h at one ω with the magnitudes of the terms that they are sums of.
   struct Equations {
-    ExtendedMatrix z, z_terms;
+    Entries<Sum> z;
     ExtendedVector h, h_terms;
   };
   [[nodiscard]] Equations at(double omega) const {
     const Extended w = omega;
     Equations e;
-    e.z = stiffness_ + ExtendedComplex(0, w) * damping_ - w * w * mass_;
-    e.z_terms = (stiffness_terms_ + w * damping_terms_ + w * w * mass_terms_).cast<ExtendedComplex>();
+    for (const auto& [place, p] : entries_)
+      e.z.emplace_hint(e.z.end(), place,
+                       Sum{p.stiffness + ExtendedComplex(0, w) * p.damping - w * w * p.mass,
+                           std::abs(p.stiffness) + w * std::abs(p.damping) + w * w * std::abs(p.mass)});
     e.h = loading_.force.head(n_).at(omega).cast<ExtendedComplex>();
     e.h_terms = e.h.cwiseAbs().cast<ExtendedComplex>();
     const auto drive = [&](const std::vector<Eigen::Index>& rows, const ExtendedVector& load) {
@@ -137,9 +182,13 @@ class SecondSystem {
     for (const auto& [element, carried] : dependent_) {
       const ExtendedMatrix exact =
           elements::dynamic_stiffness(system_.elements()[element].law, omega).cast<ExtendedComplex>();
-      const ExtendedMatrix transformed = carried.t * exact * carried.t.transpose();
-      e.z(carried.rows, carried.rows) += transformed;
-      e.z_terms(carried.rows, carried.rows) += transformed.cwiseAbs().cast<ExtendedComplex>();
+      const ExtendedMatrix transformed = carried.of(exact);
+      for (Eigen::Index j = 0; j < transformed.cols(); ++j)
+        for (Eigen::Index i = 0; i < transformed.rows(); ++i) {
+          Sum& sum = e.z[{carried.rows[to_size(j)], carried.rows[to_size(i)]}];
+          sum.value += transformed(i, j);
+          sum.terms += std::abs(transformed(i, j));
+        }
       drive(carried.rows, carried.t * (exact * ends_.at(element, omega)));
     }
     for (const auto& [element, carried, m] : driven_) {
@@ -150,9 +199,8 @@ class SecondSystem {
       drive(carried.rows, carried.t * (dynamic * ends_.at(element, omega)));
     }
     if (driven_damping_.size() > 0 && !loading_.motion.vanishes()) {
-      std::vector<Eigen::Index> all(to_size(n_));
-      std::iota(all.begin(), all.end(), Eigen::Index{0});
-      drive(all, ExtendedComplex(0, w) * driven_damping_ * loading_.motion.at(omega).cast<ExtendedComplex>());
+      drive(rows_from(0, n_),
+            ExtendedComplex(0, w) * driven_damping_ * loading_.motion.at(omega).cast<ExtendedComplex>());
     }
     return e;
   }
@@ -167,9 +215,10 @@ class SecondSystem {
       }
       const elements::Matrices m = elements::matrices(element.law);
       const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12);
-      t.add(m.stiffness.cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor), stiffness_);
-      t.add(m.mass.cast<ExtendedComplex>(), mass_);
-      t.add(m.damping.cast<ExtendedComplex>(), damping_);
+      add(t.rows, t.of(m.stiffness.cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor)),
+          &ConstantParts::stiffness, entries_);
+      add(t.rows, t.of(m.mass.cast<ExtendedComplex>()), &ConstantParts::mass, entries_);
+      add(t.rows, t.of(m.damping.cast<ExtendedComplex>()), &ConstantParts::damping, entries_);
       if (ends_.can_move(e)) driven_.push_back({e, t, m});
     }
   }
@@ -177,10 +226,10 @@ class SecondSystem {
   void add_foundations(const assembly::Layout& layout) {
     for (std::size_t f = 0; f < system_.description().foundations.size(); ++f) {
       const model::Foundation& foundation = system_.description().foundations[f];
-      const Eigen::Index row = layout.foundation_row(f), size = foundation.mass.rows();
-      stiffness_.block(row, row, size, size) += foundation.stiffness.cast<ExtendedComplex>();
-      damping_.block(row, row, size, size) += foundation.damping.cast<ExtendedComplex>();
-      mass_.block(row, row, size, size) += foundation.mass.cast<ExtendedComplex>();
+      const std::vector<Eigen::Index> rows = rows_from(layout.foundation_row(f), foundation.mass.rows());
+      add(rows, foundation.stiffness, &ConstantParts::stiffness, entries_);
+      add(rows, foundation.damping, &ConstantParts::damping, entries_);
+      add(rows, foundation.mass, &ConstantParts::mass, entries_);
     }
   }
 
@@ -189,7 +238,8 @@ class SecondSystem {
       const spatial::Matrix6 a = spatial::mass_matrix(system_.bodies()[b].mass);
       for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j)
-          if (layout.row(b, i) >= 0 && layout.row(b, j) >= 0) mass_(layout.row(b, i), layout.row(b, j)) += a(i, j);
+          if (a(i, j) != 0 && layout.row(b, i) >= 0 && layout.row(b, j) >= 0)
+            entries_[{layout.row(b, j), layout.row(b, i)}].mass += a(i, j);
     }
   }
 
@@ -207,9 +257,8 @@ class SecondSystem {
   const assembly::Loading& loading_;
   PrescribedEnds ends_;
   Eigen::Index n_ = 0;
-  ExtendedMatrix stiffness_, damping_, mass_, driven_damping_;
-  Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> stiffness_terms_, damping_terms_,
-      mass_terms_;  ///< magnitudes
+  Entries<ConstantParts> entries_;
+  ExtendedMatrix driven_damping_;
   std::vector<Dependent> dependent_;
   std::vector<Driven> driven_;
 };
@@ -229,16 +278,20 @@ DeepCheck deep_check(const model::System& system, const assembly::Assembled& ass
   for (std::size_t i = 0; i < angular_frequency.size(); ++i) {
     const auto column = to_index(i);
     if (!fast.col(column).allFinite()) continue;  // singular, and reported as such
-    const SecondSystem::Equations e = second.at(angular_frequency[i]);
-    const ExtendedMatrix z = scale.asDiagonal() * e.z * scale.asDiagonal(),
-                         terms = scale.asDiagonal() * e.z_terms * scale.asDiagonal();
-    const numerics::RefinedSolver direct(z);
+    SecondSystem::Equations e = second.at(angular_frequency[i]);
+    for (auto& [place, sum] : e.z) {
+      sum.value *= scale(place.first) * scale(place.second);
+      sum.terms *= (scale(place.first) * scale(place.second)).real();
+    }
+    const numerics::RefinedSolver direct(second.size(), nonzero(e.z));
     const ExtendedVector q = direct.solve(ExtendedVector(scale.cwiseProduct(e.h)));
     const ExtendedVector difference = (d.cwiseInverse().asDiagonal() * fast.col(column)).cast<ExtendedComplex>() - q;
     const Extended size = q.cwiseAbs().maxCoeff();
     const double relative = size > 0 ? static_cast<double>(difference.cwiseAbs().maxCoeff() / size) : 0;
     const Extended of_load = size > 0 ? scale.cwiseProduct(e.h_terms).cwiseAbs().sum() / size : 0;
-    const double allowed = allowed_difference(second.size(), direct.condition(), one_norm(terms), of_load, one_norm(z));
+    const Extended terms = one_norm(second.size(), e.z, [](const Sum& sum) { return sum.terms; }),
+                   size_of_z = one_norm(second.size(), e.z, [](const Sum& sum) { return std::abs(sum.value); });
+    const double allowed = allowed_difference(second.size(), direct.condition(), terms, of_load, size_of_z);
     if (!(allowed < 1e-3)) {
       ++check.incomparable;
       continue;
