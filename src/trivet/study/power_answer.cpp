@@ -14,8 +14,9 @@ response::PowerFlow answer_power(const CaseContext& c, const project::BandQuesti
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, {"coordinates"}, assembly::MotionQuantity::velocity);
   const response::Band band = asked.band ? *asked.band : default_band(c);
-  const response::Peaks peaks =
-      response::peaks(c.assembled, channels, loading, c.modes, c.roots(), {.search_to = band.to}, c.progress);
+  // They only choose the frequencies.
+  const response::Peaks peaks = response::peaks(c.assembled, channels, loading, c.modes, c.roots(),
+                                                {.search_to = band.to, .refine = false}, c.progress);
   std::vector<double> grid = grid_over(c, channels, loading, peaks, band);
   // At ω = 0 nothing moves; at an undamped resonance there is no steady power.
   const response::FrequencyResponse defined = response::frequency_response(c.assembled, channels, loading, grid);

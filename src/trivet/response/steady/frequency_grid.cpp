@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 
@@ -27,22 +28,21 @@ void keep_inside(std::vector<double>& grid, const Band& band) {
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
 }
 
-std::vector<double> first_guess(const CurveModel& model, const Peaks& peaks) {
-  std::vector<double> grid = linear_grid(model.band, 65);
-  if (model.band.from > 0) {
-    const std::vector<double> decades = logarithmic_grid(model.band, 33);
+std::vector<double> first_guess(const Band& band, const Peaks& peaks, const std::vector<double>& more = {}) {
+  std::vector<double> grid = linear_grid(band, 65);
+  if (band.from > 0) {
+    const std::vector<double> decades = logarithmic_grid(band, 33);
     grid.insert(grid.end(), decades.begin(), decades.end());
   }
-  for (const ModelPiece& piece : model.pieces) {
-    grid.insert(grid.end(), {piece.band.from, piece.band.to});
-    grid.insert(grid.end(), piece.fit.nodes.begin(), piece.fit.nodes.end());
-  }
-  grid.insert(grid.end(), model.check.undefined_at.begin(), model.check.undefined_at.end());
-  for (const auto& of_curve : extrema(peaks, model.band))
+  grid.insert(grid.end(), more.begin(), more.end());
+  for (const auto& of_curve : extrema(peaks, band))
     for (const Extremum& extremum : of_curve) grid.push_back(extremum.angular_frequency);
-  keep_inside(grid, model.band);
+  keep_inside(grid, band);
   return grid;
 }
+
+/// Values of all curves at frequencies, curves × frequencies; NaN where undefined.
+using Values = std::function<Eigen::MatrixXcd(const std::vector<double>& angular_frequency)>;
 
 /// Largest finite amplitude of each curve; infinite for one that is only round-off (all of it is ignored), and 0 for
 /// one that rises to infinity (none of it is ignored).
@@ -103,10 +103,12 @@ std::vector<double> logarithmic_grid(const Band& band, int points) {
   return grid;
 }
 
-std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
-  std::vector<double> grid = first_guess(model, peaks);
-  if (grid.size() < 2 || model.curves == 0) return grid;
-  const Eigen::MatrixXcd values = model.at(grid);
+namespace {
+
+/// Halves the intervals of a first guess until straight lines follow every curve.
+std::vector<double> halved(std::vector<double> grid, const Values& values_at, const Peaks& peaks) {
+  if (grid.size() < 2) return grid;
+  const Eigen::MatrixXcd values = values_at(grid);
   const Eigen::VectorXd top = largest(values, peaks);
   std::vector<Interval> open;
   for (std::size_t i = 0; i + 1 < grid.size(); ++i)
@@ -115,7 +117,7 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
     std::vector<double> inner;
     for (const Interval& interval : open)
       for (const double part : parts) inner.push_back(interval.from + part * (interval.to - interval.from));
-    const Eigen::MatrixXcd found = model.at(inner);
+    const Eigen::MatrixXcd found = values_at(inner);
     std::vector<Interval> halves;
     for (std::size_t i = 0; i < open.size(); ++i) {
       const Eigen::MatrixXcd inside = found.middleCols(to_index(parts.size() * i), std::ssize(parts));
@@ -134,9 +136,34 @@ std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
   return grid;
 }
 
+}  // namespace
+
+std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks) {
+  std::vector<double> more = model.check.undefined_at;
+  for (const ModelPiece& piece : model.pieces) {
+    more.insert(more.end(), {piece.band.from, piece.band.to});
+    more.insert(more.end(), piece.fit.nodes.begin(), piece.fit.nodes.end());
+  }
+  std::vector<double> grid = first_guess(model.band, peaks, more);
+  if (model.curves == 0) return grid;
+  return halved(std::move(grid), [&](const std::vector<double>& at) { return model.at(at); }, peaks);
+}
+
 std::vector<double> automatic_grid(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
                                    const assembly::Loading& loading, const Eigen::VectorXcd& poles, const Peaks& peaks,
                                    const Band& band, const foundation::Progress& progress) {
+  // With constant matrices, solving takes less time than fitting a model and evaluating it.
+  if (!assembled.frequency_dependent())
+    return halved(
+        first_guess(band, peaks),
+        [&](const std::vector<double>& at) {
+          const FrequencyResponse solved = frequency_response(assembled, channels, loading, at);
+          Eigen::MatrixXcd values(to_index(channels.size()), to_index(at.size()));
+          for (std::size_t c = 0; c < channels.size(); ++c)
+            values.row(to_index(c)) = solved.curves[c].value.transpose();
+          return values;
+        },
+        peaks);
   return drawing_grid(curve_model(assembled, channels, loading, poles, peaks, band, {}, progress), peaks);
 }
 

@@ -19,7 +19,7 @@ enum class Spacing { automatic, linear, logarithmic };
 /// amplitude are ignored.
 [[nodiscard]] std::vector<double> drawing_grid(const CurveModel& model, const Peaks& peaks);
 
-/// The same, from a model that it builds.
+/// The same for the curves themselves.
 [[nodiscard]] std::vector<double> automatic_grid(const assembly::Assembled& assembled,
                                                  const std::vector<assembly::Channel>& channels,
                                                  const assembly::Loading& loading, const Eigen::VectorXcd& poles,
