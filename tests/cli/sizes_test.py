@@ -125,6 +125,10 @@ class Sizes(Refused):
             "at most 600 (a hundred free bodies)",
             text=text + '[analyses]\nshapes = {at = ["10 Hz"]}\n',
         )
+        kick = '[excitations.kick]\ntype = "time"\non = "b0"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 5}}\n'
+        kick += '[analyses.transient]\nto = "1 s"\nstep = "1 ms"\nof = ["b0.z"]\n'
+        path = self.file(text.replace("loss_factor = 0.1", "proportional = 1e-4") + kick)
+        self.assertEqual(trivet("check", path).returncode, 0, trivet("check", path).stderr)
 
     def test_curves_of_a_large_system_are_rejected_before_the_search(self):
         text = "trivet = 1\n" + "".join(

@@ -19,6 +19,7 @@ struct QuestionReader {
   std::unique_ptr<Question> (*read)(TableReader& reader, const ResultNames& names,
                                     const NamesInFile& in_file) = nullptr;
   bool searches_peaks = false;                           ///< its cost is that of a search for peaks
+  bool of_large_systems = false;                         ///< measured up to `most_coordinates`
   double (*curves)(const Question& asked) = nullptr;     ///< number of curves, if not that of `selection.of`
   bool (*moves_by_itself)(const Node& table) = nullptr;  ///< true if it needs no excitation
   void (*check)(const Question& asked, const model::System& system,

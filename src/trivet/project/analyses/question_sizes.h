@@ -22,8 +22,8 @@ inline constexpr int modes_beside_a_response = 20;
 /// given frequencies.
 [[nodiscard]] bool lowest_modes_suffice(const Analyses& asked);
 
-/// The same for all analyses but modes, roots, static results, response and peaks, which were measured up to this size
-/// only.
+/// The same for analyses that were measured up to this size only: all but modes, roots, static results, response, peaks
+/// and those marked `of_large_systems`.
 inline constexpr std::size_t most_coordinates_of_others = 600;
 
 /// Most coordinates with those that represent frequency-dependent laws in modes and roots: 21 per direction of a

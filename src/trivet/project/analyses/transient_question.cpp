@@ -81,6 +81,7 @@ void check_transient(const Question& asked, const model::System& system, foundat
 
 const QuestionReader transient_question = {.drive = Drive::time,
                                            .read = read_transient,
+                                           .of_large_systems = true,
                                            .moves_by_itself = starts_from_initial_values,
                                            .check = check_transient,
                                            .keys = R"json({"properties": {
