@@ -97,6 +97,7 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "element") return trivet::cli::element_command(options);
   if (which == "explain") return trivet::cli::explain_command(options);
   if (which == "suspension") return trivet::cli::suspension_command(options);
+  if (which == "verdict") return trivet::cli::verdict_command(options);
   if (which == "map") return trivet::cli::map_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
@@ -160,6 +161,14 @@ void add_element(CLI::App& app, Options& options) {
   add_picture(*element, "element", options);
 }
 
+void add_verdict(CLI::App& app, Options& options) {
+  CLI::App* verdict = add_command(
+      app, "verdict", "is every requirement met in every case, which one governs, and by what margin?", options);
+  CLI::Option* json = verdict->add_flag("--json", options.json, "JSON, SI");
+  verdict->add_flag("--csv", options.csv, "CSV, SI")->excludes(json);
+  add_strict(verdict, options);
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
@@ -185,6 +194,7 @@ int run(int argc, char** argv) {
   add_explain(app, options);
   add_suspension(app, options);
   add_map(app, options);
+  add_verdict(app, options);
   add_element(app, options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");

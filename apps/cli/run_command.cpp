@@ -14,6 +14,7 @@
 #include "trivet/report/report_page.h"
 #include "trivet/results/project_json.h"
 #include "trivet/results/result_folder.h"
+#include "trivet/results/verdict_words.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/whole_study.h"
 
@@ -67,17 +68,19 @@ int run_command(const Options& options) {
   const std::vector<std::string> case_folder = case_folders(*project);
   results::ResultFolder folder(options.output, case_folder);
   const foundation::Progress report = progress();
-  std::string text;
+  std::string verdicts, text;
   const std::vector<study::Answers> all =
       study::run(*project, report, [&](std::size_t i, const study::Answers& answers) {
         write_case(folder, case_folder[i], project->cases[i], answers);
+        if (answers.verdict) verdicts += results::verdict_summary(*answers.verdict);
         text += case_text(project->cases[i], answers);
       });
   folder.write("results.json", results::results_json(*project, all));
   folder.write("report.html", report::report_page(*project, all, results::page_json(*project, all)));
   report("done", 1);
   for (const std::string& note : folder.publish()) write_error("warning: " + foundation::on_one_line(note) + "\n");
-  write_output(text + fmt::format("Report: {}/report.html\n", options.output));
+  if (!verdicts.empty()) verdicts += "\n";
+  write_output(verdicts + text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;
   for (const study::Answers& answers : all) strictness.add(answers);
   const bool complete =

@@ -26,10 +26,16 @@ void Strictness::add(const study::DesignMap& map) {
     else if (!mark.judged->governing.feasible()) ++infeasible_;
 }
 
+void Strictness::add(const study::CaseVerdict& judged) {
+  for (const study::RequirementResult& result : judged.results)
+    violated_ += judged.decides && result.value && !result.met();
+}
+
 void Strictness::add(const study::Answers& answers) {
   add(answers.warnings);
   for (const study::LimitAnswer& limit : answers.limits) exceeded_ += !limit.met;
   for (const study::LimitLineResult& line : answers.limit_lines) exceeded_ += !line.comparison.met();
+  if (answers.verdict) add(*answers.verdict);
   if (answers.map) add(*answers.map);
 }
 
@@ -39,16 +45,17 @@ int Strictness::exit_code(bool strict, int otherwise) const {
                             count_text(not_judged_, "case", "cases"), static_cast<int>(not_computed)));
     return not_computed;
   }
-  if (!strict || otherwise != done || exceeded_ + infeasible_ + warnings_.size() == 0) return otherwise;
+  if (!strict || otherwise != done || exceeded_ + violated_ + infeasible_ + warnings_.size() == 0) return otherwise;
   std::string found;
   const auto list = [&](std::size_t count, const std::string& words) {
     found += count == 0 ? "" : (found.empty() ? "" : ", ") + words;
   };
   list(exceeded_, count_text(exceeded_, "limit exceeded", "limits exceeded"));
+  list(violated_, count_text(violated_, "requirement violated", "requirements violated"));
   list(infeasible_,
        count_text(infeasible_, "verdict of a map is \"infeasible\"", "verdicts of a map are \"infeasible\""));
   list(warnings_.size(), count_text(warnings_.size(), "warning", "warnings"));
-  const int code = exceeded_ + infeasible_ > 0 ? over_a_limit : with_warnings;
+  const int code = exceeded_ + violated_ + infeasible_ > 0 ? over_a_limit : with_warnings;
   write_error(fmt::format("--strict: {}; exit code {}\n", found, code));
   return code;
 }

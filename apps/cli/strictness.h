@@ -6,6 +6,7 @@
 #include <string>
 
 #include "trivet/study/answers.h"
+#include "trivet/study/verdict.h"
 
 namespace trivet::cli {
 
@@ -16,6 +17,8 @@ class Strictness {
   void add(const study::Answers& answers);
   /// A case that violates a rule or could not be computed, or no feasible design at all.
   void add(const study::DesignMap& map);
+  /// Requirements that are violated, if the design has to hold in this case.
+  void add(const study::CaseVerdict& judged);
   void add(const foundation::Problems& warnings);
 
   /// Exit code: `otherwise`, unless --strict was given and there are findings; these are then written to standard
@@ -23,7 +26,7 @@ class Strictness {
   [[nodiscard]] int exit_code(bool strict, int otherwise) const;
 
  private:
-  std::size_t exceeded_ = 0, infeasible_ = 0, not_judged_ = 0;
+  std::size_t exceeded_ = 0, violated_ = 0, infeasible_ = 0, not_judged_ = 0;
   std::set<std::string> warnings_;  ///< the same warning of several cases counts once
 };
 

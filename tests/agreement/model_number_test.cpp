@@ -43,7 +43,7 @@ TEST(ModelNumbers, AreThoseOfExplainByTheirPaths) {
   int compared = 0;
   for (const std::filesystem::path& file : examples()) {
     const auto project = project::read_project(file);
-    ASSERT_TRUE(project) << file;
+    ASSERT_TRUE(project) << file << ": " << foundation::message(project.error().list().front());
     const project::Case& base = project->base();
     for (const response::Parameter& parameter : response::model_parameters(base.system)) {
       const project::ModelNumber number(parameter.name, "");

@@ -95,6 +95,8 @@ ON_THE_FRAME = (
 )
 KEYS = "docs/project-file.md"
 
+REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
+
 BASES = {
     ("README.md", "Elements that compute their own 12×12"): FRAME,
     ("docs/elements/catalogue.md", "Catalogues of mounts"): FRAME
@@ -105,6 +107,7 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
+    ("docs/design.md", "Requirements and the verdict"): REQUIRED[0] + "[cases." + REQUIRED[1].partition("[cases.")[2],
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     (KEYS, "Nodes"): FRAME

@@ -65,7 +65,7 @@ DesignEvaluation::DesignEvaluation(const project::Case& variant, const project::
                                    const EvaluationOptions& options)
     : case_(variant), request_(request), options_(options), x_(request.x), y_(request.y) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
-  for (const project::MapLimit& limit : request.limits) {
+  for (const project::AmplitudeLimit& limit : request.limits) {
     const std::size_t channel = channel_of(limit.name, limit.quantity);
     set_.rules.push_back({DesignRule::Kind::amplitude, channel, limit.amplitude});
   }

@@ -79,6 +79,12 @@ struct Fact {
   std::string what, value;
 };
 
+/// What the maker of a mount allows, along the axis e3 from end N to end K.
+struct Rating {
+  std::optional<Eigen::Vector2d> compression;  ///< lowest and highest static load [N]; negative: tension
+  std::optional<double> deflection;            ///< [m]
+};
+
 /// One measured value behind an identified law, for a residual plot.
 struct Residual {
   std::string what;
@@ -103,8 +109,9 @@ struct Element {
   elements::Law law;
   bool symmetric = true;
   bool allow_residual = false;
-  bool is_foundation = false;  ///< impedance of a ground point: elements on it count as "on the ground"
-  std::vector<Fact> facts;     ///< for display: how its law was determined
+  bool is_foundation = false;    ///< impedance of a ground point: elements on it count as "on the ground"
+  std::vector<Fact> facts;       ///< for display: how its law was determined
+  std::optional<Rating> rating;  ///< of a catalogue mount
   std::optional<Evidence> evidence;
   double stiffening = 1;  ///< of rubber: its stiffness in vibration over its static stiffness
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< first natural frequency of the element itself

@@ -30,7 +30,7 @@ std::optional<foundation::Problem> first_new_error(Node model, const std::vector
 }  // namespace
 
 Node without_questions(Node document) {
-  for (const char* question : {"analyses", "limits", "limit_lines", "cases"})
+  for (const char* question : {"analyses", "limits", "limit_lines", "requirements", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);

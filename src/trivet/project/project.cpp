@@ -11,6 +11,7 @@
 #include "trivet/project/analyses/analyses_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/project/analyses/requirements_reader.h"
 #include "trivet/project/body_reader.h"
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
@@ -123,7 +124,10 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
                                                  every_body_was_read, every_element_was_read);
   if (!system) name_slips(bodies, document, physical);
   if (system) physical.add(too_large(system->description(), counted_part(questions, analyses)));
-  if (system && !reading.has_errors()) check_questions(*system, analyses, physical);
+  if (system && !reading.has_errors()) {
+    check_questions(*system, analyses, physical);
+    check_requirements(*system, analyses, physical);
+  }
   locate(physical, document);
   all.add(physical);
   name_element_types(written, all);

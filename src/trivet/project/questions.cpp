@@ -25,6 +25,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"map", [](Analyses& a) { a.map.reset(); }},
       {"limits", [](Analyses& a) { a.limits.clear(); }},
       {"limit_lines", [](Analyses& a) { a.limit_lines.clear(); }},
+      {"requirements", [](Analyses& a) { a.requirements.reset(); }},
   };
   return list;
 }
@@ -33,7 +34,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
 /// itself; empty for a part of the model.
 std::string question_of(const std::string& subject) {
   std::string first = subject.substr(0, subject.find('.'));
-  if (first == "limits" || first == "limit_lines") return first;
+  if (first == "limits" || first == "limit_lines" || first == "requirements") return first;
   if (first != "analyses") return "";
   if (subject == first) return first;
   const std::size_t from = first.size() + 1;
@@ -73,6 +74,7 @@ class UsedExcitationCollector {
     add_request(a.peaks, harmonic);
     for (const QuestionReader& reader : question_readers())
       if (const Question* question = a.find<Question>(reader.name)) add_question(*question, reader.drive);
+    if (a.requirements) add_requirements(*a.requirements);
     if (a.static_of)
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
         used_.names.insert(force.name);
@@ -80,6 +82,15 @@ class UsedExcitationCollector {
   }
 
  private:
+  void add_requirements(const Requirements& required) {
+    if (!required.limits.empty() || !required.no_peak.empty()) add_excitations(required.excitations, harmonic);
+    if (!required.rms.empty()) add_excitations({}, random);
+    if (!required.largest.empty()) add_excitations({}, in_time);
+    if (!required.statics.empty() || required.mount_load)
+      for (const model::ConstantForce& force : variant_.system.description().constant_forces)
+        used_.names.insert(force.name);
+  }
+
   void add_question(const Question& question, Drive drive) {
     const std::vector<std::string>& selected = question.selection.excitations;
     switch (drive) {

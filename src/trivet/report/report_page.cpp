@@ -61,7 +61,8 @@ std::string case_options(const std::vector<ShownCase>& cases) {
 }
 
 std::string above_pictures(const ShownCase& shown, std::size_t cases) {
-  return case_head(shown, cases) + section("limits", "Limits", limits_table(shown.variant, shown.answers));
+  return case_head(shown, cases) + section("requirements", "Requirements", requirements_table(shown.answers)) +
+      section("limits", "Limits", limits_table(shown.variant, shown.answers));
 }
 
 std::string below_pictures(const ShownCase& shown) {

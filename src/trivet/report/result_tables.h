@@ -17,6 +17,9 @@ namespace trivet::report {
 /// Resonance peaks, and the curves without one.
 [[nodiscard]] std::string peaks_table(const project::Case& variant, const study::Answers& answers);
 
+/// Every requirement with its margin, the least first.
+[[nodiscard]] std::string requirements_table(const study::Answers& answers);
+
 [[nodiscard]] std::string limits_table(const project::Case& variant, const study::Answers& answers);
 
 /// A response at a few given frequencies; empty for longer ones, which are only drawn.

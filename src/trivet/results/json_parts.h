@@ -51,5 +51,6 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json drawn_response(const study::Answers& answers);
 [[nodiscard]] Json limit_lines(const study::Answers& answers);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
+[[nodiscard]] Json verdict(const study::CaseVerdict& judged);
 
 }  // namespace trivet::results::json

@@ -125,6 +125,7 @@ Json case_json(const project::Case& variant, const study::Answers& answers) {
               {"checks", std::move(checks)},
               {"limits", std::move(limits)}};
   if (!answers.notes.empty()) result["notes"] = answers.notes;
+  if (answers.verdict) result["verdict"] = json::verdict(*answers.verdict);
   for (const AnswerWriter& writer : answer_writers()) {
     if (!writer.is_there(variant, answers)) continue;
     const std::string name = writer.name;

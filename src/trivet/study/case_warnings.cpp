@@ -37,7 +37,7 @@ void warn_of_guide_forces(const CaseContext& c, const project::Analyses& analyse
   if (analyses.peaks) of.insert(of.end(), analyses.peaks->selection.of.begin(), analyses.peaks->selection.of.end());
   if (analyses.map) {
     of.insert(of.end(), analyses.map->no_peak.begin(), analyses.map->no_peak.end());
-    for (const project::MapLimit& limit : analyses.map->limits) of.push_back(limit.name);
+    for (const project::AmplitudeLimit& limit : analyses.map->limits) of.push_back(limit.name);
   }
   for (const auto& [name, question] : analyses.questions)
     of.insert(of.end(), question->selection.of.begin(), question->selection.of.end());

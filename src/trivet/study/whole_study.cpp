@@ -62,6 +62,8 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(answers(variant, variant.analyses, step));
+    if (const auto& requirements = project.base().analyses.requirements)
+      all.back().verdict = case_verdict(variant, requirements->hold_in, step);
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (done) done(i, all.back());
   }

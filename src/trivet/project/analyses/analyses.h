@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/project/analyses/question.h"
+#include "trivet/project/analyses/requirements.h"
 #include "trivet/response/machinery/limit_line.h"
 
 namespace trivet::project {
@@ -56,19 +57,11 @@ struct MapAxis {
   bool operator==(const MapAxis&) const = default;
 };
 
-/// Largest allowed amplitude of one answer, SI.
-struct MapLimit {
-  std::string name;
-  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
-  double amplitude = 0;
-  bool operator==(const MapLimit&) const = default;
-};
-
 /// Two numbers of the project and the rules that a design meets or violates.
 struct MapRequest {
   MapAxis x, y;
   std::optional<response::Band> band;  ///< of the amplitudes; none: 0 ≤ ω < ∞
-  std::vector<MapLimit> limits;
+  std::vector<AmplitudeLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
   std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
@@ -89,6 +82,7 @@ struct Analyses {
   std::optional<MapRequest> map;
   std::vector<LimitLineRequest> limit_lines;
   std::vector<Limit> limits;
+  std::optional<Requirements> requirements;
   std::map<std::string, std::shared_ptr<const Question>> questions;  ///< those of question_table.h, by name
 
   /// A question by its name and type; none if it is not asked.

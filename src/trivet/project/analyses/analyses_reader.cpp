@@ -8,6 +8,7 @@
 
 #include "trivet/project/analyses/map_reader.h"
 #include "trivet/project/analyses/question_reader.h"
+#include "trivet/project/analyses/requirements_reader.h"
 
 namespace trivet::project {
 namespace {
@@ -71,11 +72,11 @@ PeaksRequest read_peaks(const Node& node, const ResultNames& names, const NamesI
 }
 
 std::vector<Limit> read_limits(TableReader& root, const ResultNames& names,
-                               const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool mapped) {
+                               const std::optional<ResponseRequest>& response, bool quantity_is_clear, bool judged) {
   std::vector<Limit> limits;
   const Node* table = root.table("limits");
   if (!table) return limits;
-  if (!response && !mapped)
+  if (!response && !judged)
     root.error("limits", "no response to compare with", "limits apply to the band of analyses.response",
                "add response = {…} to [analyses]");
   TableReader reader(*table, "limits", root.problems());
@@ -162,9 +163,10 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
     reader.finish();
   }
   read_limit_lines(root, names, analyses);
-  analyses.limits =
-      read_limits(root, names, analyses.response, quantity_is_clear, analyses.map && analyses.map->limits_of_file);
+  analyses.limits = read_limits(root, names, analyses.response, quantity_is_clear,
+                                (analyses.map && analyses.map->limits_of_file) || root.has("requirements"));
   use_limits_of_file(analyses);
+  read_requirements(root, names, in_file, analyses);
   return analyses;
 }
 

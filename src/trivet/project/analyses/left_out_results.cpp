@@ -20,7 +20,7 @@ std::vector<std::pair<std::string, std::vector<std::string>>> requested(const An
     all.emplace_back("analyses." + name + ".of", question->selection.of);
   if (asked.map) {
     all.emplace_back("analyses.map.no_peak", asked.map->no_peak);
-    for (const MapLimit& limit : asked.map->limits)
+    for (const AmplitudeLimit& limit : asked.map->limits)
       all.emplace_back("analyses.map.limits", std::vector<std::string>{limit.name});
   }
   for (const Limit& limit : asked.limits) all.emplace_back("limits", std::vector<std::string>{limit.name});

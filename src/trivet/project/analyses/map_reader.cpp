@@ -9,15 +9,13 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/amplitude_limits.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
 namespace {
-
-constexpr assembly::MotionQuantity derivatives[] = {
-    assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity, assembly::MotionQuantity::acceleration};
 
 /// True if a blank is outside the quoted names.
 bool has_stray_blank(const std::string& path) {
@@ -139,84 +137,6 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
   return axis;
 }
 
-/// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
-void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
-                assembly::MotionQuantity usual, std::vector<MapLimit>& limits) {
-  if (value.kind == Node::Kind::text)
-    for (const assembly::MotionQuantity quantity : derivatives) {
-      const auto si = to_si(value.text, *names.component(name, quantity));
-      if (!si) continue;
-      if (!(*si > 0)) reader.error(name, value_text(value), "a limit is > 0", "change it");
-      limits.push_back({name, quantity, *si});
-      return;
-    }
-  if (value.kind == Node::Kind::text && written_number(value)) {
-    std::string units;
-    for (const assembly::MotionQuantity quantity : derivatives) {
-      const std::string unit = si_unit(*names.component(name, quantity));
-      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
-    }
-    reader.error(name, value_text(value), "the limit of this result needs a unit of its kind",
-                 "give " + units + ", or a multiple");
-    return;
-  }
-  const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
-  if (amplitude && !(*amplitude > 0))
-    reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
-                 "change it");
-  if (amplitude) limits.push_back({name, usual, *amplitude});
-}
-
-/// Reports two limits of one quantity: the larger one has no effect.
-void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
-                         const std::vector<MapLimit>& limits) {
-  for (std::size_t i = 0; i < limits.size(); ++i)
-    for (std::size_t j = i + 1; j < limits.size(); ++j)
-      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
-        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
-                                              "the larger of two limits of one quantity has no effect",
-                                              "keep the smaller"));
-}
-
-std::vector<MapLimit> read_limits_of_map(TableReader& map, const ResultNames& names, assembly::MotionQuantity usual) {
-  std::vector<MapLimit> limits;
-  const Node* table = map.table("limits");
-  if (!table) return limits;
-  TableReader reader(*table, "analyses.map.limits", map.problems());
-  for (std::size_t i = 0; i < table->keys.size(); ++i) {
-    const std::string& name = table->keys[i];
-    const Node& value = *reader.node(name);
-    if (!names.component(name, usual)) {
-      refuse_limit(reader, names, name);
-    } else if (value.kind == Node::Kind::array && value.items.empty()) {
-      reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
-    } else if (value.kind == Node::Kind::array) {
-      for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
-      check_limits_differ(reader, name, value, limits);
-    } else {
-      read_limit(reader, name, value, names, usual, limits);
-    }
-  }
-  reader.finish();
-  return limits;
-}
-
-void read_no_peak(TableReader& map, const ResultNames& names, MapRequest& request) {
-  const auto words = map.texts("no_peak", R"("coordinates", or ["BODY.x", "ELEMENT.force.z"])");
-  if (!words) return;
-  for (const std::string& word : *words) {
-    if (names.is_group(word) || names.component(word, request.quantity)) continue;
-    if (names.is_guided(word)) {
-      map.error("no_peak", foundation::quoted(word),
-                "this coordinate is not in `free` of its body, so it does not move",
-                "name a free coordinate, or remove it");
-      continue;
-    }
-    names.refuse(map, "no_peak", word, "coordinates, a body, BODY.POINT, an element or one component of these");
-  }
-  request.no_peak = *words;
-}
-
 }  // namespace
 
 double MapAxis::at(double share) const {
@@ -260,10 +180,9 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
                  fmt::format("a map holds at most {:.0e} designs", most_designs), "take fewer points");
   if (reader.node("band")) request.band = read_band(reader, "band");
   if (reader.node("excitations")) request.excitations = read_selected_harmonic(reader, in_file);
-  const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
-  if (quantity) request.quantity = derivatives[*quantity == "velocity" ? 1 : *quantity == "acceleration" ? 2 : 0];
-  request.limits = read_limits_of_map(reader, names, request.quantity);
-  read_no_peak(reader, names, request);
+  if (const auto quantity = read_quantity(reader)) request.quantity = *quantity;
+  request.limits = read_amplitude_limits(reader, "limits", names, request.quantity);
+  request.no_peak = read_no_peak(reader, names, request.quantity);
   read_peak_shares(reader, request.min_prominence, request.peak_tolerance);
   if (const auto cases = reader.texts("cases", R"(["NAME"])")) {
     const Node* known = root.node("cases");

@@ -137,7 +137,8 @@ bool lowest_modes_suffice(const Analyses& asked) {
        (!asked.response->at.empty() ||
         (asked.response->band && asked.response->spacing != response::Spacing::automatic)));
   return asked.lowest_modes > 0 && at_given_frequencies && !asked.roots && !asked.peaks && !asked.static_of &&
-      !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.limits.empty() && asked.questions.empty();
+      !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.limits.empty() && !asked.requirements &&
+      asked.questions.empty();
 }
 
 foundation::Problems too_large(const model::Description& description, const Analyses& asked) {
@@ -177,6 +178,10 @@ foundation::Problems too_large(const model::Description& description, const Anal
       else sizes.check_curves(subject, count);
     }
   if (!asked.limits.empty()) sizes.check_search("limits", static_cast<double>(asked.limits.size()));
+  if (asked.requirements)
+    sizes.check_search(
+        "requirements",
+        sizes.curves(asked.requirements->no_peak) + static_cast<double>(asked.requirements->limits.size()));
   if (!asked.limit_lines.empty()) sizes.check_search("limit_lines", static_cast<double>(asked.limit_lines.size()));
   return sizes.problems;
 }

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/amplitude_limits.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/model_path.h"
+
+namespace trivet::project {
+namespace {
+
+constexpr std::array motion_quantities = {assembly::MotionQuantity::displacement, assembly::MotionQuantity::velocity,
+                                          assembly::MotionQuantity::acceleration};
+
+/// Reads a number, or a text with a unit that distinguishes displacement, velocity and acceleration.
+void read_limit(TableReader& reader, const std::string& name, const Node& value, const ResultNames& names,
+                assembly::MotionQuantity usual, std::vector<AmplitudeLimit>& limits) {
+  if (value.kind == Node::Kind::text)
+    for (const assembly::MotionQuantity quantity : motion_quantities) {
+      const auto si = to_si(value.text, *names.component(name, quantity));
+      if (!si) continue;
+      if (!(*si > 0)) reader.error(name, value_text(value), "a limit is > 0", "change it");
+      limits.push_back({name, quantity, *si});
+      return;
+    }
+  if (value.kind == Node::Kind::text && written_number(value)) {
+    std::string units;
+    for (const assembly::MotionQuantity quantity : motion_quantities) {
+      const std::string unit = si_unit(*names.component(name, quantity));
+      if (units.find(unit) == std::string::npos) units += (units.empty() ? "" : " or ") + unit;
+    }
+    reader.error(name, value_text(value), "the limit of this result needs a unit of its kind",
+                 "give " + units + ", or a multiple");
+    return;
+  }
+  const auto amplitude = reader.scalar(value, reader.path() + "." + name, *names.component(name, usual));
+  if (amplitude && !(*amplitude > 0))
+    reader.error(name, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
+                 "change it");
+  if (amplitude) limits.push_back({name, usual, *amplitude});
+}
+
+/// Reports two limits of one quantity: the larger one has no effect.
+void check_limits_differ(TableReader& reader, const std::string& name, const Node& list,
+                         const std::vector<AmplitudeLimit>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i)
+    for (std::size_t j = i + 1; j < limits.size(); ++j)
+      if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity)
+        return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
+                                              "the larger of two limits of one quantity has no effect",
+                                              "keep the smaller"));
+}
+
+}  // namespace
+
+std::vector<AmplitudeLimit> read_amplitude_limits(TableReader& owner, const std::string& key, const ResultNames& names,
+                                                  assembly::MotionQuantity usual) {
+  std::vector<AmplitudeLimit> limits;
+  const Node* table = owner.table(key);
+  if (!table) return limits;
+  TableReader reader(*table, owner.path() + "." + key, owner.problems());
+  for (std::size_t i = 0; i < table->keys.size(); ++i) {
+    const std::string& name = table->keys[i];
+    const Node& value = *reader.node(name);
+    if (!names.component(name, usual)) {
+      refuse_limit(reader, names, name);
+    } else if (value.kind == Node::Kind::array && value.items.empty()) {
+      reader.error(name, "an empty list", "a list of limits has at least one", "write one, or remove the line");
+    } else if (value.kind == Node::Kind::array) {
+      for (const Node& item : value.items) read_limit(reader, name, item, names, usual, limits);
+      check_limits_differ(reader, name, value, limits);
+    } else {
+      read_limit(reader, name, value, names, usual, limits);
+    }
+  }
+  reader.finish();
+  return limits;
+}
+
+std::vector<std::string> read_no_peak(TableReader& owner, const ResultNames& names, assembly::MotionQuantity quantity) {
+  const auto words = owner.texts("no_peak", R"("coordinates", or ["BODY.x", "ELEMENT.force.z"])");
+  if (!words) return {};
+  for (const std::string& word : *words) {
+    if (names.is_group(word) || names.component(word, quantity)) continue;
+    if (names.is_guided(word)) {
+      owner.error("no_peak", foundation::quoted(word),
+                  "this coordinate is not in `free` of its body, so it does not move",
+                  "name a free coordinate, or remove it");
+      continue;
+    }
+    names.refuse(owner, "no_peak", word, "coordinates, a body, BODY.POINT, an element or one component of these");
+  }
+  return *words;
+}
+
+std::optional<assembly::MotionQuantity> read_quantity(TableReader& reader) {
+  const auto word = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
+  if (!word) return std::nullopt;
+  return motion_quantities[*word == "velocity" ? 1 : *word == "acceleration" ? 2 : 0];
+}
+
+}  // namespace trivet::project

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/project/analyses/question.h"
+
+namespace trivet::project {
+
+/// Largest allowed amplitude of one result, SI.
+struct AmplitudeLimit {
+  std::string name;
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  double amplitude = 0;
+  bool operator==(const AmplitudeLimit&) const = default;
+};
+
+/// What a design has to meet: the table [requirements]. Formulas: docs/design.md.
+struct Requirements {
+  std::optional<response::Band>
+      band;  ///< of the amplitudes and limit lines; none: that of the response, else 0 ≤ ω < ∞
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of `no_peak`
+  std::vector<std::string> excitations;                                        ///< harmonic ones; empty: all
+  std::vector<AmplitudeLimit> limits;                                          ///< of amplitudes in the band
+  std::vector<std::string> no_peak;                     ///< results that must have no resonance peak at any frequency
+  double min_prominence = 1e-6, peak_tolerance = 0.01;  ///< as of `peaks`
+  std::vector<std::string> limit_lines;                 ///< names in [limit_lines]
+  std::vector<response::Band> avoided;                  ///< without natural frequencies [rad/s]
+  double separation = 0;     ///< least ratio of neighbouring natural frequencies, ≥ 1; 0: not required
+  double damping_ratio = 0;  ///< least one of every oscillating root, < 1; 0: not required
+  struct Decoupling {
+    std::string body;
+    double least = 0;  ///< 0 … 1
+    bool operator==(const Decoupling&) const = default;
+  };
+  std::vector<Decoupling> decoupling;
+  std::vector<AmplitudeLimit> rms;          ///< under the random excitations
+  std::vector<AmplitudeLimit> largest;      ///< magnitude over the transient
+  std::vector<AmplitudeLimit> statics;      ///< magnitude under gravity and the constant forces
+  bool mount_load = false;                  ///< every catalogue mount within its load and deflection
+  std::vector<std::string> hold_in = {""};  ///< cases in which a design has to hold; "" is the base model
+
+  bool operator==(const Requirements&) const = default;
+};
+
+}  // namespace trivet::project

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/requirements_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/amplitude_limits.h"
+
+namespace trivet::project {
+namespace {
+
+constexpr const char* example =
+    "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", damping_ratio = 0.03 …";
+
+/// Reports requirements on motions under an excitation that the model does not have.
+void need(TableReader& reader, const std::string& key, bool there, const std::string& what, const std::string& remedy) {
+  if (reader.has(key) && !there)
+    reader.error(key, "no " + what + " in the model", "this requirement judges the motion that it causes",
+                 "add " + remedy + ", or remove the requirement");
+}
+
+/// A limit that [limits] has too.
+void refuse_doubled(TableReader& root, TableReader& reader, const Analyses& analyses, const Requirements& found) {
+  const assembly::MotionQuantity usual =
+      analyses.response ? analyses.response->selection.quantity : assembly::MotionQuantity::displacement;
+  const Node* of_file = root.has("limits") ? root.node("limits") : nullptr;
+  const Node* here = reader.node("limits");
+  for (const AmplitudeLimit& limit : found.limits) {
+    const Node* other = of_file ? of_file->find(limit.name) : nullptr;
+    if (!other || limit.quantity != usual) continue;
+    reader
+        .error(
+            "limits",
+            fmt::format("{} also has a limit in [limits], line {}", foundation::quoted(limit.name), other->origin.line),
+            "a result has one limit of one quantity", "keep one of the two")
+        .origin = here->find(limit.name)->origin;
+  }
+}
+
+double read_least(TableReader& reader, const std::string& key, double from, double below, const std::string& rule,
+                  const std::string& remedy) {
+  const auto value = reader.number(key, Quantity::pure);
+  if (value && !(*value >= from && *value > 0 && *value < below))
+    reader.error(key, fmt::format("{:.6g}", *value), rule, remedy);
+  return value.value_or(0);
+}
+
+void read_natural_frequencies(TableReader& requirements, Requirements& result) {
+  const Node* table = requirements.table("natural_frequencies");
+  if (!table) return;
+  TableReader reader(*table, requirements.path() + ".natural_frequencies", requirements.problems());
+  const auto refuse = [&](const std::string& finding) {
+    reader.error("avoid", finding, "a list of windows [from, to] with 0 ≤ from < to is expected",
+                 "for instance avoid = [[\"22 Hz\", \"28 Hz\"]]");
+  };
+  if (const Node* avoid = reader.node("avoid")) {
+    if (avoid->kind != Node::Kind::array || avoid->items.empty()) refuse("no list of windows");
+    else
+      for (const Node& window : avoid->items) {
+        if (window.kind != Node::Kind::array || window.items.size() != 2) {
+          refuse(value_text(window));
+          continue;
+        }
+        const std::string where = reader.path() + ".avoid";
+        const auto from = reader.scalar(window.items[0], where, Quantity::angular_frequency),
+                   to = reader.scalar(window.items[1], where, Quantity::angular_frequency);
+        if (!from || !to) continue;
+        if (*from >= 0 && *to > *from) result.avoided.push_back({*from, *to});
+        else refuse(fmt::format("{} … {}", value_text(window.items[0]), value_text(window.items[1])));
+      }
+  }
+  result.separation =
+      read_least(reader, "separation", 1, 1e3, "a ratio of neighbouring natural frequencies is 1 … 1000",
+                 "give the next frequency over this one, 1.15 for instance");
+  reader.finish();
+}
+
+void read_decoupling(TableReader& requirements, const NamesInFile& in_file, Requirements& result) {
+  const Node* table = requirements.table("decoupling");
+  if (!table) return;
+  TableReader reader(*table, requirements.path() + ".decoupling", requirements.problems());
+  for (const std::string& body : table->keys) {
+    const auto least = reader.number(body, Quantity::pure);
+    if (std::find(in_file.bodies.begin(), in_file.bodies.end(), body) == in_file.bodies.end()) {
+      const std::string guess = foundation::nearest_name(body, in_file.bodies);
+      reader.error(body, foundation::quoted(body), "no body has this name",
+                   guess.empty() ? "name a body" : "did you mean \"" + guess + "\"?");
+    } else if (least && !(*least > 0 && *least <= 1)) {
+      reader.error(body, fmt::format("{:.4g} %", 100 * *least),
+                   "a share of the kinetic energy is above 0 and at most 100 %", "for instance \"85 %\"");
+    } else if (least) {
+      result.decoupling.push_back({body, *least});
+    }
+  }
+  reader.finish();
+}
+
+void read_names(TableReader& root, TableReader& reader, const std::string& key, const std::string& table,
+                const std::string& what, std::vector<std::string>& result) {
+  const auto names = reader.texts(key, R"(["NAME"])");
+  if (!names) return;
+  const Node* known = root.has(table) ? root.node(table) : nullptr;
+  for (const std::string& name : *names) {
+    if ((known && known->find(name)) || (name.empty() && table == "cases")) continue;
+    const std::string guess = known ? foundation::nearest_name(name, known->keys) : "";
+    reader.error(key, foundation::quoted(name), "no " + what + " has this name",
+                 guess.empty() ? "check the name" : "did you mean \"" + guess + "\"?");
+  }
+  result = *names;
+}
+
+}  // namespace
+
+void read_requirements(TableReader& root, const ResultNames& names, const NamesInFile& in_file, Analyses& result) {
+  const Node* table = root.table("requirements");
+  if (!table) return;
+  TableReader reader(*table, "requirements", root.problems());
+  reader.also_known({"band", "excitations"});
+  if (table->keys.empty()) reader.error("", "an empty table", "a design has to meet something", example);
+  Requirements found;
+  if (result.response) {
+    found.band = result.response->band;
+    found.quantity = result.response->selection.quantity;
+    found.excitations = result.response->selection.excitations;
+  }
+  if (result.peaks) {
+    found.min_prominence = result.peaks->min_prominence;
+    found.peak_tolerance = result.peaks->peak_tolerance;
+  }
+  if (reader.has("band")) found.band = read_band(reader, "band");
+  if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, in_file);
+  if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
+  const bool harmonic = !in_file.harmonic_excitations.empty();
+  need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+  need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+  need(reader, "rms", !in_file.random_excitations.empty(), "random excitation",
+       "[excitations.NAME] with type = \"random\"");
+  const bool moves_by_itself = result.questions.contains("transient");
+  need(reader, "largest", !in_file.time_excitations.empty() || moves_by_itself, "excitation over time",
+       "[excitations.NAME] with type = \"time\"");
+  const bool loaded = root.has("gravity") || !in_file.constant_excitations.empty();
+  for (const char* key : {"static", "mount_load"})
+    need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
+  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity);
+  refuse_doubled(root, reader, result, found);
+  found.no_peak = read_no_peak(reader, names, found.quantity);
+  read_peak_shares(reader, found.min_prominence, found.peak_tolerance);
+  read_names(root, reader, "limit_lines", "limit_lines", "limit line", found.limit_lines);
+  read_natural_frequencies(reader, found);
+  found.damping_ratio =
+      read_least(reader, "damping_ratio", 0, 1, "a damping ratio of a vibration is above 0 and below 1",
+                 "for instance damping_ratio = 0.03");
+  read_decoupling(reader, in_file, found);
+  found.rms = read_amplitude_limits(reader, "rms", names, assembly::MotionQuantity::displacement);
+  found.largest = read_amplitude_limits(reader, "largest", names, assembly::MotionQuantity::displacement);
+  found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement);
+  for (const AmplitudeLimit& limit : found.statics)
+    if (limit.quantity != assembly::MotionQuantity::displacement)
+      reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
+                   "at rest a point has a displacement only", "give a length or an angle");
+  found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
+  read_names(root, reader, "hold_in", "cases", "case", found.hold_in);
+  reader.finish();
+  result.requirements = std::move(found);
+}
+
+void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+  if (!asked.requirements || !asked.requirements->mount_load) return;
+  std::vector<std::string> unrated;
+  bool rated = false;
+  for (const model::Element& element : system.elements()) {
+    if (!element.type.starts_with("catalogue:")) continue;
+    if (element.rating && element.rating->compression) rated = true;
+    else unrated.push_back(foundation::quoted(element.name));
+  }
+  const std::string rule = "mount_load compares the static load of each catalogue mount with its static_load";
+  if (!unrated.empty())
+    problems.error("requirements.mount_load",
+                   "no static_load in the catalogue for " + foundation::comma_separated(unrated), rule,
+                   "add the range to the catalogue, or remove mount_load");
+  else if (!rated)
+    problems.error("requirements.mount_load", "no mount of a catalogue", rule,
+                   "take mounts of type \"catalogue:NAME\", or remove mount_load");
+}
+
+}  // namespace trivet::project

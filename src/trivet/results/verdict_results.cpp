@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/verdict_results.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/results/csv_field.h"
+#include "trivet/results/json_parts.h"
+#include "trivet/results/text_table.h"
+#include "trivet/results/verdict_words.h"
+
+namespace trivet::results {
+namespace {
+
+using study::CaseVerdict;
+using study::RequirementResult;
+
+std::string table_text(const CaseVerdict& judged) {
+  TextTable table({"requirement", "value", "at", "margin", "verdict"});
+  for (const RequirementRow& row : requirement_rows(judged))
+    table.add({row.words, row.value, row.place, row.margin, row.verdict});
+  std::string text = table.text();
+  for (const std::string& reason : reasons_words(judged)) text += "  not judged: " + reason + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string verdict_text(const study::Verdict& verdict) {
+  std::string text;
+  for (const CaseVerdict& judged : verdict.cases)
+    text += (text.empty() ? "" : "\n") + verdict_summary(judged) + table_text(judged);
+  return text;
+}
+
+std::string verdict_csv(const study::Verdict& verdict) {
+  std::string text = "case,kind,subject,requirement,unit,allowed,value,angular_frequency,time,margin,met,reason\n";
+  const auto cell = [](const std::optional<double>& value) {
+    return value && std::isfinite(*value) ? fmt::format("{}", *value) : value ? "inf" : "";
+  };
+  for (const CaseVerdict& judged : verdict.cases)
+    for (const RequirementResult& r : judged.results)
+      text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_field(judged.case_name), study::name(r.kind),
+                          csv_field(r.subject), csv_field(r.words), r.unit, r.allowed, cell(r.value),
+                          cell(r.angular_frequency), cell(r.time), r.value ? cell(r.margin) : "", r.met(),
+                          csv_field(r.reason));
+  return text;
+}
+
+json::Json json::verdict(const CaseVerdict& judged) {
+  Json results = Json::array();
+  for (const RequirementResult& r : judged.results)
+    results.push_back({{"kind", study::name(r.kind)},
+                       {"subject", r.subject},
+                       {"requirement", r.words},
+                       {"unit", r.unit},
+                       {"allowed", number(r.allowed)},
+                       {"value", r.value ? number(*r.value) : Json(nullptr)},
+                       {"unbounded", r.value && std::isinf(*r.value)},
+                       {"angular_frequency", optional(r.angular_frequency)},
+                       {"time", optional(r.time)},
+                       {"margin", r.value ? number(r.margin) : Json(nullptr)},
+                       {"judged", r.value.has_value()},
+                       {"met", r.met()},
+                       {"detail", r.detail},
+                       {"reason", r.reason}});
+  return {{"decides", judged.decides},
+          {"met", judged.met()},
+          {"not_judged", judged.not_judged()},
+          {"governing", judged.governing ? Json(*judged.governing) : Json(nullptr)},
+          {"cause", judged.cause},
+          {"requirements", std::move(results)}};
+}
+
+std::string verdict_json(const study::Verdict& verdict) {
+  using json::Json;
+  Json cases = Json::array();
+  for (const CaseVerdict& judged : verdict.cases) {
+    Json one = {{"case", judged.case_name}};
+    one.update(json::verdict(judged));
+    one["warnings"] = json::warnings(judged.warnings);
+    cases.push_back(std::move(one));
+  }
+  return json::text({{"met", verdict.met()}, {"cases", std::move(cases)}}, 1) + "\n";
+}
+
+}  // namespace trivet::results

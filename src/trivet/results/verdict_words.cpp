@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/verdict_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/study/explanation.h"
+
+namespace trivet::results {
+namespace {
+
+using study::CaseVerdict;
+using study::RequirementKind;
+using study::RequirementResult;
+
+std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
+
+std::string value_cell(const RequirementResult& r) {
+  if (!r.value) return "";
+  if (std::isinf(*r.value)) return "∞";
+  switch (r.kind) {
+    case RequirementKind::no_peak:
+    case RequirementKind::limit_line:
+    case RequirementKind::decoupling:
+      return fmt::format("{:.4g} %", 100 * *r.value);
+    case RequirementKind::avoided_frequencies:
+      return fmt::format("{:.5g} Hz", *r.value / foundation::two_pi);
+    case RequirementKind::separation:
+    case RequirementKind::damping_ratio:
+      return fmt::format("{:.5g}", *r.value);
+    default:
+      return study::value_words(*r.value, r.unit);
+  }
+}
+
+std::string place_words(const RequirementResult& r) {
+  std::string text;
+  if (r.angular_frequency) text = fmt::format("{:.5g} Hz", *r.angular_frequency / foundation::two_pi);
+  if (r.time) text = fmt::format("{:.5g} s", *r.time);
+  if (!r.detail.empty()) text += (text.empty() ? "" : ", ") + r.detail;
+  return text;
+}
+
+std::string case_words(const CaseVerdict& judged) {
+  return judged.case_name.empty() ? "Base model" : "Case " + judged.case_name;
+}
+
+}  // namespace
+
+std::string verdict_summary(const CaseVerdict& judged) {
+  const auto met = std::count_if(judged.results.begin(), judged.results.end(), [](const auto& r) { return r.met(); });
+  std::string text = fmt::format("{}: {}, {} of {} requirements met", case_words(judged),
+                                 judged.met() ? "meets its requirements"
+                                     : judged.not_judged() > 0 &&
+                                         std::all_of(judged.results.begin(), judged.results.end(),
+                                                     [](const auto& r) { return !r.value || r.met(); })
+                                     ? "NOT JUDGED completely"
+                                     : "VIOLATES its requirements",
+                                 met, judged.results.size());
+  if (judged.not_judged() > 0) text += fmt::format(", {} not judged", judged.not_judged());
+  if (judged.governing) {
+    const RequirementResult& r = judged.results[*judged.governing];
+    text += std::isinf(r.margin) ? "; nothing limits it"
+                                 : fmt::format("; governing: {}, margin {}", r.words, margin_words(r.margin));
+  }
+  if (!judged.decides) text += "; the design need not hold in this case";
+  return text + "\n" + (judged.cause.empty() ? "" : "  " + judged.cause + "\n");
+}
+
+std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
+  std::vector<std::size_t> order(judged.results.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const RequirementResult &x = judged.results[a], &y = judged.results[b];
+    return x.value.has_value() == y.value.has_value() ? x.margin < y.margin : !x.value.has_value();
+  });
+  std::vector<RequirementRow> rows;
+  for (const std::size_t i : order) {
+    const RequirementResult& r = judged.results[i];
+    rows.push_back({r.words, value_cell(r), place_words(r), r.value ? margin_words(r.margin) : "",
+                    !r.value      ? "NOT JUDGED"
+                        : r.met() ? "met"
+                                  : "VIOLATED",
+                    r.met()});
+  }
+  return rows;
+}
+
+std::vector<std::string> reasons_words(const CaseVerdict& judged) {
+  std::vector<std::string> reasons;
+  for (const RequirementResult& r : judged.results)
+    if (!r.value && std::find(reasons.begin(), reasons.end(), r.reason) == reasons.end()) reasons.push_back(r.reason);
+  return reasons;
+}
+
+}  // namespace trivet::results

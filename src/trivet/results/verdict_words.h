@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/study/verdict.h"
+
+/// A verdict in words, for the screen and the report.
+namespace trivet::results {
+
+/// How many requirements are met, which one governs, and what causes it: one line or two.
+[[nodiscard]] std::string verdict_summary(const study::CaseVerdict& judged);
+
+/// A requirement as a line of a table.
+struct RequirementRow {
+  std::string words, value, place, margin, verdict;
+  bool met = false;
+};
+/// Those that could not be judged first, then by ascending margin.
+[[nodiscard]] std::vector<RequirementRow> requirement_rows(const study::CaseVerdict& judged);
+
+/// Why requirements could not be judged, each reason once.
+[[nodiscard]] std::vector<std::string> reasons_words(const study::CaseVerdict& judged);
+
+}  // namespace trivet::results

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/requirement_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/design/design_rules.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/suspension.h"
+#include "trivet/project/analyses/random_question.h"
+#include "trivet/project/analyses/transient_question.h"
+#include "trivet/response/random/random_response.h"
+#include "trivet/response/steady/static_response.h"
+#include "trivet/study/explanation.h"
+#include "trivet/study/question_answer.h"
+#include "trivet/study/transient_answer.h"
+
+namespace trivet::study {
+namespace {
+
+using assembly::MotionQuantity;
+using foundation::infinity;
+using foundation::two_pi;
+
+constexpr MotionQuantity motion_quantities[] = {MotionQuantity::displacement, MotionQuantity::velocity,
+                                                MotionQuantity::acceleration};
+
+/// Limit over value, 1 within nine digits of the limit.
+double margin_of(double allowed, double value) { return design::margin({.allowed = allowed}, std::abs(value)); }
+
+/// Value over limit, for what has to be large.
+double margin_of_least(double least, double value) { return value > 0 ? margin_of(value, least) : 0; }
+
+class Judge {
+ public:
+  Judge(const CaseContext& context, const project::Analyses& analyses, foundation::Problems& warnings)
+      : c_(context), analyses_(analyses), warnings_(warnings) {}
+
+  std::vector<RequirementResult> judge() {
+    const project::Requirements none;
+    const project::Requirements& required = analyses_.requirements ? *analyses_.requirements : none;
+    add_limits_of_file();
+    add_amplitudes(required.limits, required.band.value_or(response::Band{0, infinity}), required.excitations);
+    add_no_peak(required);
+    add_limit_lines(required);
+    add_natural_frequencies(required);
+    add_damping_ratio(required);
+    add_decoupling(required);
+    add_rms(required.rms);
+    add_largest(required.largest);
+    add_static(required.statics);
+    if (required.mount_load) add_mount_loads();
+    return std::move(results_);
+  }
+
+ private:
+  RequirementResult& add(RequirementKind kind, const std::string& subject, std::string words, const std::string& unit,
+                         double allowed) {
+    RequirementResult& result = results_.emplace_back();
+    result.kind = kind;
+    result.subject = subject;
+    result.words = std::move(words);
+    result.unit = unit;
+    result.allowed = allowed;
+    return result;
+  }
+
+  /// Computes values of results from `first` on; if that is impossible, these have the reason.
+  void attempt(std::size_t first, const std::function<void()>& compute) {
+    std::string reason;
+    try {
+      compute();
+      return;
+    } catch (const foundation::NotComputable& refused) {
+      reason = refused.what();
+    } catch (const foundation::InvalidInput& refused) {
+      reason = refused.what();
+    }
+    for (std::size_t i = first; i < results_.size(); ++i) {
+      results_[i].value.reset();
+      results_[i].margin = 0;
+      results_[i].reason = reason;
+    }
+  }
+
+  void add_limits_of_file() {
+    std::vector<project::AmplitudeLimit> limits;
+    const auto& response = analyses_.response;
+    for (const project::Limit& limit : analyses_.limits)
+      limits.push_back(
+          {limit.name, response ? response->selection.quantity : MotionQuantity::displacement, limit.amplitude});
+    const response::Band all{0, infinity};
+    add_amplitudes(limits, response ? response->band.value_or(all) : all,
+                   response ? response->selection.excitations : std::vector<std::string>());
+  }
+
+  /// Peaks of channels over the whole axis, at least over the band.
+  response::Peaks peaks_of(const std::vector<assembly::Channel>& channels, const assembly::Loading& loading,
+                           const response::Band& band, double min_prominence) const {
+    return response::peaks(c_.assembled, channels, loading, c_.modes, c_.roots(),
+                           {.min_prominence = min_prominence, .search_to = std::isfinite(band.to) ? band.to : 0},
+                           c_.progress);
+  }
+
+  /// Bounds of single results, all with the same kind and words: "NAME ≤ 0.5 mm".
+  void add_bounds(RequirementKind kind, const std::vector<project::AmplitudeLimit>& limits, const std::string& of,
+                  const std::function<std::string(const project::AmplitudeLimit&)>& unit) {
+    for (const project::AmplitudeLimit& limit : limits) {
+      const std::string in = unit(limit);
+      add(kind, limit.name, fmt::format("{}{} ≤ {}", of, limit.name, value_words(limit.amplitude, in)), in,
+          limit.amplitude);
+    }
+  }
+
+  std::string unit_of(const project::AmplitudeLimit& limit) const {
+    return assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front().unit;
+  }
+
+  void add_amplitudes(const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
+                      const std::vector<std::string>& excitations) {
+    if (limits.empty()) return;
+    const std::size_t first = results_.size();
+    add_bounds(RequirementKind::amplitude, limits, "", [&](const auto& limit) { return unit_of(limit); });
+    attempt(first, [&] {
+      std::vector<assembly::Channel> channels;
+      design::RuleSet set;
+      set.band = band;
+      for (const project::AmplitudeLimit& limit : limits) {
+        set.rules.push_back({design::DesignRule::Kind::amplitude, channels.size(), limit.amplitude});
+        channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
+      }
+      set_rule_values(first, set, channels, excitations);
+    });
+  }
+
+  void add_no_peak(const project::Requirements& required) {
+    if (required.no_peak.empty()) return;
+    const std::size_t first = results_.size();
+    const std::vector<assembly::Channel> channels =
+        assembly::channels(c_.system, c_.assembled, required.no_peak, required.quantity);
+    design::RuleSet set;
+    set.min_prominence = required.min_prominence;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+      set.rules.push_back({design::DesignRule::Kind::no_peak, i, required.peak_tolerance});
+      add(RequirementKind::no_peak, channels[i].name, "no peak of " + channels[i].name, "1", required.peak_tolerance);
+    }
+    attempt(first, [&] { set_rule_values(first, set, channels, required.excitations); });
+  }
+
+  void set_rule_values(std::size_t first, const design::RuleSet& set, const std::vector<assembly::Channel>& channels,
+                       const std::vector<std::string>& excitations) {
+    const assembly::Loading loading = assembly::harmonic_loading(c_.system, c_.assembled, excitations);
+    if (loading.vanishes()) throw without_excitation("response, peaks");
+    const response::Peaks found = peaks_of(channels, loading, set.band, set.min_prominence);
+    const design::RuleValues values = design::rule_values(c_.assembled, channels, loading, found, set);
+    for (std::size_t i = 0; i < set.rules.size(); ++i) {
+      RequirementResult& result = results_[first + i];
+      result.value = values.values[i];
+      result.margin = design::margin(set.rules[i], values.values[i]);
+      if (std::isfinite(values.angular_frequencies[i])) result.angular_frequency = values.angular_frequencies[i];
+    }
+  }
+
+  void add_limit_lines(const project::Requirements& required) {
+    for (const project::LimitLineRequest& line : analyses_.limit_lines) {
+      const auto& named = required.limit_lines;
+      const bool asked =
+          !analyses_.requirements || std::find(named.begin(), named.end(), line.line.name) != named.end();
+      if (!asked || !analyses_.response) continue;
+      const std::size_t first = results_.size();
+      RequirementResult& result =
+          add(RequirementKind::limit_line, line.of, fmt::format("{} within \"{}\"", line.of, line.line.name), "1", 1);
+      attempt(first, [&] {
+        const response::Band band = required.band ? *required.band
+            : analyses_.response->band            ? *analyses_.response->band
+                                                  : default_band(c_);
+        const LimitLineResult found = limit_line_answer(c_, {line}, analyses_.response->selection, band).front();
+        result.margin = found.comparison.least_margin;
+        result.value = result.margin > 0 ? 1 / result.margin : infinity;  // share of the line
+        result.angular_frequency = found.comparison.least_margin_at;
+      });
+    }
+  }
+
+  void add_natural_frequencies(const project::Requirements& required) {
+    std::vector<const modal::Mode*> oscillating;
+    for (const modal::Mode& mode : c_.modes.list)
+      if (mode.angular_frequency.value_or(0) > 0) oscillating.push_back(&mode);
+    for (const response::Band& window : required.avoided) {
+      RequirementResult& result =
+          add(RequirementKind::avoided_frequencies, "",
+              fmt::format("no natural frequency in {:.6g} … {:.6g} Hz", window.from / two_pi, window.to / two_pi),
+              "rad/s", window.to);
+      result.margin = result.value.emplace(infinity);
+      for (const modal::Mode* mode : oscillating) {
+        const double omega = *mode->angular_frequency, below = window.from / omega, above = omega / window.to;
+        if (std::max(below, above) >= result.margin) continue;
+        result.margin = std::max(below, above);
+        result.value = result.angular_frequency = omega;
+        result.allowed = below > above ? window.from : window.to;
+        result.detail = fmt::format("mode {}", mode->number);
+      }
+    }
+    if (required.separation == 0) return;
+    RequirementResult& result =
+        add(RequirementKind::separation, "", fmt::format("natural frequencies apart by {:.4g}", required.separation),
+            "1", required.separation);
+    result.margin = result.value.emplace(infinity);
+    for (std::size_t i = 0; i + 1 < oscillating.size(); ++i) {
+      const double ratio = *oscillating[i + 1]->angular_frequency / *oscillating[i]->angular_frequency;
+      if (ratio >= *result.value) continue;
+      result.value = ratio;
+      result.margin = margin_of_least(required.separation, ratio);
+      result.angular_frequency = oscillating[i]->angular_frequency;
+      result.detail = fmt::format("modes {} and {}", oscillating[i]->number, oscillating[i + 1]->number);
+    }
+  }
+
+  void add_damping_ratio(const project::Requirements& required) {
+    if (required.damping_ratio == 0) return;
+    const std::size_t first = results_.size();
+    RequirementResult& result =
+        add(RequirementKind::damping_ratio, "", fmt::format("every damping ratio ≥ {:.4g}", required.damping_ratio),
+            "1", required.damping_ratio);
+    attempt(first, [&] {
+      result.margin = result.value.emplace(infinity);
+      for (const modal::Root& root : c_.roots().list) {
+        const bool grows = root.kind == modal::RootKind::growing;
+        if (!grows && !(root.kind == modal::RootKind::oscillating && root.damping_ratio)) continue;
+        const double ratio = root.damping_ratio.value_or(-1);
+        if (ratio >= *result.value) continue;
+        result.value = ratio;
+        result.margin = margin_of_least(required.damping_ratio, ratio);
+        result.angular_frequency = root.angular_frequency;
+        if (root.nearest_mode) result.detail = fmt::format("mode {}", *root.nearest_mode);
+      }
+    });
+  }
+
+  void add_decoupling(const project::Requirements& required) {
+    for (const project::Requirements::Decoupling& wanted : required.decoupling) {
+      const std::size_t first = results_.size();
+      RequirementResult& result =
+          add(RequirementKind::decoupling, wanted.body,
+              fmt::format("{} decoupled by {:.4g} %", wanted.body, 100 * wanted.least), "1", wanted.least);
+      attempt(first, [&] {
+        const auto& bodies = c_.system.bodies();
+        const auto at =
+            std::find_if(bodies.begin(), bodies.end(), [&](const auto& b) { return b.name == wanted.body; });
+        const modal::BodySuspension suspension =
+            modal::body_suspension(c_.system, c_.assembled, to_size(at - bodies.begin()));
+        result.margin = result.value.emplace(infinity);
+        for (std::size_t i = 0; i < suspension.modes.size(); ++i) {
+          const double share = suspension.modes[i].decoupling();
+          if (share >= *result.value) continue;
+          result.value = share;
+          result.margin = margin_of_least(wanted.least, share);
+          result.angular_frequency = suspension.modes[i].angular_frequency;
+          result.detail = fmt::format("its mode {}", i + 1);
+        }
+      });
+    }
+  }
+
+  void add_rms(const std::vector<project::AmplitudeLimit>& limits) {
+    if (limits.empty()) return;
+    const std::size_t first = results_.size();
+    add_bounds(RequirementKind::rms, limits, "rms of ", [&](const auto& limit) { return unit_of(limit); });
+    attempt(first, [&] {
+      const auto* asked = analyses_.find<project::RandomQuestion>("random");
+      const response::RandomLoading loading = response::random_loading(
+          c_.system, c_.assembled, asked ? asked->selection.excitations : std::vector<std::string>());
+      if (loading.inputs.empty()) throw without_excitation("random");
+      std::vector<assembly::Channel> channels;
+      for (const project::AmplitudeLimit& limit : limits)
+        channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
+      const response::RandomResponse found =
+          response::random_response(c_.assembled, channels, loading, {}, c_.progress);
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        const response::RandomAnswer& answer = found.answers[i];
+        RequirementResult& result = results_[first + i];
+        if (answer.rms || answer.vanishes || answer.infinite_rms) {
+          result.value = answer.infinite_rms ? infinity : answer.rms.value_or(0);
+          result.margin = margin_of(result.allowed, *result.value);
+        } else {
+          result.reason = answer.reason;
+        }
+      }
+    });
+  }
+
+  void add_largest(const std::vector<project::AmplitudeLimit>& limits) {
+    for (const MotionQuantity quantity : motion_quantities) {
+      std::vector<project::AmplitudeLimit> same;
+      std::copy_if(limits.begin(), limits.end(), std::back_inserter(same),
+                   [&](const auto& limit) { return limit.quantity == quantity; });
+      if (same.empty()) continue;
+      const std::size_t first = results_.size();
+      add_bounds(RequirementKind::largest, same, "largest ", [&](const auto& limit) { return unit_of(limit); });
+      attempt(first, [&] { set_largest(first, same, quantity); });
+    }
+  }
+
+  void set_largest(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, MotionQuantity quantity) {
+    const auto* of_file = analyses_.find<project::TransientQuestion>("transient");
+    project::TransientQuestion asked = of_file ? *of_file : project::TransientQuestion();
+    asked.selection.quantity = quantity;
+    asked.selection.of.clear();
+    for (const project::AmplitudeLimit& limit : limits) asked.selection.of.push_back(limit.name);
+    const auto found = std::any_cast<TransientResult>(transient_answer.answer(c_, asked, warnings_));
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+      const response::TimeCurve& curve = found.response.curves[i];
+      const bool upwards = std::abs(curve.largest.value) >= std::abs(curve.smallest.value);
+      const response::Extreme& extreme = upwards ? curve.largest : curve.smallest;
+      RequirementResult& result = results_[first + i];
+      result.value = std::abs(extreme.value);
+      result.time = extreme.time;
+      result.margin = margin_of(result.allowed, extreme.value);
+    }
+  }
+
+  void add_static(const std::vector<project::AmplitudeLimit>& limits) {
+    if (limits.empty()) return;
+    const std::size_t first = results_.size();
+    add_bounds(RequirementKind::static_value, limits, "at rest ", [&](const auto& limit) { return unit_of(limit); });
+    attempt(first, [&] {
+      std::vector<std::string> words;
+      for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
+      const response::StaticResponse rest = response::static_response(
+          c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
+      for (std::size_t i = 0; i < limits.size(); ++i) {
+        results_[first + i].value = std::abs(rest.values[i].value);
+        results_[first + i].margin = margin_of(results_[first + i].allowed, rest.values[i].value);
+      }
+    });
+  }
+
+  /// Static force of each catalogue mount along its axis, against the range of its maker.
+  void add_mount_loads() {
+    for (const model::Element& element : c_.system.elements()) {
+      if (!element.rating) continue;
+      const std::size_t first = results_.size();
+      if (element.rating->compression)
+        add(RequirementKind::mount_load, element.name,
+            fmt::format("{} carries {:.5g} … {:.5g} N", element.name, (*element.rating->compression)(0),
+                        (*element.rating->compression)(1)),
+            "N", (*element.rating->compression)(1));
+      if (element.rating->deflection)
+        add(RequirementKind::mount_deflection, element.name,
+            fmt::format("{} deflects ≤ {}", element.name, value_words(*element.rating->deflection, "m")), "m",
+            *element.rating->deflection);
+      attempt(first, [&] { set_mount_load(first, element); });
+    }
+  }
+
+  void set_mount_load(std::size_t first, const model::Element& element) {
+    const response::StaticResponse rest = response::static_response(
+        c_.system, c_.assembled,
+        assembly::channels(c_.system, c_.assembled, {element.name, element.name + ".deflection"},
+                           MotionQuantity::displacement));
+    Eigen::Vector3d force, deflection;  // on the N side, ground axes; of K against N, axes of the element
+    for (int j = 0; j < 3; ++j) {
+      force(j) = rest.values[to_size(j)].value;
+      deflection(j) = rest.values[to_size(6 + j)].value;
+    }
+    Eigen::Vector3d axis = element.n.axes.col(2);
+    if (element.n.body) axis = c_.system.bodies()[*element.n.body].pose.rotation * axis;
+    const double load = -force.dot(axis), across = (force + load * axis).norm();
+    for (std::size_t i = first; i < results_.size(); ++i) {
+      RequirementResult& result = results_[i];
+      if (result.kind == RequirementKind::mount_deflection) {
+        result.value = std::abs(deflection.z());
+        result.margin = margin_of(result.allowed, deflection.z());
+        continue;
+      }
+      const Eigen::Vector2d& range = *element.rating->compression;
+      result.value = load;
+      result.margin = margin_in_range(load, range);
+      if (load < range(0)) result.allowed = range(0);
+      constexpr double noticeable = 0.01;
+      if (across > noticeable * std::abs(load))
+        result.detail =
+            fmt::format("{} across its axis: not judged, the catalogue has no range", value_words(across, "N"));
+    }
+  }
+
+  /// Least factor by which a load may grow or fall within a range.
+  static double margin_in_range(double load, const Eigen::Vector2d& range) {
+    const double low = range(0), high = range(1);
+    if (load < 0) return low < 0 ? margin_of(low, load) : 0;  // tension
+    const double upper = margin_of(high, load);
+    return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
+  }
+
+  const CaseContext& c_;
+  const project::Analyses& analyses_;
+  foundation::Problems& warnings_;
+  std::vector<RequirementResult> results_;
+};
+
+}  // namespace
+
+std::vector<RequirementResult> requirement_values(const CaseContext& context, const project::Analyses& analyses,
+                                                  foundation::Problems& warnings) {
+  return Judge(context, analyses, warnings).judge();
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/verdict.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/study/explanation.h"
+#include "trivet/study/requirement_values.h"
+
+namespace trivet::study {
+namespace {
+
+/// The result that governs: violated ones and ties in their order.
+std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& results) {
+  constexpr double tie = 1e-6;  // round-off does not choose
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (results[i].value && (!least || results[i].margin < results[*least].margin * (1 - tie))) least = i;
+  return least;
+}
+
+/// What causes a governing amplitude or peak, in words; empty if it is no peak.
+std::string cause_of(const project::Case& variant, const RequirementResult& result) {
+  const bool explained = result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
+  if (!explained || !result.angular_frequency) return "";
+  constexpr double same = 1e-6;
+  constexpr int all = 1000;
+  try {
+    const Explanation found = explanation(variant, {.of = {result.subject}, .most = all});
+    for (const ExplainedPeak& peak : found.peaks)
+      if (std::abs(peak.peak.angular_frequency - *result.angular_frequency) <= same * *result.angular_frequency)
+        return peak.sentence;
+  } catch (const foundation::NotComputable&) {  // the verdict stands without its cause
+  }
+  return "";
+}
+
+}  // namespace
+
+CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
+                         const foundation::Progress& progress) {
+  const CaseContext context(variant.system, progress);
+  CaseVerdict result;
+  result.case_name = variant.name;
+  result.decides = std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end();
+  result.warnings = variant.warnings;
+  result.warnings.add(context.modes.warnings);
+  result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.governing = least_margin(result.results);
+  if (result.governing && std::isfinite(result.results[*result.governing].margin))
+    result.cause = cause_of(variant, result.results[*result.governing]);
+  return result;
+}
+
+const char* name(RequirementKind kind) {
+  static constexpr std::array names = {"amplitude",  "no_peak",       "limit_line", "avoided_frequencies",
+                                       "separation", "damping_ratio", "decoupling", "rms",
+                                       "largest",    "static",        "mount_load", "mount_deflection"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::size_t CaseVerdict::not_judged() const {
+  return to_size(std::count_if(results.begin(), results.end(), [](const RequirementResult& r) { return !r.value; }));
+}
+
+bool CaseVerdict::met() const {
+  return std::all_of(results.begin(), results.end(), [](const RequirementResult& r) { return r.met(); });
+}
+
+bool Verdict::met() const {
+  return std::all_of(cases.begin(), cases.end(), [](const CaseVerdict& c) { return !c.decides || c.met(); });
+}
+
+std::optional<std::size_t> Verdict::governing_case() const {
+  std::optional<std::size_t> least;
+  const auto margin = [&](std::size_t i) { return cases[i].results[*cases[i].governing].margin; };
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].decides && cases[i].governing && (!least || margin(i) < margin(*least))) least = i;
+  return least;
+}
+
+Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
+  const project::Analyses& asked = project.base().analyses;
+  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty())
+    throw foundation::InvalidInput(
+        "verdict: neither requirements nor limits; add [requirements] with limits = {\"BODY.x\" = \"1 mm\"}, no_peak = "
+        "\"coordinates\", damping_ratio = 0.03 …");
+  const std::vector<std::string> hold_in =
+      asked.requirements ? asked.requirements->hold_in : project::Requirements().hold_in;
+  Verdict result;
+  for (std::size_t i = 0; i < project.cases.size(); ++i) {
+    const project::Case& variant = project.cases[i];
+    const foundation::Progress step = [&](std::string_view task, double fraction) {
+      if (progress)
+        progress(fmt::format("{}: {}", variant.name.empty() ? "base model" : variant.name, task),
+                 (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
+    };
+    result.cases.push_back(case_verdict(variant, hold_in, step));
+  }
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/project/project.h"
+
+/// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
+namespace trivet::study {
+
+enum class RequirementKind {
+  amplitude,
+  no_peak,
+  limit_line,
+  avoided_frequencies,
+  separation,
+  damping_ratio,
+  decoupling,
+  rms,
+  largest,
+  static_value,
+  mount_load,
+  mount_deflection
+};
+[[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
+
+/// One requirement with its value in one case.
+struct RequirementResult {
+  RequirementKind kind = RequirementKind::amplitude;
+  std::string subject;                      ///< the result, body or element that is judged; empty: the whole system
+  std::string words;                        ///< "machine.seat.z ≤ 0.5 mm"
+  std::string unit;                         ///< SI, of `allowed` and `value`
+  double allowed = 0;                       ///< bound: largest, or smallest where more is better
+  std::optional<double> value;              ///< none: not judged, see `reason`; infinite if unbounded
+  std::optional<double> angular_frequency;  ///< at which the value occurs [rad/s]
+  std::optional<double> time;               ///< at which it occurs [s]
+  double margin = 0;   ///< 1 on the limit, more if the requirement is met, infinite if nothing limits it
+  std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
+  std::string reason;  ///< why it is not judged
+
+  [[nodiscard]] bool met() const { return value && margin >= 1; }
+};
+
+/// All requirements of one case.
+struct CaseVerdict {
+  std::string case_name;
+  bool decides = true;  ///< the design has to hold in this case
+  std::vector<RequirementResult> results;
+  std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
+  std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it
+  foundation::Problems warnings;
+
+  [[nodiscard]] std::size_t not_judged() const;
+  [[nodiscard]] bool met() const;  ///< every requirement is judged and met
+};
+
+struct Verdict {
+  std::vector<CaseVerdict> cases;  ///< base model first
+
+  /// Every requirement is met in every case in which the design has to hold.
+  [[nodiscard]] bool met() const;
+  /// The case with the least margin among those; none if nothing was judged.
+  [[nodiscard]] std::optional<std::size_t> governing_case() const;
+};
+
+/// Judges one case. @param hold_in  names of the cases in which the design has to hold
+[[nodiscard]] CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
+                                       const foundation::Progress& progress = {});
+
+/// Judges the base model and all cases. Requirements that cannot be judged have the reason.
+/// @throws foundation::InvalidInput if the file has neither requirements nor limits
+[[nodiscard]] Verdict verdict(const project::Project& project, const foundation::Progress& progress = {});
+
+}  // namespace trivet::study

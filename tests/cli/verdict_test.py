@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet verdict` against closed forms and hand calculations."""
+import json
+import math
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+
+DIGITS = 9  # of closed forms; the program states nine for peaks
+M, K, C, G = 40.0, 2.5e5, 400.0, 9.80665
+
+# A mass on a spring and a damper that moves along z only.
+OSCILLATOR = f"""trivet = 1
+gravity = [0, 0, -{G}]
+[bodies.m]
+mass = {M}
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, {K}]
+damping = {{translation = [1e-3, 1e-3, {C}]}}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+"""
+NATURAL = math.sqrt(K / M)
+RATIO = C / (2 * math.sqrt(K * M))
+
+
+class Verdict(InTemporaryFolder):
+    def judged(self, text, case=0):
+        found = answer("verdict", self.file(text))
+        return {r["requirement"]: r for r in found["cases"][case]["requirements"]}, found
+
+    def one(self, requirement, more=""):
+        results, _ = self.judged(OSCILLATOR + more + "[requirements]\n" + requirement + "\n")
+        self.assertEqual(len(results), 1)
+        return next(iter(results.values()))
+
+    def test_amplitude_is_the_resonance_peak(self):
+        peak = 30 / K / (2 * RATIO * math.sqrt(1 - RATIO**2))
+        found = self.one('limits = {"m.z" = "0.9 mm"}')
+        self.assertAlmostEqual(found["value"] / peak, 1, DIGITS)
+        self.assertAlmostEqual(found["margin"] * peak / 0.9e-3, 1, DIGITS)
+        self.assertAlmostEqual(found["angular_frequency"] / (NATURAL * math.sqrt(1 - 2 * RATIO**2)), 1, DIGITS)
+        self.assertFalse(found["met"])
+        # The velocity is largest at the natural frequency itself: F / c.
+        self.assertAlmostEqual(self.one('limits = {"m.z" = "80 mm/s"}')["margin"], 0.08 / (30 / C), DIGITS)
+
+    def test_amplitude_in_a_band_below_the_peak(self):
+        found = self.one('band = ["0 Hz", "5 Hz"]\nlimits = {"m.z" = "1 mm"}')
+        w = 10 * math.pi
+        self.assertAlmostEqual(found["value"], 30 / math.hypot(K - M * w * w, C * w), DIGITS)
+
+    def test_peak(self):
+        rise = (
+            1 / (2 * RATIO * math.sqrt(1 - RATIO**2)) - 1
+        )  # over the amplitude at rest; behind the peak it falls to 0
+        found = self.one('no_peak = "m.z"\npeak_tolerance = 0.2')
+        self.assertAlmostEqual(found["margin"], 1.2 / (1 + rise), DIGITS)
+        aperiodic = OSCILLATOR.replace(str(C), str(2 * C / RATIO)) + '[requirements]\nno_peak = "m.z"\n'
+        results, found = self.judged(aperiodic)
+        self.assertTrue(found["met"])
+        self.assertIsNone(results["no peak of m.z"]["margin"])  # nothing limits it
+
+    def test_natural_frequency_and_windows(self):
+        hertz = NATURAL / (2 * math.pi)  # 12.58 Hz
+        for window, margin in (
+            ((5, 10), hertz / 10),
+            ((15, 20), 15 / hertz),
+            ((12, 20), 12 / hertz),
+            ((5, 13), hertz / 13),
+        ):
+            found = self.one(f'natural_frequencies = {{avoid = [["{window[0]} Hz", "{window[1]} Hz"]]}}')
+            self.assertAlmostEqual(found["margin"], margin, DIGITS)
+            self.assertEqual(found["met"], margin >= 1)
+
+    def test_damping_ratio(self):
+        self.assertAlmostEqual(self.one("damping_ratio = 0.05")["margin"], RATIO / 0.05, DIGITS)
+        undamped = OSCILLATOR.replace(f"[1e-3, 1e-3, {C}]", "[0, 0, 0]") + "[requirements]\ndamping_ratio = 0.05\n"
+        results, found = self.judged(undamped)
+        self.assertFalse(found["met"])
+        self.assertAlmostEqual(next(iter(results.values()))["margin"], 0, DIGITS)
+
+    def test_deflection_at_rest(self):
+        found = self.one('static = {"m.z" = "2 mm"}')
+        self.assertAlmostEqual(found["value"], M * G / K, DIGITS)
+        self.assertAlmostEqual(found["margin"], 2e-3 * K / (M * G), DIGITS)
+
+    def test_largest_motion_after_a_step(self):
+        step = '[excitations.s]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 50}}\n'
+        overshoot = 1 + math.exp(-math.pi * RATIO / math.sqrt(1 - RATIO**2))
+        found = self.one('largest = {"m.z" = "0.5 mm"}', step)
+        self.assertAlmostEqual(found["value"] / (50 / K * overshoot), 1, DIGITS)
+        self.assertAlmostEqual(found["margin"] * found["value"], 0.5e-3, DIGITS)
+
+    def test_rms_under_white_noise(self):
+        # Σ² = π S₀ / (c k) for a density S₀ over −∞ … ∞; here one-sided over frequency, to 400 natural frequencies.
+        top = 400 * NATURAL / (2 * math.pi)
+        noise = f'[excitations.n]\ntype = "random"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\npsd = {{rows = [[0.001, 3], [{top}, 3]]}}\n'
+        found = self.one('rms = {"m.z" = "1 mm"}', noise)
+        exact = math.sqrt(3 / (4 * C * K))
+        self.assertAlmostEqual(found["value"] / exact, 1, 4)  # the band ends: 1e-3 Hz and 400 natural frequencies
+
+    def test_separation_and_decoupling(self):
+        two = OSCILLATOR.replace('free = ["z"]', 'free = ["x", "z"]').replace("[1, 1,", f"[{K / 1.44}, 1,")
+        results, _ = self.judged(
+            two + "[requirements]\nnatural_frequencies = {separation = 1.15}\ndecoupling = {m = 0.9}\n"
+        )
+        apart, pure = results["natural frequencies apart by 1.15"], results["m decoupled by 90 %"]
+        self.assertAlmostEqual(apart["value"], 1.2, DIGITS)
+        self.assertAlmostEqual(apart["margin"], 1.2 / 1.15, DIGITS)
+        self.assertAlmostEqual(pure["value"], 1, DIGITS)
+
+    def test_loads_of_catalogue_mounts(self):
+        (self.folder / "own.toml").write_text(
+            'catalogue = 1\ntitle = "t"\nsource = "s"\n[mounts.a]\nmaker = "m"\ntranslation = [1e5, 1e5, 2e5]\n'
+            'static_load = [250, 400]\nstatic_deflection_limit = "2 mm"\n'
+        )
+        mounts = "".join(
+            f'[elements.{name}]\ntype = "catalogue:a"\ncatalogue = "own.toml"\non = "m"\nat = [{x}, {y}, 0]\n'
+            for name, x, y in (("a", 0.5, 0.3), ("b", 0.5, -0.3), ("c", -0.5, 0.3), ("d", -0.5, -0.3))
+        )
+        text = f"""trivet = 1
+gravity = [0, 0, -{G}]
+[bodies.m]
+mass = 100
+center_of_mass = [0.1, 0.03, 0.2]
+inertia = {{about = "center_of_mass", xx = 5, yy = 5, zz = 5}}
+{mounts}[requirements]
+mount_load = "catalogue"
+"""
+        results, found = self.judged(text)
+        self.assertFalse(found["met"])
+        for name, x, y in (("a", 1, 1), ("b", 1, -1), ("c", -1, 1), ("d", -1, -1)):
+            load = 100 * G / 4 * (1 + 0.1 / 0.5 * x + 0.03 / 0.3 * y)
+            carries, deflects = results[f"{name} carries 250 … 400 N"], results[f"{name} deflects ≤ 2 mm"]
+            self.assertAlmostEqual(carries["value"] / load, 1, DIGITS)
+            self.assertAlmostEqual(carries["margin"], min(400 / load, load / 250), DIGITS)
+            self.assertAlmostEqual(deflects["margin"], 2e-3 * 2e5 / load, DIGITS)
+        upside_down = text.replace(f"-{G}]", f"{G}]")
+        results, _ = self.judged(upside_down)
+        self.assertEqual({r["margin"] for n, r in results.items() if "carries" in n}, {0})  # tension has no range
+
+    def test_cases_in_which_the_design_has_to_hold(self):
+        text = (
+            OSCILLATOR
+            + '[requirements]\nstatic = {"m.z" = "2 mm"}\nhold_in = ["", "soft"]\n[cases.soft]\nelements.s.scale = 0.5\n'
+        )
+        path = self.file(text)
+        found = answer("verdict", path)
+        self.assertEqual([c["met"] for c in found["cases"]], [True, False])
+        self.assertFalse(found["met"])
+        self.assertEqual(trivet("verdict", path).returncode, 0)
+        strict = trivet("verdict", path, "--strict")
+        self.assertEqual((strict.returncode, "1 requirement violated" in strict.stderr), (3, True))
+        alone = self.file(text.replace('"", "soft"', '""'))
+        self.assertTrue(answer("verdict", alone)["met"])
+        self.assertEqual(trivet("verdict", alone, "--strict").returncode, 0)
+
+    def test_what_cannot_be_judged_has_its_reason(self):
+        step = '[excitations.s]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 50}}\n'
+        lossy = OSCILLATOR.replace(f"{{translation = [1e-3, 1e-3, {C}]}}", "{loss_factor = 0.1}")
+        path = self.file(lossy + step + '[requirements]\nlargest = {"m.z" = "1 mm"}\nlimits = {"m.z" = "9 mm"}\n')
+        done = trivet("verdict", path, "--json")
+        self.assertEqual(done.returncode, 1)
+        largest = json.loads(done.stdout)["cases"][0]["requirements"][1]
+        self.assertEqual((largest["judged"], largest["met"], "loss factor" in largest["reason"]), (False, False, True))
+        self.assertIn("NOT JUDGED", trivet("verdict", path).stdout)
+
+    def test_limits_and_lines_of_the_file_are_requirements(self):
+        lines = '[limit_lines.severity]\nof = "m.z"\nrows = [[1, 2e-3], [50, 2e-3]]\n'
+        more = '[analyses.response]\nband = ["0 Hz", "5 Hz"]\n[limits]\n"m.z" = "1 mm"\n' + lines
+        results, _ = self.judged(OSCILLATOR + more)
+        self.assertEqual(len(results), 2)
+        w = 10 * math.pi
+        level = w * 30 / math.hypot(K - M * w * w, C * w) / math.sqrt(2)
+        self.assertAlmostEqual(results['m.z within "severity"']["margin"], 2e-3 / level, DIGITS)
+        results, _ = self.judged(OSCILLATOR + more + "[requirements]\ndamping_ratio = 0.01\n")
+        self.assertEqual(len(results), 2)  # the line is not named there
+
+    def test_a_run_begins_with_the_verdict(self):
+        target = self.folder / "out"
+        done = trivet("run", SOURCE / "examples/compressor/requirements.toml", "-o", target)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("Base model: meets its requirements, 16 of 16"), done.stdout[:200])
+        cases = json.loads((target / "results.json").read_text())["cases"]
+        self.assertEqual([c["verdict"]["met"] for c in cases], [True, False, False])
+        self.assertEqual([c["verdict"]["decides"] for c in cases], [True, True, False])
+        self.assertIn("carries 0 … 872 N", (target / "report.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
