@@ -139,6 +139,16 @@ class Nodes(unittest.TestCase):
         for check in json.loads(done.stdout)["deep"]:
             self.assertLess(check["worst_difference"], check["allowed"], check)
 
+    def test_they_come_from_tables_too(self):
+        listed = BARS.replace(
+            "[nodes.joint]\nposition = [0, 0, 0.1]\n",
+            '[tables.nodes]\nrows = [{name = "joint", position.x = 0, position.y = 0, position.z = "100 mm"}]\n',
+        )
+        self.assertNotEqual(listed, BARS)
+        self.assertEqual(self.run_on("modes", listed, "--json"), self.run_on("modes", BARS, "--json"))
+        double = listed + "[nodes.joint]\nposition = [0, 0, 0.2]\n"
+        self.assertIn("nodes.joint: defined a second time", self.run_on("check", double, code=2))
+
     def test_the_schema_knows_them(self):
         schema = json.loads(subprocess.run([TRIVET, "schema"], capture_output=True, text=True, timeout=60).stdout)
         self.assertIn("nodes", schema["properties"])

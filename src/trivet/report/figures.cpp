@@ -249,7 +249,7 @@ std::vector<Figure> characteristics(const study::Answers& answers) {
 
 Figure overview(const std::string& title, const std::vector<study::Answers>& cases) {
   constexpr std::size_t columns = 3, most_cases = 12;
-  const double width = 270, height = 120, column_pitch = 335, row_pitch = 2 * height + 110;
+  const double width = 270, height = 120, column_pitch = 335, pitch_of_two_panels = 2 * height + 110;
   const study::Answers* const as_base = repeating_case(cases);
   std::vector<const study::Answers*> shown;
   for (const study::Answers& answers : cases)
@@ -259,6 +259,10 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
   const std::size_t rows = (shown.size() + columns - 1) / columns;
   const double canvas_width =
       std::max(30 + column_pitch * static_cast<double>(used_columns), 40 + 9.0 * static_cast<double>(title.size()));
+  const bool one_panel_each = std::all_of(shown.begin(), shown.end(), [](const study::Answers* answers) {
+    return curve_groups(curve_names(answers->response->curves.curves)).front().lower.empty();
+  });
+  const double row_pitch = one_panel_each ? pitch_of_two_panels - (height + 28) : pitch_of_two_panels;
   SvgCanvas canvas(canvas_width, 44 + row_pitch * static_cast<double>(rows));
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   // One scale for all, so that the cases can be compared.

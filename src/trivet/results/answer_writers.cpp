@@ -22,11 +22,7 @@ Json warnings(const foundation::Problems& problems) {
   return result;
 }
 
-Json curve(const response::Curve& c) {
-  Json values = Json::array();
-  for (Eigen::Index i = 0; i < c.value.size(); ++i) values.push_back(complex_number(c.value(i)));
-  return {{"name", c.name}, {"unit", c.unit}, {"complex", std::move(values)}};
-}
+Json curve(const response::Curve& c) { return {{"name", c.name}, {"unit", c.unit}, {"complex", list(c.value)}}; }
 
 }  // namespace json
 

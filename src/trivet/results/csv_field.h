@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "trivet/results/shortest_digits.h"
+
 namespace trivet::results {
 
 /// A field of RFC 4180: in quotes if it contains commas, quotes or line breaks.
@@ -22,6 +24,12 @@ namespace trivet::results {
 
 /// Shortest digits that read back the same number; empty for NaN.
 [[nodiscard]] inline std::string csv_number(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+/// Appends a comma and the number.
+inline void append_csv_number(std::string& line, double value) {
+  line += ',';
+  if (!std::isnan(value)) line += ShortestDigits(value).view();
+}
 
 template <typename T>
 [[nodiscard]] std::string csv_number(const std::optional<T>& value) {

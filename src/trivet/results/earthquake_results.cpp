@@ -51,7 +51,7 @@ std::string earthquake_csv(const project::Case&, const study::Answers& answers) 
   for (const response::CombinedAnswer& a : e.answers) {
     text += fmt::format("{},{},{},{}", csv_field(a.name), csv_field(a.unit), csv_number(a.complete_quadratic),
                         csv_number(a.square_root_of_sum_of_squares));
-    for (Eigen::Index m = 0; m < a.modal_maxima.size(); ++m) text += "," + csv_number(a.modal_maxima(m));
+    for (Eigen::Index m = 0; m < a.modal_maxima.size(); ++m) append_csv_number(text, a.modal_maxima(m));
     text += "\n";
   }
   return text;

@@ -83,7 +83,7 @@ std::string modes_csv(const project::Case& variant, const study::Answers& answer
     text += fmt::format(
         "{},{},{},{},{}", mode.number, csv_number(mode.eigenvalue_squared), csv_number(mode.angular_frequency),
         mode.angular_frequency ? csv_number(*mode.angular_frequency / two_pi) : "", csv_field(mode.name));
-    for (const double component : mode.shape) text += "," + csv_number(component);
+    for (const double component : mode.shape) append_csv_number(text, component);
     for (std::size_t e = 0; e < variant.system.elements().size(); ++e)
       text += "," + (mode.strain_energy_share ? csv_number((*mode.strain_energy_share)(to_index(e))) : std::string());
     text += "\n";

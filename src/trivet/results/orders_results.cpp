@@ -19,7 +19,7 @@ namespace {
 Json orders(const project::Case&, const study::Answers& answers) {
   const response::RunUp& run = answers.find<study::OrdersResult>("orders")->run_up;
   const response::Campbell& campbell = answers.find<study::OrdersResult>("orders")->campbell;
-  Json result{{"speed", run.speed},
+  Json result{{"speed", list(run.speed)},
               {"orders", Json::array()},
               {"overall", Json::array()},
               {"critical_speeds", Json::array()},
@@ -82,9 +82,9 @@ std::string orders_csv(const project::Case&, const study::Answers& answers) {
   text += "\n";
   for (std::size_t k = 0; k < run.speed.size(); ++k) {
     text += fmt::format("{},{}", run.speed[k], run.speed[k] * 60 / two_pi);
-    for (const response::Overall& o : run.overall) text += "," + csv_number(o.rms(to_index(k)));
+    for (const response::Overall& o : run.overall) append_csv_number(text, o.rms(to_index(k)));
     for (const response::OrderCurves& order : run.orders)
-      for (const response::Curve& c : order.curves) text += "," + csv_number(std::abs(c.value(to_index(k))));
+      for (const response::Curve& c : order.curves) append_csv_number(text, std::abs(c.value(to_index(k))));
     text += "\n";
   }
   return text;

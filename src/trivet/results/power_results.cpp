@@ -16,7 +16,7 @@ namespace {
 
 Json power(const project::Case&, const study::Answers& answers) {
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
-  Json result{{"angular_frequency", p.angular_frequency},
+  Json result{{"angular_frequency", list(p.angular_frequency)},
               {"mounts", Json::array()},
               {"into_ground_in_total", list(p.into_ground_in_total)},
               {"by_forces", list(p.by_forces)},
@@ -46,7 +46,7 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
     const auto column = to_index(k);
     text += fmt::format("{},{},{},{}", p.angular_frequency[k], csv_number(p.by_forces(column)),
                         csv_number(p.by_ground(column)), csv_number(p.into_ground_in_total(column)));
-    for (Eigen::Index m = 0; m < p.into_ground.rows(); ++m) text += "," + csv_number(p.into_ground(m, column));
+    for (Eigen::Index m = 0; m < p.into_ground.rows(); ++m) append_csv_number(text, p.into_ground(m, column));
     text += "\n";
   }
   return text;

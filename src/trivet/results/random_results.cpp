@@ -25,7 +25,7 @@ Json random(const project::Case&, const study::Answers& answers) {
               {"remark", random.response.remark},
               {"inputs", random.inputs},
               {"band", {random.response.from, number(random.response.to)}},
-              {"angular_frequency", random.curves.angular_frequency},
+              {"angular_frequency", list(random.curves.angular_frequency)},
               {"warnings", warnings(answers.warnings)}};
   if (!random.total_values.empty()) {
     result["vibration_total_values"] = Json::object();
@@ -37,8 +37,8 @@ Json random(const project::Case&, const study::Answers& answers) {
   }
   for (std::size_t i = 0; i < random.response.answers.size(); ++i) {
     const response::RandomAnswer& a = random.response.answers[i];
-    Json density = Json::array();
-    for (const double s : random.curves.density[i]) density.push_back(number(2 * std::numbers::pi * s));
+    NumberList density;
+    for (const double s : random.curves.density[i]) density.add(2 * std::numbers::pi * s);
     Json infinite = Json::array();
     for (const auto& [is, what] : {std::pair{a.infinite_rms, "rms"},
                                    {a.infinite_rms_of_derivative, "rms_of_derivative"},
@@ -56,7 +56,7 @@ Json random(const project::Case&, const study::Answers& answers) {
                                  {"vanishes", a.vanishes},
                                  {"estimated_error", number(a.estimated_error)},
                                  {"reason", a.reason},
-                                 {"density_per_hz", std::move(density)}});
+                                 {"density_per_hz", std::move(density).json()}});
   }
   return result;
 }
@@ -115,7 +115,7 @@ std::string random_densities_csv(const project::Case&, const study::Answers& ans
   text += "\n";
   for (std::size_t k = 0; k < random.curves.angular_frequency.size(); ++k) {
     text += csv_number(random.curves.angular_frequency[k] / two_pi);
-    for (const auto& density : random.curves.density) text += "," + csv_number(two_pi * density[k]);
+    for (const auto& density : random.curves.density) append_csv_number(text, two_pi * density[k]);
     text += "\n";
   }
   return text;

@@ -19,12 +19,12 @@ namespace {
 /// Real and imaginary parts alternating in one list, which is shorter than a list of pairs.
 template <typename Vector>
 Json complex_list(const Vector& values) {
-  Json result = Json::array();
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    result.push_back(values(i).real());
-    result.push_back(values(i).imag());
+  NumberList result;
+  for (const std::complex<double>& value : values) {
+    result.add(value.real());
+    result.add(value.imag());
   }
-  return result;
+  return std::move(result).json();
 }
 
 Json solution_checks(const study::ResponseAnswer& answer) {
@@ -49,16 +49,14 @@ Json solution_checks(const study::ResponseAnswer& answer) {
 
 Json response(const study::Answers& answers) {
   const study::ResponseAnswer& answer = *answers.response;
-  Json result{{"angular_frequency", answer.curves.angular_frequency},
+  Json result{{"angular_frequency", list(answer.curves.angular_frequency)},
               {"results", Json::array()},
               {"checks", solution_checks(answer)},
               {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
     const response::Curve& curve = answer.curves.curves[c];
-    Json values = Json::array();
-    for (Eigen::Index i = 0; i < curve.value.size(); ++i) values.push_back(complex_number(curve.value(i)));
     result["results"].push_back(
-        {{"name", curve.name}, {"unit", curve.unit}, {"complex", std::move(values)}, {"phase", list(answer.phase[c])}});
+        {{"name", curve.name}, {"unit", curve.unit}, {"complex", list(curve.value)}, {"phase", list(answer.phase[c])}});
   }
   return result;
 }
@@ -129,9 +127,9 @@ std::string response_csv(const project::Case&, const study::Answers& answers) {
     text += csv_number(answer.curves.angular_frequency[i]);
     for (const auto& curve : answer.curves.curves) {
       const std::complex<double> z = curve.value(row);
-      text += fmt::format(",{},{},{}", csv_number(z.real()), csv_number(z.imag()), csv_number(std::abs(z)));
+      for (const double value : {z.real(), z.imag(), std::abs(z)}) append_csv_number(text, value);
     }
-    for (const auto& phase : answer.phase) text += "," + csv_number(phase(row));
+    for (const auto& phase : answer.phase) append_csv_number(text, phase(row));
     text += "\n";
   }
   return text;

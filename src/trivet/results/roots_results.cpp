@@ -19,15 +19,13 @@ Json names_of_bodies(const project::Case& variant) {
 Json roots(const project::Case& variant, const study::Answers& answers) {
   Json result{{"bodies", names_of_bodies(variant)}, {"roots", Json::array()}, {"warnings", warnings(answers.warnings)}};
   for (const modal::Root& root : answers.roots.list) {
-    Json shape = Json::array();
-    for (Eigen::Index i = 0; i < root.shape.size(); ++i) shape.push_back(complex_number(root.shape(i)));
     result["roots"].push_back({{"eigenvalue", complex_number(root.eigenvalue)},
                                {"kind", modal::name(root.kind)},
                                {"angular_frequency", optional(root.angular_frequency)},
                                {"damped_angular_frequency", optional(root.damped_angular_frequency)},
                                {"damping_ratio", optional(root.damping_ratio)},
                                {"exact", root.exact},
-                               {"shape", std::move(shape)},
+                               {"shape", list(root.shape)},
                                {"nearest_mode", optional(root.nearest_mode)}});
   }
   return result;

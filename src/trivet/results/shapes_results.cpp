@@ -15,9 +15,7 @@ namespace json {
 namespace {
 
 Json place(const response::MovingPlace& p) {
-  Json motion = Json::array();
-  for (Eigen::Index j = 0; j < 6; ++j) motion.push_back(complex_number(p.motion(j)));
-  return {{"name", p.name}, {"position", list(p.position)}, {"motion", std::move(motion)}};
+  return {{"name", p.name}, {"position", list(p.position)}, {"motion", list(p.motion)}};
 }
 
 Json shapes(const project::Case&, const study::Answers& answers) {
@@ -48,8 +46,8 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
       for (const response::MovingPlace& p : *group) {
         text += fmt::format("{},{},{},{},{}", shape.angular_frequency, csv_field(p.name), p.position.x(),
                             p.position.y(), p.position.z());
-        for (int j = 0; j < 6; ++j) text += "," + csv_number(p.motion(j).real());
-        for (int j = 0; j < 6; ++j) text += "," + csv_number(p.motion(j).imag());
+        for (int j = 0; j < 6; ++j) append_csv_number(text, p.motion(j).real());
+        for (int j = 0; j < 6; ++j) append_csv_number(text, p.motion(j).imag());
         text += "\n";
       }
   return text;

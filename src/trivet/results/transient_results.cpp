@@ -38,7 +38,7 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
   text += "\n";
   for (Eigen::Index k = 0; k < found.time.size(); ++k) {
     text += csv_number(found.time(k));
-    for (const response::TimeCurve& c : found.curves) text += "," + csv_number(c.values(k));
+    for (const response::TimeCurve& c : found.curves) append_csv_number(text, c.values(k));
     text += "\n";
   }
   return text;

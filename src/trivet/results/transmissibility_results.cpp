@@ -17,19 +17,20 @@ namespace {
 Json transmissibility(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
   Json result{{"of", t.words},
-              {"angular_frequency", t.curves.angular_frequency},
+              {"angular_frequency", list(t.curves.angular_frequency)},
               {"results", Json::array()},
               {"peaks", Json::array()},
               {"warnings", warnings(answers.warnings)}};
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::Curve& c = t.curves.curves[i];
-    Json one = curve(c), level = Json::array(), efficiency = Json::array();
+    NumberList level, efficiency;
     for (const auto& value : c.value) {
-      level.push_back(number(response::transmissibility_level(std::abs(value))));
-      efficiency.push_back(number(response::isolation_efficiency(std::abs(value))));
+      level.add(response::transmissibility_level(std::abs(value)));
+      efficiency.add(response::isolation_efficiency(std::abs(value)));
     }
-    one["level_db"] = std::move(level);
-    one["isolation_efficiency"] = t.is_share(i) ? Json() : std::move(efficiency);
+    Json one = curve(c);
+    one["level_db"] = std::move(level).json();
+    one["isolation_efficiency"] = t.is_share(i) ? Json() : std::move(efficiency).json();
     one["isolates_from"] = t.is_share(i) ? Json() : optional(t.crossovers[i].angular_frequency);
     result["results"].push_back(std::move(one));
   }
@@ -56,7 +57,7 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
     text += csv_number(t.curves.angular_frequency[k]);
     for (const response::Curve& c : t.curves.curves) {
       const double size = std::abs(c.value(to_index(k)));
-      text += fmt::format(",{},{}", csv_number(size), csv_number(response::transmissibility_level(size)));
+      for (const double value : {size, response::transmissibility_level(size)}) append_csv_number(text, value);
     }
     text += "\n";
   }

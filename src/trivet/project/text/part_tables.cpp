@@ -23,7 +23,7 @@ namespace {
 /// Most rows of one table; a model has at most as many elements.
 constexpr std::size_t most_rows = 5000;
 
-/// One kind of parts: "elements", "bodies" or "points".
+/// One kind of parts: "elements", "bodies", "nodes" or "points".
 class PartTable {
  public:
   PartTable(Node& document, std::string kind, foundation::Problems& problems)
@@ -300,13 +300,13 @@ void put_tables_in_place(Node& document, foundation::Problems& problems) {
   document.keys.erase(at);
   if (tables.kind != Node::Kind::table) {
     problems
-        .error("tables", kind_name(tables.kind), "[tables] has tables of bodies, points and elements",
+        .error("tables", kind_name(tables.kind), "[tables] has tables of bodies, nodes, points and elements",
                "write [tables.elements]")
         .origin = tables.origin;
     return;
   }
   TableReader reader(tables, "tables", problems);
-  for (const char* kind : {"bodies", "points", "elements"})
+  for (const char* kind : {"bodies", "nodes", "points", "elements"})
     if (const Node* table = reader.table(kind)) PartTable(document, kind, problems).read(*table);
   reader.finish();
 }
