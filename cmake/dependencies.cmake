@@ -9,6 +9,7 @@ find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED CONFIG)  # headers of Boost.Math, included by source files only
 find_package(hwy REQUIRED)
+find_package(NLopt REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)

@@ -46,6 +46,7 @@ int explain_command(const Options& options);
 int suspension_command(const Options& options);
 int map_command(const Options& options);
 int verdict_command(const Options& options);
+int optimize_command(const Options& options);
 
 /// The command line requests something that the project does not have.
 struct BadArgument : std::runtime_error {

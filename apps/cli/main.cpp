@@ -98,6 +98,7 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "explain") return trivet::cli::explain_command(options);
   if (which == "suspension") return trivet::cli::suspension_command(options);
   if (which == "verdict") return trivet::cli::verdict_command(options);
+  if (which == "optimize") return trivet::cli::optimize_command(options);
   if (which == "map") return trivet::cli::map_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
@@ -169,6 +170,13 @@ void add_verdict(CLI::App& app, Options& options) {
   add_strict(verdict, options);
 }
 
+void add_optimize(CLI::App& app, Options& options) {
+  CLI::App* optimize = add_command(
+      app, "optimize", "the values of [parameters] with the largest least margin, or the smallest amplitudes", options);
+  optimize->add_flag("--json", options.json, "JSON");
+  add_strict(optimize, options);
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
@@ -195,6 +203,7 @@ int run(int argc, char** argv) {
   add_suspension(app, options);
   add_map(app, options);
   add_verdict(app, options);
+  add_optimize(app, options);
   add_element(app, options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");

@@ -49,7 +49,8 @@ foundation::Problems model_warnings(const project::Case& variant) {
 }  // namespace
 
 int map_command(const Options& options) {
-  const auto project = read_or_complain(options, questions_of(options, {"map", "response", "peaks", "limits"}));
+  const auto project =
+      read_or_complain(options, questions_of(options, {"map", "parameters", "response", "peaks", "limits"}));
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);

@@ -95,6 +95,7 @@ ON_THE_FRAME = (
 )
 KEYS = "docs/project-file.md"
 
+POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
 
 BASES = {
@@ -107,7 +108,11 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
-    ("docs/design.md", "Requirements and the verdict"): REQUIRED[0] + "[cases." + REQUIRED[1].partition("[cases.")[2],
+    ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
+    + "[cases."
+    + REQUIRED[1].partition("[cases.")[2],
+    ("docs/design.md", "Parameters"): POWERTRAIN.split("[parameters")[0] + "[requirements]\ndamping_ratio = 0.01\n",
+    ("docs/design.md", "trivet optimize"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     (KEYS, "Nodes"): FRAME

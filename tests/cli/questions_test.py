@@ -57,9 +57,9 @@ def trivet(*arguments, code=0):
 
 
 def questions():
-    """All tables of [analyses] except the map, and the limit lines; MACHINE or an example must contain each."""
+    """All tables of [analyses] except the map and the search, and the limit lines; MACHINE or an example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
-    return [*(name for name in analyses if name != "map"), "limit_lines"]
+    return [*(name for name in analyses if name not in ("map", "optimize")), "limit_lines"]
 
 
 QUESTIONS = questions()

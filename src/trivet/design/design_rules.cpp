@@ -17,13 +17,12 @@ constexpr double tie =
 
 }  // namespace
 
-LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
-                                 const assembly::Loading& loading, const response::Peaks& found, std::size_t curve,
-                                 const response::Band& band) {
-  LargestAmplitude largest{0, band.from};
-  const auto consider = [&](double amplitude, double omega) {
-    if (amplitude > largest.amplitude) largest = {amplitude, omega};
-  };
+std::vector<LargestAmplitude> maxima_in_band(const assembly::Assembled& assembled,
+                                             const std::vector<assembly::Channel>& channels,
+                                             const assembly::Loading& loading, const response::Peaks& found,
+                                             std::size_t curve, const response::Band& band) {
+  std::vector<LargestAmplitude> maxima;
+  const auto consider = [&](double amplitude, double omega) { maxima.push_back({amplitude, omega}); };
   // At ω = 0 a rigid-body mode has no steady amplitude; just above, the curve shows whether it contains that mode.
   const double start = std::max(band.from, found.searched_from), end = std::isinf(band.to) ? start : band.to;
   const bool starts_late = start > band.from;
@@ -46,6 +45,15 @@ LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std
   const response::CurveSummary& whole = found.curves[curve];
   if (std::isinf(band.to) && whole.highest_at >= found.searched_to)
     consider(whole.highest, whole.highest_at);  // an acceleration that grows up to the end of the search
+  return maxima;
+}
+
+LargestAmplitude largest_in_band(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,
+                                 const assembly::Loading& loading, const response::Peaks& found, std::size_t curve,
+                                 const response::Band& band) {
+  LargestAmplitude largest{0, band.from};
+  for (const LargestAmplitude& one : maxima_in_band(assembled, channels, loading, found, curve, band))
+    if (one.amplitude > largest.amplitude) largest = one;
   return largest;
 }
 

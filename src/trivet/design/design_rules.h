@@ -14,9 +14,15 @@ struct LargestAmplitude {
   double angular_frequency = 0;  ///< [rad/s]; infinite if the amplitude is only approached
 };
 
-/// Largest amplitude of one channel in a band: at an end of the band or at an extremum inside. A band may reach to
-/// infinity.
+/// Amplitudes of one channel at the ends of a band and at the maxima inside. A band may reach to infinity.
 /// @param found  the peaks of all `channels`; `curve` is the index of one of them
+[[nodiscard]] std::vector<LargestAmplitude> maxima_in_band(const assembly::Assembled& assembled,
+                                                           const std::vector<assembly::Channel>& channels,
+                                                           const assembly::Loading& loading,
+                                                           const response::Peaks& found, std::size_t curve,
+                                                           const response::Band& band);
+
+/// The largest of them.
 [[nodiscard]] LargestAmplitude largest_in_band(const assembly::Assembled& assembled,
                                                const std::vector<assembly::Channel>& channels,
                                                const assembly::Loading& loading, const response::Peaks& found,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "trivet/project/model_number.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/model_path.h"
 
@@ -27,10 +28,36 @@ std::optional<foundation::Problem> first_new_error(Node model, const std::vector
   return std::nullopt;
 }
 
+bool has_problem_at(const foundation::Problems& problems, const std::string& path) {
+  return std::any_of(problems.list().begin(), problems.list().end(),
+                     [&](const foundation::Problem& p) { return p.subject.starts_with(path); });
+}
+
+/// Reports an axis if the model rejects each of these designs; the first reason is the finding.
+void refuse_if_all_fail(const Node& document, const std::vector<std::vector<Node>>& designs, const DesignAxis& axis,
+                        const std::string& subject, bool has_range, const ReadModel& read,
+                        foundation::Problems& problems) {
+  const Node model = without_questions(document);
+  std::optional<foundation::Problem> first;
+  for (const std::vector<Node>& design : designs) {
+    const auto problem = first_new_error(model, design, problems, read);
+    if (!problem) return;
+    if (!first) first = problem;
+  }
+  if (!has_range && first->finding != "unknown key") return;  // 1 may be outside an unreadable range
+  problems
+      .error(subject, "\"" + axis.parameter.substr(0, 80) + "\"",
+             fmt::format("the model rejects this parameter: {}: {}; {}", first->subject, first->finding, first->rule),
+             first->remedy)
+      .origin = deepest(document, subject).origin;
+}
+
+Node changed(const DesignAxis& axis, double value) { return ModelNumber(axis).change(value); }
+
 }  // namespace
 
 Node without_questions(Node document) {
-  for (const char* question : {"analyses", "limits", "limit_lines", "requirements", "cases"})
+  for (const char* question : {"analyses", "limits", "limit_lines", "requirements", "parameters", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);
@@ -40,38 +67,32 @@ Node without_questions(Node document) {
 
 void check_map_numbers(const Node& document, const MapRequest& map, const ReadModel& read,
                        foundation::Problems& problems) {
-  const Node model = without_questions(document);
-  const auto changed = [](const MapAxis& axis, double value) {
-    return change_of(path_keys(axis.parameter), value, axis.unit);
-  };
   for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
     const std::string subject = std::string("analyses.map.") + key;
-    const auto reported = [&](const std::string& of) {
-      return std::any_of(problems.list().begin(), problems.list().end(),
-                         [&](const foundation::Problem& p) { return p.subject.starts_with("analyses.map." + of); });
-    };
-    if (path_keys(axis->parameter).empty() || reported(key + std::string(".parameter"))) continue;
-    const bool has_range = !reported(key);
+    if (path_keys(axis->parameter).empty() || has_problem_at(problems, subject + ".parameter")) continue;
+    const bool has_range = !has_problem_at(problems, subject);
     std::vector<std::vector<Node>> designs;
     if (has_range)
       for (const double value : {axis->from, axis->to, axis->at(0.5)}) designs.push_back({changed(*axis, value)});
     designs.push_back({changed(*axis, 1.0)});
-    if (has_range && !reported(key == std::string("x") ? "y" : "x"))
+    if (has_range && !has_problem_at(problems, std::string("analyses.map.") + (key == std::string("x") ? "y" : "x")))
       for (const double a : {axis->from, axis->to})
         for (const double b : {other->from, other->to}) designs.push_back({changed(*axis, a), changed(*other, b)});
-    std::optional<foundation::Problem> first;
-    bool possible = false;
-    for (std::size_t d = 0; d < designs.size() && !possible; ++d) {
-      const auto problem = first_new_error(model, designs[d], problems, read);
-      possible = !problem;
-      if (!first) first = problem;
-    }
-    if (possible || (!has_range && first->finding != "unknown key")) continue;  // 1 may be outside an unreadable range
-    problems
-        .error(subject + ".parameter", "\"" + axis->parameter.substr(0, 80) + "\"",
-               fmt::format("the model rejects this parameter: {}: {}; {}", first->subject, first->finding, first->rule),
-               first->remedy)
-        .origin = deepest(document, subject + ".parameter").origin;
+    refuse_if_all_fail(document, designs, *axis, subject + ".parameter", has_range, read, problems);
+  }
+}
+
+void check_parameters(const Node& document, const std::vector<DesignAxis>& parameters, const ReadModel& read,
+                      foundation::Problems& problems) {
+  for (const DesignAxis& axis : parameters) {
+    const std::string subject = "parameters." + axis.name;
+    const bool has_paths = !axis.places.empty() &&
+        std::none_of(axis.places.begin(), axis.places.end(),
+                     [](const ParameterPlace& place) { return path_keys(place.path).empty(); });
+    if (!has_paths || has_problem_at(problems, subject)) continue;
+    std::vector<std::vector<Node>> designs;
+    for (const double value : {axis.from, axis.to, axis.at(0.5)}) designs.push_back({changed(axis, value)});
+    refuse_if_all_fail(document, designs, axis, subject + ".path", true, read, problems);
   }
 }
 

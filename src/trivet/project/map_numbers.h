@@ -19,4 +19,8 @@ using ReadModel = std::function<foundation::Problems(const Node& model)>;
 void check_map_numbers(const Node& document, const MapRequest& map, const ReadModel& read,
                        foundation::Problems& problems);
 
+/// The same of [parameters.NAME], each alone.
+void check_parameters(const Node& document, const std::vector<DesignAxis>& parameters, const ReadModel& read,
+                      foundation::Problems& problems);
+
 }  // namespace trivet::project

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/project.h"
@@ -29,25 +31,59 @@ std::optional<double> default_of(const std::vector<std::string>& keys) {
   return std::nullopt;
 }
 
-}  // namespace
-
-ModelNumber::ModelNumber(const std::string& path, std::string unit)
-    : path_(path), unit_(std::move(unit)), keys_(path_keys(path)) {
-  if (keys_.empty()) throw foundation::InvalidInput("\"" + path + "\" is not the path of a number");
+/// Adds the tables and values of another change.
+void merge(Node& change, Node more) {
+  for (std::size_t i = 0; i < more.keys.size(); ++i) {
+    Node* same = change.find(more.keys[i]);
+    if (same && same->kind == Node::Kind::table && more.items[i].kind == Node::Kind::table) {
+      merge(*same, std::move(more.items[i]));
+    } else {
+      change.keys.push_back(more.keys[i]);
+      change.items.push_back(std::move(more.items[i]));
+    }
+  }
 }
 
-std::optional<double> ModelNumber::read(const Case& variant) const {
-  const Node* node = node_at(variant.written, keys_);
-  if (!node && keys_.back() != "scale")
-    node = node_at(variant.document, keys_);  // from its type, except a scale, which multiplies
+}  // namespace
+
+ModelNumber::ModelNumber(const std::vector<ParameterPlace>& places, std::string unit) : unit_(std::move(unit)) {
+  for (const ParameterPlace& place : places) {
+    places_.push_back({path_keys(place.path), place.factor});
+    if (places_.back().keys.empty())
+      throw foundation::InvalidInput("\"" + place.path + "\" is not the path of a number");
+  }
+}
+
+std::optional<double> ModelNumber::read(const Place& place, const Case& variant) const {
+  const Node* node = node_at(variant.written, place.keys);
+  if (!node && place.keys.back() != "scale")
+    node = node_at(variant.document, place.keys);  // from its type, except a scale, which multiplies
   if (!node) {
-    const auto plain = default_of(keys_);
+    const auto plain = default_of(place.keys);
     return plain ? in_unit({*plain, ""}, unit_) : std::nullopt;
   }
   const auto written = written_number(*node);
   return written ? in_unit(*written, unit_) : std::nullopt;
 }
 
-Node ModelNumber::change(double value) const { return change_of(keys_, value, unit_); }
+std::optional<double> ModelNumber::read(const Case& variant) const {
+  constexpr double same = 1e-9;  // relative: 0.4 m written as 400 mm
+  std::optional<double> value;
+  for (const Place& place : places_) {
+    auto here = read(place, variant);
+    if (!here) return std::nullopt;
+    *here /= place.factor;
+    if (value && std::abs(*here - *value) > same * std::abs(*value)) return std::nullopt;
+    if (!value) value = here;
+  }
+  return value;
+}
+
+Node ModelNumber::change(double value) const {
+  Node all = change_of(places_.front().keys, places_.front().factor * value, unit_);
+  for (std::size_t i = 1; i < places_.size(); ++i)
+    merge(all, change_of(places_[i].keys, places_[i].factor * value, unit_));
+  return all;
+}
 
 }  // namespace trivet::project

@@ -16,26 +16,31 @@ namespace trivet::project {
 
 struct Case;
 
-/// One number of the model, as written in the file.
+/// One number of the model, as written in the file; or several that one parameter moves, each by its own factor.
 class ModelNumber {
  public:
   /// @param path  such as elements."front left".at.y  @param unit  of its values; empty: that of a bare number (SI)
-  ModelNumber(const std::string& path, std::string unit);
-  explicit ModelNumber(const MapAxis& axis) : ModelNumber(axis.parameter, axis.unit) {}
+  ModelNumber(const std::string& path, const std::string& unit) : ModelNumber({{path, 1.0}}, unit) {}
+  explicit ModelNumber(const DesignAxis& axis) : ModelNumber(axis.places, axis.unit) {}
 
-  [[nodiscard]] const std::string& path() const { return path_; }
-  /// Last key of the path: "mass" of "bodies.machine.mass".
-  [[nodiscard]] const std::string& key() const { return keys_.back(); }
-
-  /// Value in a case, or the default of a key that is not written; none if the file has no number there.
+  /// Value in a case, or the default of a key that is not written; none if the file has no number there, or if the
+  /// places of a parameter have different values.
   [[nodiscard]] std::optional<double> read(const Case& variant) const;
 
-  /// Change that sets the number to this value.
+  /// Change that sets the number to this value, at all places.
   [[nodiscard]] Node change(double value) const;
 
  private:
-  std::string path_, unit_;
-  std::vector<std::string> keys_;
+  ModelNumber(const std::vector<ParameterPlace>& places, std::string unit);
+
+  struct Place {
+    std::vector<std::string> keys;
+    double factor;
+  };
+  [[nodiscard]] std::optional<double> read(const Place& place, const Case& variant) const;
+
+  std::string unit_;
+  std::vector<Place> places_;
 };
 
 /// Values for some numbers of a model.

@@ -133,7 +133,9 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   name_element_types(written, all);
   gather_columns(all);
   all = without_unrequested(all, questions, name, analyses);
-  if (analyses.map && (!base || !(base->analyses.map == analyses.map))) {
+  const bool new_map = analyses.map && (!base || !(base->analyses.map == analyses.map));
+  const bool new_parameters = !base && !analyses.parameters.empty();
+  if (new_map || new_parameters) {
     const auto known_here = system ? std::optional(KnownModel{document, system->description()}) : std::nullopt;
     const auto read_model = [&](const Node& model) {
       foundation::Problems found;
@@ -141,7 +143,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
       static_cast<void>(read_case(model, "", title_of_design, found, {}, nullptr, known_here ? &*known_here : nullptr));
       return found;
     };
-    check_map_numbers(written, *analyses.map, read_model, all);
+    if (new_map) check_map_numbers(written, *analyses.map, read_model, all);
+    if (new_parameters) check_parameters(written, analyses.parameters, read_model, all);
     all = without_unrequested(all, questions, name, analyses);
   }
   const bool good = !all.has_errors();

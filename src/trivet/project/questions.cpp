@@ -26,6 +26,8 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"limits", [](Analyses& a) { a.limits.clear(); }},
       {"limit_lines", [](Analyses& a) { a.limit_lines.clear(); }},
       {"requirements", [](Analyses& a) { a.requirements.reset(); }},
+      {"parameters", [](Analyses& a) { a.parameters.clear(); }},
+      {"optimize", [](Analyses& a) { a.optimize.reset(); }},
   };
   return list;
 }
@@ -34,7 +36,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
 /// itself; empty for a part of the model.
 std::string question_of(const std::string& subject) {
   std::string first = subject.substr(0, subject.find('.'));
-  if (first == "limits" || first == "limit_lines" || first == "requirements") return first;
+  if (first == "limits" || first == "limit_lines" || first == "requirements" || first == "parameters") return first;
   if (first != "analyses") return "";
   if (subject == first) return first;
   const std::size_t from = first.size() + 1;
@@ -79,6 +81,7 @@ class UsedExcitationCollector {
       for (const model::ConstantForce& force : variant_.system.description().constant_forces)
         used_.names.insert(force.name);
     if (a.map) add_excitations(a.map->excitations, harmonic);
+    if (a.optimize && !a.optimize->minimize.empty()) add_excitations({}, harmonic);
   }
 
  private:

@@ -146,7 +146,7 @@ void draw_margins(MapPicture& picture, Key& key) {
 void draw_notes(MapPicture& picture, const std::vector<std::string>& notes) {
   constexpr const char* small = "text-anchor=\"middle\" fill=\"#666\" font-size=\"9\"";
   const PlotPanel& panel = picture.panel;
-  const auto path = [](const project::MapAxis& axis) {
+  const auto path = [](const project::DesignAxis& axis) {
     return results::axis_name(axis) == axis.parameter ? "" : axis.parameter;
   };
   const double bottom = panel.corner.y + panel.height, x = panel.corner.x - y_title_distance(panel) - 18,

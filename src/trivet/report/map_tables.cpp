@@ -12,7 +12,7 @@
 namespace trivet::report {
 namespace {
 
-std::string value_or_dash(const std::optional<double>& value, const project::MapAxis& axis) {
+std::string value_or_dash(const std::optional<double>& value, const project::DesignAxis& axis) {
   return value ? results::axis_value(*value, axis) : "–";
 }
 

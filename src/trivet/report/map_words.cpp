@@ -13,7 +13,7 @@ namespace trivet::report {
 namespace {
 
 /// Is an axis too short for ticks with complete numbers?
-bool is_narrow(const project::MapAxis& axis) {
+bool is_narrow(const project::DesignAxis& axis) {
   return axis.to - axis.from < 1e-5 * std::max(std::abs(axis.from), std::abs(axis.to));
 }
 
@@ -24,14 +24,14 @@ bool in_frame(const study::DesignMap& map, const study::MapMark& mark) {
 
 }  // namespace
 
-std::string axis_label(const project::MapAxis& axis) {
+std::string axis_label(const project::DesignAxis& axis) {
   const std::string unit = results::axis_unit(axis);
   std::string words = results::axis_name(axis) + (is_narrow(axis) ? fmt::format(" − {}", axis.from) : "");
   if (results::is_pure_number(axis)) return words;
   return fmt::format("{} [{}]", words, unit.empty() ? "SI units" : unit);
 }
 
-Axis drawn_axis(const project::MapAxis& axis) {
+Axis drawn_axis(const project::DesignAxis& axis) {
   if (is_narrow(axis))
     return {0, axis.to - axis.from, false, axis_label(axis)};  // a logarithmic axis this short is practically linear
   return {axis.from, axis.to, axis.logarithmic, axis_label(axis)};

@@ -10,11 +10,11 @@
 namespace trivet::report {
 
 /// Name of an axis, with its unit in brackets.
-[[nodiscard]] std::string axis_label(const project::MapAxis& axis);
+[[nodiscard]] std::string axis_label(const project::DesignAxis& axis);
 
 /// The axis as drawn in pictures: one that is short compared with its numbers starts at 0, and its label shows the
 /// offset.
-[[nodiscard]] Axis drawn_axis(const project::MapAxis& axis);
+[[nodiscard]] Axis drawn_axis(const project::DesignAxis& axis);
 
 /// Cases that are not in the picture, with their verdicts, one sentence for each reason; empty if all are drawn.
 [[nodiscard]] std::vector<std::string> undrawn_cases(const study::DesignMap& map);

@@ -64,7 +64,7 @@ const ComponentOf* component_table(const std::vector<std::string>& keys) {
   return damps || found == component_tables.end() ? nullptr : found;
 }
 
-int digits_on(const project::MapAxis& axis) {
+int digits_on(const project::DesignAxis& axis) {
   constexpr int usual = 5, most = 17;
   const double steps = axis.points - 1;
   const double step = axis.logarithmic
@@ -75,7 +75,7 @@ int digits_on(const project::MapAxis& axis) {
 
 }  // namespace
 
-std::string axis_name(const project::MapAxis& axis) {
+std::string axis_name(const project::DesignAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
   if (const ComponentOf* part = component_table(keys))
@@ -87,7 +87,7 @@ std::string axis_name(const project::MapAxis& axis) {
   return keys.size() > 2 ? words + " of " + keys[1] : words;
 }
 
-std::string axis_unit(const project::MapAxis& axis) {
+std::string axis_unit(const project::DesignAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (const ComponentOf* part = component_table(keys)) return part->unit;
@@ -96,7 +96,7 @@ std::string axis_unit(const project::MapAxis& axis) {
   return found == units.end() ? "" : found->second;
 }
 
-bool is_pure_number(const project::MapAxis& axis) {
+bool is_pure_number(const project::DesignAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (keys.empty() || !axis_unit(axis).empty()) return false;
   static constexpr std::array<const char*, 6> pure = {"scale",          "stiffening",        "loss_factor",
@@ -104,7 +104,7 @@ bool is_pure_number(const project::MapAxis& axis) {
   return component_table(keys) || std::find(pure.begin(), pure.end(), keys.back()) != pure.end();
 }
 
-std::string axis_value(double value, const project::MapAxis& axis) {
+std::string axis_value(double value, const project::DesignAxis& axis) {
   const std::string unit = axis_unit(axis);
   return fmt::format("{:.{}g}{}", value, digits_on(axis), unit.empty() ? "" : " " + unit);
 }

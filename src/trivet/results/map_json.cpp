@@ -18,7 +18,7 @@ namespace {
 
 using json::Json;
 
-Json axis(const project::MapAxis& a) {
+Json axis(const project::DesignAxis& a) {
   return {{"parameter", a.parameter}, {"name", a.name},
           {"from", a.from},           {"to", a.to},
           {"unit", axis_unit(a)},     {"spacing", a.logarithmic ? "logarithmic" : "linear"},
@@ -191,7 +191,7 @@ void write_map_json(const study::DesignMap& map, const foundation::Problems& war
 }
 
 void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
-  const auto head = [](const project::MapAxis& a) {
+  const auto head = [](const project::DesignAxis& a) {
     return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]");
   };
   Pieces pieces(sink);

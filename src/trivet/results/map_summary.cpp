@@ -63,7 +63,7 @@ std::string best_words(const study::DesignMap& map) {
   if (!map.best) return "";
   const design::DesignOutcome& best = map.outcomes[*map.best];
   const design::DesignPoint p = map.point(*map.best);
-  const project::MapAxis &x = map.request.x, &y = map.request.y;
+  const project::DesignAxis &x = map.request.x, &y = map.request.y;
   const std::string place =
       fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
   if (std::isinf(best.margin))
@@ -85,7 +85,7 @@ std::vector<std::string> best_ends(const study::DesignMap& map) {
   const auto nx = to_size(map.grid.nx), ny = to_size(map.grid.ny);
   const design::DesignPoint p = map.point(*map.best);
   std::vector<std::string> ends;
-  const auto look = [&](const project::MapAxis& axis, double value, std::size_t at, std::size_t points) {
+  const auto look = [&](const project::DesignAxis& axis, double value, std::size_t at, std::size_t points) {
     if (value != 0 && (at == 0 || at + 1 == points))
       ends.push_back(fmt::format("the {} end of {}", at == 0 ? "lower" : "upper", axis_name(axis)));
   };

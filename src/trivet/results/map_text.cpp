@@ -15,11 +15,11 @@ namespace trivet::results {
 namespace {
 
 std::string point_words(const study::DesignMap& map, const design::DesignPoint& p) {
-  const project::MapAxis &x = map.request.x, &y = map.request.y;
+  const project::DesignAxis &x = map.request.x, &y = map.request.y;
   return fmt::format("{} = {}, {} = {}", axis_name(x), axis_value(p.x, x), axis_name(y), axis_value(p.y, y));
 }
 
-std::string axis_words(const project::MapAxis& axis) {
+std::string axis_words(const project::DesignAxis& axis) {
   const std::string name = axis_name(axis), path = name == axis.parameter ? "" : " (" + axis.parameter + ")",
                     unit = axis_unit(axis);
   const auto [from, to] = distinct_texts(axis.from, axis.to, 6);
@@ -57,7 +57,7 @@ std::string shares_text(const study::DesignMap& map) {
 }
 
 std::string mark_text(const study::DesignMap& map, const study::MapMark& mark) {
-  const auto place = [&](const std::optional<double>& value, const project::MapAxis& axis) {
+  const auto place = [&](const std::optional<double>& value, const project::DesignAxis& axis) {
     return value ? axis_value(*value, axis) : std::string("not in the file");
   };
   std::string text = fmt::format("  {} ({}, {}): {}", mark.name.empty() ? "base model" : mark.name,

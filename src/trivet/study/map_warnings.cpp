@@ -65,7 +65,7 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
 /// Warns of a range that may be in another unit than the number of the model.
 void warn_of_another_scale(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
   constexpr double unlikely = 100;  // designs that differ this much are hardly of one machine
-  for (const project::MapAxis* axis : {&map.request.x, &map.request.y}) {
+  for (const project::DesignAxis* axis : {&map.request.x, &map.request.y}) {
     const std::optional<double> own = project::ModelNumber(*axis).read(variant);
     if (!own || *own == 0) continue;
     const double low = std::min(std::abs(axis->from), std::abs(axis->to)),

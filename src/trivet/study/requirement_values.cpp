@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/design/design_rules.h"
@@ -130,13 +131,15 @@ class Judge {
     add_bounds(RequirementKind::amplitude, limits, "", [&](const auto& limit) { return unit_of(limit); });
     attempt(first, [&] {
       std::vector<assembly::Channel> channels;
+      std::vector<MotionQuantity> quantities;
       design::RuleSet set;
       set.band = band;
       for (const project::AmplitudeLimit& limit : limits) {
+        quantities.push_back(limit.quantity);
         set.rules.push_back({design::DesignRule::Kind::amplitude, channels.size(), limit.amplitude});
         channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
       }
-      set_rule_values(first, set, channels, excitations);
+      set_rule_values(first, set, channels, quantities, excitations);
     });
   }
 
@@ -151,11 +154,13 @@ class Judge {
       set.rules.push_back({design::DesignRule::Kind::no_peak, i, required.peak_tolerance});
       add(RequirementKind::no_peak, channels[i].name, "no peak of " + channels[i].name, "1", required.peak_tolerance);
     }
-    attempt(first, [&] { set_rule_values(first, set, channels, required.excitations); });
+    attempt(first, [&] {
+      set_rule_values(first, set, channels, std::vector(channels.size(), required.quantity), required.excitations);
+    });
   }
 
   void set_rule_values(std::size_t first, const design::RuleSet& set, const std::vector<assembly::Channel>& channels,
-                       const std::vector<std::string>& excitations) {
+                       const std::vector<MotionQuantity>& quantities, const std::vector<std::string>& excitations) {
     const assembly::Loading loading = assembly::harmonic_loading(c_.system, c_.assembled, excitations);
     if (loading.vanishes()) throw without_excitation("response, peaks");
     const response::Peaks found = peaks_of(channels, loading, set.band, set.min_prominence);
@@ -165,7 +170,44 @@ class Judge {
       result.value = values.values[i];
       result.margin = design::margin(set.rules[i], values.values[i]);
       if (std::isfinite(values.angular_frequencies[i])) result.angular_frequency = values.angular_frequencies[i];
+      result.quantity = quantities[i];
+      result.excitations = excitations;
+      result.candidates = set.rules[i].kind == design::DesignRule::Kind::amplitude
+          ? maxima(set, i, channels, loading, found)
+          : peaks_beside_minima(set.rules[i], i, found);
     }
+  }
+
+  std::vector<RequirementResult::Candidate> maxima(const design::RuleSet& set, std::size_t rule,
+                                                   const std::vector<assembly::Channel>& channels,
+                                                   const assembly::Loading& loading,
+                                                   const response::Peaks& found) const {
+    std::vector<RequirementResult::Candidate> result;
+    for (const design::LargestAmplitude& one :
+         design::maxima_in_band(c_.assembled, channels, loading, found, rule, set.band))
+      if (std::isfinite(one.angular_frequency))
+        result.push_back({design::margin(set.rules[rule], one.amplitude), one.angular_frequency, 0, 0});
+    return result;
+  }
+
+  static std::vector<RequirementResult::Candidate> peaks_beside_minima(const design::DesignRule& rule,
+                                                                       std::size_t curve,
+                                                                       const response::Peaks& found) {
+    std::vector<RequirementResult::Candidate> result;
+    for (const response::Peak& peak : found.list) {
+      if (peak.curve != curve || !std::isfinite(peak.amplitude)) continue;
+      const double height = peak.amplitude - peak.prominence;
+      constexpr double near_rest = 1e-6;  // of the peak's ω: the slopes of |y| are those at 0 to 1e-12
+      double at = near_rest * peak.angular_frequency;
+      double nearest = std::abs(found.curves[curve].static_amplitude.value_or(infinity) - height);
+      for (const response::Extremum& turning : found.turnings[curve])
+        if (const double apart = std::abs(turning.amplitude - height); !turning.maximum && apart < nearest) {
+          nearest = apart;
+          at = turning.angular_frequency;
+        }
+      result.push_back({design::margin(rule, response::relative_prominence(peak)), peak.angular_frequency, at, 0});
+    }
+    return result;
   }
 
   void add_limit_lines(const project::Requirements& required) {
@@ -201,6 +243,7 @@ class Judge {
       result.margin = result.value.emplace(infinity);
       for (const modal::Mode* mode : oscillating) {
         const double omega = *mode->angular_frequency, below = window.from / omega, above = omega / window.to;
+        result.candidates.push_back({std::max(below, above), omega, 0, mode->number, below > above});
         if (std::max(below, above) >= result.margin) continue;
         result.margin = std::max(below, above);
         result.value = result.angular_frequency = omega;
@@ -215,6 +258,8 @@ class Judge {
     result.margin = result.value.emplace(infinity);
     for (std::size_t i = 0; i + 1 < oscillating.size(); ++i) {
       const double ratio = *oscillating[i + 1]->angular_frequency / *oscillating[i]->angular_frequency;
+      result.candidates.push_back(
+          {margin_of_least(required.separation, ratio), *oscillating[i]->angular_frequency, 0, oscillating[i]->number});
       if (ratio >= *result.value) continue;
       result.value = ratio;
       result.margin = margin_of_least(required.separation, ratio);
@@ -235,6 +280,8 @@ class Judge {
         const bool grows = root.kind == modal::RootKind::growing;
         if (!grows && !(root.kind == modal::RootKind::oscillating && root.damping_ratio)) continue;
         const double ratio = root.damping_ratio.value_or(-1);
+        result.candidates.push_back({margin_of_least(required.damping_ratio, ratio), root.angular_frequency.value_or(0),
+                                     0, static_cast<int>(result.candidates.size()) + 1, false});
         if (ratio >= *result.value) continue;
         result.value = ratio;
         result.margin = margin_of_least(required.damping_ratio, ratio);
@@ -259,6 +306,9 @@ class Judge {
         result.margin = result.value.emplace(infinity);
         for (std::size_t i = 0; i < suspension.modes.size(); ++i) {
           const double share = suspension.modes[i].decoupling();
+          result.candidates.push_back({margin_of_least(wanted.least, share),
+                                       suspension.modes[i].angular_frequency.value_or(0), 0, static_cast<int>(i) + 1,
+                                       false});
           if (share >= *result.value) continue;
           result.value = share;
           result.margin = margin_of_least(wanted.least, share);
@@ -344,6 +394,18 @@ class Judge {
 
   /// Static force of each catalogue mount along its axis, against the range of its maker.
   void add_mount_loads() {
+    std::vector<std::string> words;
+    for (const model::Element& element : c_.system.elements())
+      if (element.rating) words.insert(words.end(), {element.name, element.name + ".deflection"});
+    if (words.empty()) return;
+    std::optional<response::StaticResponse> rest;  // of all mounts at once
+    const auto at_rest = [&]() -> const response::StaticResponse& {
+      if (!rest)
+        rest = response::static_response(
+            c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
+      return *rest;
+    };
+    std::size_t value = 0;
     for (const model::Element& element : c_.system.elements()) {
       if (!element.rating) continue;
       const std::size_t first = results_.size();
@@ -356,19 +418,18 @@ class Judge {
         add(RequirementKind::mount_deflection, element.name,
             fmt::format("{} deflects ≤ {}", element.name, value_words(*element.rating->deflection, "m")), "m",
             *element.rating->deflection);
-      attempt(first, [&] { set_mount_load(first, element); });
+      attempt(first, [&] { set_mount_load(first, element, at_rest(), value); });
+      value += 12;
     }
   }
 
-  void set_mount_load(std::size_t first, const model::Element& element) {
-    const response::StaticResponse rest = response::static_response(
-        c_.system, c_.assembled,
-        assembly::channels(c_.system, c_.assembled, {element.name, element.name + ".deflection"},
-                           MotionQuantity::displacement));
+  /// @param at  first of its six forces and six deflections
+  void set_mount_load(std::size_t first, const model::Element& element, const response::StaticResponse& rest,
+                      std::size_t at) {
     Eigen::Vector3d force, deflection;  // on the N side, ground axes; of K against N, axes of the element
     for (int j = 0; j < 3; ++j) {
-      force(j) = rest.values[to_size(j)].value;
-      deflection(j) = rest.values[to_size(6 + j)].value;
+      force(j) = rest.values[at + to_size(j)].value;
+      deflection(j) = rest.values[at + 6 + to_size(j)].value;
     }
     Eigen::Vector3d axis = element.n.axes.col(2);
     if (element.n.body) axis = c_.system.bodies()[*element.n.body].pose.rotation * axis;

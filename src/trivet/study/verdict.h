@@ -41,6 +41,18 @@ struct RequirementResult {
   std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
   std::string reason;  ///< why it is not judged
 
+  /// A place that may decide the margin: a maximum of the curve or an end of its band, a mode, two neighbouring modes.
+  struct Candidate {
+    double margin = 0;
+    double angular_frequency = 0;  ///< [rad/s]
+    double minimum_at = 0;         ///< of a peak that should not be: the higher minimum beside it, or near 0 [rad/s]
+    int mode = 0;                  ///< its number; the lower one of two; of a damping ratio the number of the root
+    bool below = false;            ///< of avoided frequencies: the mode is below the window, or nearer to its lower end
+  };
+  std::vector<Candidate> candidates;  ///< for a search; empty where a single value decides
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of amplitudes and peaks
+  std::vector<std::string> excitations;                                        ///< of these; empty: all
+
   [[nodiscard]] bool met() const { return value && margin >= 1; }
 };
 

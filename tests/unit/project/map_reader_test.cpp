@@ -40,9 +40,9 @@ TEST(MapReader, AcceptsAPeakToleranceAboveOne) {
   EXPECT_EQ(project.base().analyses.map->peak_tolerance, 1.5);
 }
 
-TEST(MapAxis, ReachesItsEndsExactlyWithBothSpacings) {
+TEST(DesignAxis, ReachesItsEndsExactlyWithBothSpacings) {
   for (const bool logarithmic : {false, true}) {
-    const project::MapAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
+    const project::DesignAxis axis{"", "", 0.3, 10, "", logarithmic, 101};
     EXPECT_EQ(axis.at(0), 0.3);
     EXPECT_EQ(axis.at(1), 10);
     constexpr double round_off = 1e-14;  // a logarithm and a power, on numbers up to 10

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/project/analyses/design_axis.h"
+#include "trivet/project/analyses/optimize_request.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/requirements.h"
 #include "trivet/response/machinery/limit_line.h"
@@ -43,23 +45,9 @@ struct LimitLineRequest {
 /// Most designs of one map.
 inline constexpr double most_designs = 1e7;
 
-/// One axis of a map: a number of the project file that varies from design to design.
-struct MapAxis {
-  std::string parameter;    ///< dotted path, as in --set
-  std::string name;         ///< name in tables and pictures; the path by default
-  double from = 0, to = 1;  ///< in `unit`
-  std::string unit;         ///< as written with from and to; empty: that of a bare number (SI)
-  bool logarithmic = false;
-  int points = 101;
-
-  [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
-  [[nodiscard]] double share(double value) const;  ///< inverse of `at`, also beyond the ends
-  bool operator==(const MapAxis&) const = default;
-};
-
 /// Two numbers of the project and the rules that a design meets or violates.
 struct MapRequest {
-  MapAxis x, y;
+  DesignAxis x, y;
   std::optional<response::Band> band;  ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<AmplitudeLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
@@ -83,6 +71,8 @@ struct Analyses {
   std::vector<LimitLineRequest> limit_lines;
   std::vector<Limit> limits;
   std::optional<Requirements> requirements;
+  std::vector<DesignAxis> parameters;  ///< [parameters.NAME]
+  std::optional<OptimizeRequest> optimize;
   std::map<std::string, std::shared_ptr<const Question>> questions;  ///< those of question_table.h, by name
 
   /// A question by its name and type; none if it is not asked.

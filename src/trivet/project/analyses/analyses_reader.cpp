@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/analyses/map_reader.h"
+#include "trivet/project/analyses/optimize_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/requirements_reader.h"
 
@@ -131,6 +133,7 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
   Analyses analyses;
   const ResultNames names(in_file);
   bool quantity_is_clear = true;
+  analyses.parameters = read_parameters(root);
   if (const Node* table = root.table("analyses")) {
     TableReader reader(*table, "analyses", root.problems());
     if (const Node* node = reader.table("modes")) {
@@ -160,6 +163,7 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
     }
     read_questions(reader, names, in_file, analyses);
     read_map(root, reader, names, in_file, analyses);
+    read_optimize(root, reader, names, in_file, analyses);
     reader.finish();
   }
   read_limit_lines(root, names, analyses);

@@ -4,127 +4,42 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
-#include "trivet/project/text/admissible_range.h"
+#include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/text/idle_key.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
 namespace {
 
-/// True if a blank is outside the quoted names.
-bool has_stray_blank(const std::string& path) {
-  char quote = 0;
-  for (const char c : path) {
-    if (quote == 0 && std::isspace(static_cast<unsigned char>(c))) return true;
-    if (quote == 0 && (c == '"' || c == '\'')) quote = c;
-    else if (c == quote) quote = 0;
-  }
-  return false;
-}
-
-/// Tables of adjustments, which the file need not have.
-bool is_adjustment(const std::string& key) {
-  static constexpr std::array<const char*, 4> tables = {"stiffness_factor", "moved", "center_moved",
-                                                        "inertia_about_center"};
-  return std::find(tables.begin(), tables.end(), key) != tables.end();
-}
-
-/// Checks that the path leads to a number of the model, or to a key that is not written and has a default.
-void check_parameter(TableReader& root, TableReader& reader, const std::string& path) {
-  const std::string shown = "\"" + path.substr(0, 80) + "\"";
-  if (path.find('[') != std::string::npos)
-    return static_cast<void>(reader.error("parameter", shown, "a path names its parts and has no indices",
-                                          "name a number: \"elements.mount.scale\", \"elements.mount.at.y\" of an "
-                                          "array of three, \"bodies.machine.mass\""));
-  if (has_stray_blank(path))
-    return static_cast<void>(reader.error(
-        "parameter", shown, "a name with blanks needs quotes in a path",
-        R"(write it without, "elements.mount.scale", or the name in quotes, 'elements."front left".scale')"));
-  const std::vector<std::string> keys = path_keys(path);
-  const std::vector<std::string> parts = {"bodies",      "nodes",   "elements",   "element_types",
-                                          "excitations", "damping", "foundations"};
-  if (keys.size() < 2 || std::find(parts.begin(), parts.end(), keys.front()) == parts.end()) {
-    reader.error("parameter", shown, "an axis changes one number of the model, named by its path as in --set",
-                 "for instance \"elements.mount.scale\" or \"bodies.machine.mass\"");
-    return;
-  }
-  const Node* node = root.node(keys.front());
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    const bool is_table = node && node->kind == Node::Kind::table;
-    const Node* next = node ? node_at(*node, {keys[i]}) : nullptr;
-    if (!next && is_table && i >= 2 && (i + 1 == keys.size() || is_adjustment(keys[i]) || is_zero_by_default(keys[i])))
-      return;
-    if (!next) {
-      const std::string guess = is_table ? foundation::nearest_name(keys[i], node->keys) : "";
-      reader.error("parameter", shown, fmt::format("the file has no \"{}\" there", foundation::shortened(keys[i])),
-                   !guess.empty()                         ? "did you mean \"" + guess + "\"?"
-                       : node && component_of(*node, "x") ? "the components of an array of three numbers are x, y and z"
-                                                          : "check the path");
-      return;
-    }
-    node = next;
-  }
-  const auto at_this_path = [&](const foundation::Problem& p) {
-    return p.severity == foundation::Severity::error && p.subject == path;
-  };
-  if (!written_number(*node) &&
-      std::none_of(root.problems().list().begin(), root.problems().list().end(), at_this_path))
-    reader.error("parameter", shown,
-                 fmt::format("it is {}, not a number",
-                             node->kind == Node::Kind::text ? project::value_text(*node) : kind_name(node->kind)),
-                 "name one number: those of an array of three are .x, .y and .z; a matrix is varied by the scale of "
-                 "its element");
-}
-
-std::optional<WrittenNumber> end_of_range(TableReader& reader, const std::string& key) {
-  const Node* node = reader.node(key);
-  if (!node) {
-    reader.missing(key, "give the range: from = …, to = …");
-    return std::nullopt;
-  }
-  const auto number = written_number(*node);
-  const bool good = number && std::isfinite(number->value) && !outside_range(number->value, Quantity::pure);
-  if (!good)
-    reader.error(key, value_text(*node),
-                 "an end of the range is a finite number up to 1e30, or a text of a number and a unit",
-                 "for instance from = 0.5, or from = \"5 mm\"");
-  return good ? number : std::nullopt;
-}
-
-MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
-  MapAxis axis;
+DesignAxis read_axis(TableReader& root, TableReader& map, const std::string& key,
+                     const std::vector<DesignAxis>& parameters) {
+  DesignAxis axis;
   const Node* table = map.table(key);
   if (!table) {
     if (!map.has(key)) map.missing(key, key + " = {parameter = \"elements.mount.scale\", from = 0.5, to = 2}");
     return axis;
   }
   TableReader reader(*table, "analyses.map." + key, root.problems());
-  axis.parameter = reader.required_text("parameter");
-  const Node* parameter = reader.node("parameter");
-  if (parameter && parameter->kind == Node::Kind::text) check_parameter(root, reader, axis.parameter);
-  axis.name = reader.text("name").value_or(axis.parameter);
-  axis.logarithmic = reader.choice("spacing", {"linear", "logarithmic"}) == "logarithmic";
-  const auto from = end_of_range(reader, "from"), to = end_of_range(reader, "to");
-  if (from && to && from->unit != to->unit)
-    reader.error("to",
-                 fmt::format("from = {}, to = {}", value_text(*table->find("from")), value_text(*table->find("to"))),
-                 "both ends of a range have the same unit, or neither has one", "give both the same unit");
-  else if (from && to) {
-    axis.from = from->value;
-    axis.to = to->value;
-    axis.unit = from->unit;
-    if (!(axis.from < axis.to))
-      reader.error("to", fmt::format("from {:.6g} to {:.6g}", axis.from, axis.to),
-                   "a range goes from the smaller to the larger number", "exchange or change them");
-    else if (axis.logarithmic && !(axis.from > 0))
-      reader.error("from", fmt::format("{:.6g}", axis.from), "a logarithmic range starts above 0",
-                   "raise it; if 0 or less is a possible value, take spacing = \"linear\"");
+  const std::string parameter = reader.required_text("parameter");
+  const auto named =
+      std::find_if(parameters.begin(), parameters.end(), [&](const DesignAxis& one) { return one.name == parameter; });
+  if (named != parameters.end()) {
+    axis = *named;
+    axis.name = reader.text("name").value_or(axis.name);
+    if (reader.has("from") || reader.has("to")) read_range(reader, axis);
+    else if (const auto spacing = reader.choice("spacing", {"linear", "logarithmic"}))
+      axis.logarithmic = *spacing == "logarithmic" && axis.from > 0;
+  } else {
+    axis.parameter = parameter;
+    axis.places = {{parameter, 1}};
+    const Node* node = reader.node("parameter");
+    if (node && node->kind == Node::Kind::text) check_model_path(root, reader, "parameter", parameter);
+    axis.name = reader.text("name").value_or(parameter);
+    read_range(reader, axis);
   }
   if (const auto points = reader.number("points", Quantity::pure)) {
     if (*points >= 2 && *points <= most_designs && *points == std::floor(*points))
@@ -138,16 +53,6 @@ MapAxis read_axis(TableReader& root, TableReader& map, const std::string& key) {
 }
 
 }  // namespace
-
-double MapAxis::at(double share) const {
-  if (share <= 0) return from;
-  if (share >= 1) return to;
-  return logarithmic ? from * std::exp(share * std::log(to / from)) : from + share * (to - from);
-}
-
-double MapAxis::share(double value) const {
-  return logarithmic ? std::log(value / from) / std::log(to / from) : (value - from) / (to - from);
-}
 
 void read_map(TableReader& root, TableReader& analyses, const ResultNames& names, const NamesInFile& in_file,
               Analyses& result) {
@@ -170,8 +75,8 @@ void read_map(TableReader& root, TableReader& analyses, const ResultNames& names
     request.min_prominence = result.peaks->min_prominence;
     request.peak_tolerance = result.peaks->peak_tolerance;
   }
-  request.x = read_axis(root, reader, "x");
-  request.y = read_axis(root, reader, "y");
+  request.x = read_axis(root, reader, "x", result.parameters);
+  request.y = read_axis(root, reader, "y", result.parameters);
   if (!request.x.parameter.empty() && path_keys(request.x.parameter) == path_keys(request.y.parameter))
     reader.error("y", "\"" + request.y.parameter + "\" on both axes", "a map has two different parameters",
                  "name another number");

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/search/max_min.h"
+
+#include <nlopt.h>
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <memory>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/nonnegative_least_squares.h"
+
+namespace trivet::numerics {
+namespace {
+
+using Optimizer = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
+
+Optimizer optimizer(Eigen::Index variables) {
+  Optimizer result(nlopt_create(NLOPT_LD_SLSQP, static_cast<unsigned>(variables)), nlopt_destroy);
+  if (!result) throw foundation::NotComputable("the optimizer has no memory");
+  return result;
+}
+
+/// The problem with its bound t as last variable, for the callbacks of the library.
+class Bounded {
+ public:
+  Bounded(const MaxMinProblem& problem, nlopt_opt library) : problem_(problem), library_(library) {}
+
+  static double bound(unsigned n, const double* x, double* slope, void*) {
+    if (slope) {
+      std::fill(slope, slope + n - 1, 0.0);
+      slope[n - 1] = 1;
+    }
+    return x[n - 1];
+  }
+
+  /// t − v_i ≤ 0 or −v_i ≤ 0; slopes row by row.
+  static void slack(unsigned m, double* result, unsigned n, const double* x, double* slope, void* self) {
+    auto& bounded = *static_cast<Bounded*>(self);
+    try {
+      bounded.set_slack(m, result, n, x, slope);
+    } catch (...) {
+      bounded.failure_ = std::current_exception();
+      std::fill(result, result + m, 0.0);
+      if (slope) std::fill(slope, slope + static_cast<std::size_t>(m) * n, 0.0);
+      nlopt_force_stop(bounded.library_);
+    }
+  }
+
+  void rethrow() const {
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  void set_slack(unsigned m, double* result, unsigned n, const double* x, double* slope) const {
+    Eigen::VectorXd values;
+    Eigen::MatrixXd slopes;
+    problem_.evaluate(Eigen::Map<const Eigen::VectorXd>(x, n - 1), values, slope ? &slopes : nullptr);
+    for (unsigned i = 0; i < m; ++i) {
+      const bool objective = problem_.is_objective[i];
+      result[i] = (objective ? x[n - 1] : 0) - values(i);
+      if (!slope) continue;
+      for (unsigned j = 0; j + 1 < n; ++j) slope[i * n + j] = -slopes(i, j);
+      slope[i * n + n - 1] = objective ? 1 : 0;
+    }
+  }
+
+  const MaxMinProblem& problem_;
+  nlopt_opt library_;
+  std::exception_ptr failure_;
+};
+
+MaxMinPoint evaluated(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
+  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
+  Eigen::VectorXd values;
+  problem.evaluate(x, values, nullptr);
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
+    least = std::min(least, values(i));
+  }
+  return point;
+}
+
+/// Constraints that are met, or less violated, come first.
+bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
+  const double violation_a = std::min(0.0, a.constraint + tolerance),
+               violation_b = std::min(0.0, b.constraint + tolerance);
+  return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
+}
+
+}  // namespace
+
+MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) {
+  constexpr double slack_tolerance = 1e-11, step_tolerance = 1e-10, gain = 1e-9;
+  constexpr int most_evaluations = 150, most_rounds = 4;
+  const Eigen::Index n = problem.variables;
+  const auto m = static_cast<unsigned>(problem.is_objective.size());
+  MaxMinPoint best = evaluated(problem, start);
+  for (int round = 0; round < most_rounds; ++round) {
+    const Optimizer library = optimizer(n + 1);
+    Bounded bounded(problem, library.get());
+    Eigen::VectorXd x(n + 1), low = Eigen::VectorXd::Zero(n + 1), high = Eigen::VectorXd::Ones(n + 1);
+    x << best.x, best.objective;
+    constexpr double far = 1e3;
+    low(n) = -far;
+    high(n) = far;
+    const std::vector<double> tolerances(m, slack_tolerance);
+    nlopt_set_lower_bounds(library.get(), low.data());
+    nlopt_set_upper_bounds(library.get(), high.data());
+    nlopt_set_max_objective(library.get(), Bounded::bound, nullptr);
+    nlopt_add_inequality_mconstraint(library.get(), m, Bounded::slack, &bounded, tolerances.data());
+    nlopt_set_xtol_rel(library.get(), step_tolerance);
+    nlopt_set_maxeval(library.get(), most_evaluations);
+    double t = 0;
+    nlopt_optimize(library.get(), x.data(), &t);
+    bounded.rethrow();
+    const MaxMinPoint found = evaluated(problem, x.head(n).cwiseMax(0.0).cwiseMin(1.0));
+    const bool better = is_better(found, best, 10 * slack_tolerance);
+    const bool worth = found.objective > best.objective + gain || found.constraint > best.constraint + gain;
+    if (better) best = found;
+    if (!better || !worth) break;
+  }
+  return best;
+}
+
+Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, double active) {
+  Eigen::VectorXd values;
+  Eigen::MatrixXd slopes;
+  problem.evaluate(point.x, values, &slopes);
+  std::vector<Eigen::Index> near;
+  bool any_objective = false;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const bool objective = problem.is_objective[to_size(i)];
+    if (values(i) > (objective ? point.objective : 0.0) + active) continue;
+    near.push_back(i);
+    any_objective = any_objective || objective;
+  }
+  Multipliers result{Eigen::VectorXd::Zero(values.size()), foundation::infinity};
+  if (!any_objective) return result;
+  // Columns: slopes of the active values, then what the bounds in reach can take: +e_j at 0, −e_j at 1.
+  constexpr double at_bound = 1e-9;
+  const auto count = to_index(near.size());
+  Eigen::MatrixXd columns(problem.variables, count + problem.variables);
+  for (Eigen::Index i = 0; i < count; ++i) columns.col(i) = slopes.row(near[to_size(i)]).transpose();
+  Eigen::Index total = count;
+  for (Eigen::Index j = 0; j < problem.variables; ++j) {
+    const double side = point.x(j) <= at_bound ? 1 : point.x(j) >= 1 - at_bound ? -1 : 0;
+    if (side != 0) columns.col(total++) = side * Eigen::VectorXd::Unit(problem.variables, j);
+  }
+  const double scale =
+      std::max(columns.leftCols(count).colwise().norm().maxCoeff(), std::numeric_limits<double>::min());
+  columns.leftCols(count) /= scale;
+  // The sum over the objectives is a heavy row.
+  constexpr double heavy = 1e4;
+  Eigen::MatrixXd system(problem.variables + 1, total);
+  system.topRows(problem.variables) = columns.leftCols(total);
+  system.bottomRows(1).setZero();
+  for (Eigen::Index i = 0; i < count; ++i)
+    if (problem.is_objective[to_size(near[to_size(i)])]) system(problem.variables, i) = heavy;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(problem.variables + 1);
+  right(problem.variables) = heavy;
+  const Eigen::VectorXd lambda = nonnegative_least_squares(system, right);
+  result.residual = (columns.leftCols(total) * lambda).norm();
+  for (Eigen::Index i = 0; i < count; ++i) result.of_values(near[to_size(i)]) = lambda(i);
+  return result;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+
+namespace trivet::project {
+
+/// The search for the best design: [analyses.optimize].
+struct OptimizeRequest {
+  std::vector<std::string> parameters;  ///< names in [parameters]; empty: all
+  std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
+                                        ///< empty: the largest least margin of the requirements
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  int starts = 32;
+};
+
+}  // namespace trivet::project

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/optimization_results.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/results/axis_words.h"
+#include "trivet/results/json_parts.h"
+#include "trivet/results/text_table.h"
+#include "trivet/results/verdict_words.h"
+
+namespace trivet::results {
+namespace {
+
+using study::CaseVerdict;
+using study::Optimization;
+using study::RequirementResult;
+
+std::string ratio_words(double value) { return std::isinf(value) ? "∞" : fmt::format("{:.6g}", value); }
+
+std::string case_prefix(const CaseVerdict& judged) {
+  return judged.case_name.empty() ? "" : "case " + judged.case_name + ": ";
+}
+
+/// "machine.z ≤ 1 mm", or the amplitude of a minimised result.
+std::string words_of(const Optimization& found, std::size_t result_case, std::size_t result) {
+  const CaseVerdict& judged = found.after[result_case];
+  return case_prefix(judged) + (result < judged.results.size() ? judged.results[result].words : "the minimised result");
+}
+
+std::string objective_words(const Optimization& found) {
+  if (!found.minimizes) return "least margin of all requirements";
+  std::string names;
+  for (const std::string& name : found.objective) names += (names.empty() ? "" : ", ") + name;
+  return "largest amplitude of " + names + " over the band, as a share of its limit (of 1 SI unit without a limit)";
+}
+
+std::string parameters_text(const Optimization& found) {
+  TextTable table({"parameter", "from", "to", "given", "optimum", ""});
+  for (const study::OptimizedParameter& p : found.parameters) {
+    const std::string unit = axis_unit(p.axis);
+    const auto words = [&](double value) { return fmt::format("{:.6g}{}", value, unit.empty() ? "" : " " + unit); };
+    constexpr double noticeable = 1e-3;  // of the range
+    const bool valley = p.most - p.least > noticeable * (p.axis.to - p.axis.from);
+    table.add({p.axis.name, words(p.axis.from), words(p.axis.to), p.given ? words(*p.given) : "differ", words(p.best),
+               p.idle           ? "changes nothing here"
+                   : valley     ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
+                   : p.at_bound ? "at the end of its range"
+                                : ""});
+  }
+  return table.text();
+}
+
+std::string requirements_text(const Optimization& found) {
+  std::string text;
+  for (std::size_t c = 0; c < found.after.size(); ++c) {
+    const CaseVerdict &before = found.before[c], &after = found.after[c];
+    if (after.results.empty()) continue;
+    TextTable table({"requirement", "given: margin", "optimum: margin", "verdict"});
+    std::vector<std::size_t> order(after.results.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return after.results[a].margin < after.results[b].margin; });
+    const auto margin = [](const RequirementResult& r) { return r.value ? ratio_words(r.margin) : "not judged"; };
+    for (const std::size_t i : order)
+      table.add({after.results[i].words, margin(before.results[i]), margin(after.results[i]),
+                 !after.results[i].value      ? "NOT JUDGED"
+                     : after.results[i].met() ? "met"
+                                              : "VIOLATED"});
+    text += (after.case_name.empty() ? "Base model\n" : "Case " + after.case_name + "\n") + table.text() + "\n";
+  }
+  return text;
+}
+
+std::string frequencies_text(const Optimization& found) {
+  const auto list = [](const std::vector<double>& frequencies) {
+    constexpr std::size_t most = 12;
+    std::string text;
+    for (std::size_t i = 0; i < frequencies.size() && i < most; ++i)
+      text += fmt::format("{}{:.4g}", i ? ", " : "", frequencies[i] / foundation::two_pi);
+    return text + (frequencies.size() > most ? ", …" : "");
+  };
+  return "Natural frequencies, given:   " + list(found.frequencies_before.front()) + " Hz\n" +
+      "Natural frequencies, optimum: " + list(found.frequencies_after.front()) + " Hz\n";
+}
+
+std::string conditions_text(const Optimization& found) {
+  std::string text;
+  if (!found.active.empty()) {
+    TextTable table({"what holds the optimum", "1 % more of its bound brings"});
+    for (const study::ActiveRequirement& one : found.active)
+      table.add({words_of(found, one.result_case, one.result), fmt::format("{:.3g} %", one.multiplier)});
+    text += table.text();
+  }
+  text += fmt::format("Residual of the optimality conditions: {:.2g} of the largest slope.\n", found.residual);
+  if (found.conflicts.empty()) return text;
+  text += found.feasible ? "" : "\nThese requirements contradict each other within the ranges:\n";
+  TextTable table({"requirement", "its bound would have to give by", "least margin of the others without it"});
+  for (const study::Conflict& one : found.conflicts)
+    table.add({words_of(found, one.result_case, one.result), fmt::format("{:.4g}", 1 / one.margin),
+               ratio_words(one.without)});
+  return text + table.text();
+}
+
+std::string search_text(const Optimization& found) {
+  std::string text =
+      fmt::format("{} of {} starts reached this; {} designs computed", found.agreeing, found.starts, found.evaluations);
+  if (found.failed > 0) text += fmt::format(", {} of them without a result ({})", found.failed, found.first_failure);
+  text += ".\n";
+  for (const study::OtherOptimum& other : found.others) {
+    text += fmt::format("  {} other{} ended at {} with", other.starts, other.starts == 1 ? "" : "s",
+                        ratio_words(other.objective));
+    for (std::size_t j = 0; j < other.values.size(); ++j)
+      text += fmt::format("{} {} = {:.5g}", j ? "," : "", found.parameters[j].axis.name, other.values[j]);
+    text += "\n";
+  }
+  if (!found.differenced.empty())
+    text += "Slopes by differences of values: " + foundation::comma_separated(found.differenced) + ".\n";
+  return text + "A search finds the best of where it looked; it proves no global optimum.\n";
+}
+
+}  // namespace
+
+std::string optimization_text(const Optimization& found) {
+  const std::string before = found.objective_before ? ratio_words(*found.objective_before) : "not judged";
+  std::string text =
+      fmt::format("{}: {} → {}{}\n\n", objective_words(found), before, ratio_words(found.objective_after),
+                  found.after.front().results.empty() ? ""
+                      : found.feasible                ? ", every requirement is met"
+                                                      : ", NOT every requirement is met");
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + parameters_text(found) + "\n" + requirements_text(found) + frequencies_text(found) + "\n" +
+      conditions_text(found) + "\n" + search_text(found);
+}
+
+std::string optimization_settings(const Optimization& found) {
+  std::string text;
+  for (const study::OptimizedParameter& p : found.parameters)
+    for (const project::ParameterPlace& place : p.axis.places)
+      text += fmt::format("--set '{} = {}'\n", place.path,
+                          p.axis.unit.empty() ? fmt::format("{:.12g}", place.factor * p.best)
+                                              : fmt::format("\"{:.12g} {}\"", place.factor * p.best, p.axis.unit));
+  return text;
+}
+
+std::string optimization_json(const Optimization& found) {
+  using json::Json;
+  const auto number = [](double value) { return json::number(value); };
+  Json result = {{"objective", found.minimizes ? Json(found.objective) : Json("margin")},
+                 {"before", found.objective_before ? number(*found.objective_before) : Json(nullptr)},
+                 {"after", number(found.objective_after)},
+                 {"feasible", found.feasible},
+                 {"parameters", Json::array()},
+                 {"cases", Json::array()},
+                 {"active", Json::array()},
+                 {"residual", number(found.residual)},
+                 {"conflicts", Json::array()},
+                 {"starts", found.starts},
+                 {"agreeing", found.agreeing},
+                 {"others", Json::array()},
+                 {"designs", found.evaluations},
+                 {"failed", found.failed},
+                 {"differenced", found.differenced}};
+  for (const study::OptimizedParameter& p : found.parameters) {
+    Json places = Json::array();
+    for (const project::ParameterPlace& place : p.axis.places)
+      places.push_back({{"path", place.path}, {"factor", place.factor}});
+    result["parameters"].push_back({{"name", p.axis.name},
+                                    {"places", std::move(places)},
+                                    {"unit", axis_unit(p.axis)},
+                                    {"from", p.axis.from},
+                                    {"to", p.axis.to},
+                                    {"given", json::optional(p.given)},
+                                    {"optimum", p.best},
+                                    {"as_good_from", p.least},
+                                    {"as_good_to", p.most},
+                                    {"at_bound", p.at_bound},
+                                    {"idle", p.idle}});
+  }
+  for (std::size_t c = 0; c < found.after.size(); ++c)
+    result["cases"].push_back({{"case", found.after[c].case_name},
+                               {"before", json::verdict(found.before[c])},
+                               {"after", json::verdict(found.after[c])},
+                               {"angular_frequencies_before", json::list(found.frequencies_before[c])},
+                               {"angular_frequencies_after", json::list(found.frequencies_after[c])}});
+  for (const study::ActiveRequirement& one : found.active)
+    result["active"].push_back({{"case", found.after[one.result_case].case_name},
+                                {"requirement", words_of(found, one.result_case, one.result)},
+                                {"multiplier", one.multiplier}});
+  for (const study::Conflict& one : found.conflicts)
+    result["conflicts"].push_back({{"case", found.after[one.result_case].case_name},
+                                   {"requirement", words_of(found, one.result_case, one.result)},
+                                   {"margin", number(one.margin)},
+                                   {"without", number(one.without)}});
+  for (const study::OtherOptimum& other : found.others)
+    result["others"].push_back(
+        {{"values", json::list(other.values)}, {"objective", number(other.objective)}, {"starts", other.starts}});
+  return json::text(result, 1) + "\n";
+}
+
+}  // namespace trivet::results

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/optimization.h"
+
+namespace trivet::results {
+
+/// Parameters, requirements and natural frequencies of the given design beside those of the optimum, what holds it, and
+/// how sure the search is.
+[[nodiscard]] std::string optimization_text(const study::Optimization& found);
+[[nodiscard]] std::string optimization_json(const study::Optimization& found);
+/// The settings that give the optimum: --set 'elements.mount.scale = 1.25', one per line.
+[[nodiscard]] std::string optimization_settings(const study::Optimization& found);
+
+}  // namespace trivet::results

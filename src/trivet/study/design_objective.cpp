@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/design_objective.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/study/case_context.h"
+#include "trivet/study/design_neighbours.h"
+#include "trivet/study/requirement_values.h"
+
+namespace trivet::study {
+namespace {
+
+/// Places of a requirement with several candidates: the nearest ones count.
+constexpr std::size_t most_candidates = 8;
+
+/// Requirements with exact slopes.
+bool is_exact(RequirementKind kind) {
+  return kind == RequirementKind::amplitude || kind == RequirementKind::no_peak ||
+      kind == RequirementKind::avoided_frequencies || kind == RequirementKind::separation;
+}
+
+std::size_t places_of(RequirementKind kind) {
+  const bool several = is_exact(kind) || kind == RequirementKind::damping_ratio || kind == RequirementKind::decoupling;
+  return several ? most_candidates : 1;
+}
+
+double logarithm(double margin) {
+  if (!(margin > 0)) return DesignObjective::unusable;
+  return std::clamp(std::log(margin), DesignObjective::unusable, DesignObjective::most);
+}
+
+/// The candidates nearest to deciding, by frequency, so that two maxima that overtake each other keep their places; the
+/// value itself where there are none.
+std::vector<RequirementResult::Candidate> nearest(const RequirementResult& result) {
+  std::vector<RequirementResult::Candidate> candidates = result.candidates;
+  if (places_of(result.kind) == 1) candidates = {{result.margin, 0, 0, 0, false}};
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.margin < b.margin; });
+  candidates.resize(std::min(candidates.size(), most_candidates));
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const auto& a, const auto& b) { return a.angular_frequency < b.angular_frequency; });
+  return candidates;
+}
+
+/// Requirements without those that have exact slopes.
+project::Analyses without_exact(project::Analyses analyses) {
+  analyses.limits.clear();
+  if (analyses.requirements) {
+    analyses.requirements->limits.clear();
+    analyses.requirements->no_peak.clear();
+    analyses.requirements->avoided.clear();
+    analyses.requirements->separation = 0;
+  }
+  return analyses;
+}
+
+/// Margin of the same mode or root next to a design.
+double margin_at(const RequirementResult& there, const RequirementResult::Candidate& candidate) {
+  for (const RequirementResult::Candidate& one : there.candidates)
+    if (one.mode == candidate.mode) return one.margin;
+  return there.margin;
+}
+
+/// A case must not set a number that a parameter moves: the parameter would undo the case.
+void refuse_overruled_cases(const DesignSpace& space, const project::Project& project,
+                            const std::vector<const project::Case*>& cases) {
+  for (const project::Case* variant : cases)
+    for (const project::DesignAxis& axis : space.axes())
+      for (const project::ParameterPlace& place : axis.places) {
+        const project::ModelNumber number(place.path, axis.unit);
+        if (number.read(*variant) == number.read(project.base())) continue;
+        throw foundation::InvalidInput("optimize: case " + foundation::quoted(variant->name) + " sets " + place.path +
+                                       ", which the parameter " + foundation::quoted(axis.name) +
+                                       " moves; change another number in the case, such as stiffness_factor, or leave "
+                                       "the case out of hold_in");
+      }
+}
+
+}  // namespace
+
+DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
+    : space_(project, request.parameters), minimizes_(!request.minimize.empty()) {
+  const project::Analyses& base = project.base().analyses;
+  const std::vector<std::string> hold_in =
+      base.requirements ? base.requirements->hold_in : project::Requirements().hold_in;
+  for (const project::Case& variant : project.cases)
+    if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases_.push_back(&variant);
+  refuse_overruled_cases(space_, project, cases_);
+  for (const project::Case* variant : cases_) {
+    asked_.push_back(variant->analyses);
+    add_objectives(asked_.back(), request);
+    differenced_requirements_.push_back(without_exact(asked_.back()));
+  }
+  for (std::size_t c = 0; c < cases_.size(); ++c) {
+    const std::vector<RequirementResult> given = results(c, cases_[c]->system);
+    std::vector<std::size_t>& width = width_.emplace_back();
+    for (std::size_t r = 0; r < given.size(); ++r) {
+      width.push_back(places_of(given[r].kind));
+      for (std::size_t k = 0; k < width.back(); ++k) {
+        places_.push_back({c, r});
+        is_objective_.push_back(!minimizes_ || is_objective(r));
+      }
+      const std::string kind = name(given[r].kind);
+      if (!is_exact(given[r].kind) && std::find(differenced_.begin(), differenced_.end(), kind) == differenced_.end())
+        differenced_.push_back(kind);
+    }
+  }
+  if (places_.empty())
+    throw foundation::InvalidInput(
+        "optimize: neither requirements nor limits nor anything to minimise; add [requirements], or minimize = "
+        "[\"BODY.x\"] in [analyses.optimize]");
+}
+
+void DesignObjective::add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request) {
+  if (!minimizes_) return;
+  if (!analyses.requirements) {
+    analyses.requirements.emplace();
+    if (analyses.response) analyses.requirements->band = analyses.response->band;
+  }
+  project::Requirements& required = *analyses.requirements;
+  first_objective_ = analyses.limits.size() + required.limits.size();
+  objectives_ = request.minimize.size();
+  for (const std::string& name : request.minimize) {
+    double allowed = 1;
+    for (const project::AmplitudeLimit& limit : required.limits)
+      if (limit.name == name && limit.quantity == request.quantity) allowed = limit.amplitude;
+    const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
+    for (const project::Limit& limit : analyses.limits)
+      if (limit.name == name && same_quantity) allowed = limit.amplitude;
+    required.limits.push_back({name, request.quantity, allowed});
+  }
+}
+
+bool DesignObjective::is_objective(std::size_t result) const {
+  return minimizes_ && result >= first_objective_ && result < first_objective_ + objectives_;
+}
+
+std::vector<RequirementResult> DesignObjective::results(std::size_t result_case, const model::System& system) const {
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  foundation::Problems warnings;
+  return requirement_values(context, asked_[result_case], warnings);
+}
+
+void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const {
+  ++evaluations_;
+  const auto count = to_index(places_.size());
+  values = Eigen::VectorXd::Constant(count, most);
+  if (slopes) slopes->setZero(count, shares.size());
+  try {
+    Eigen::Index first = 0;
+    for (std::size_t c = 0; c < cases_.size(); ++c) {
+      evaluate_case(c, shares, first, values, slopes);
+      for (const std::size_t width : width_[c]) first += to_index(width);
+    }
+  } catch (const foundation::NotComputable& reason) {
+    ++failed_;
+    values.setConstant(unusable);
+    if (slopes) slopes->setZero();
+    const std::lock_guard lock(noting_);
+    if (first_failure_.empty()) first_failure_ = reason.what();
+  }
+}
+
+void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first,
+                                    Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const {
+  const Eigen::VectorXd design = space_.values(shares);
+  const model::System system = space_.system(*cases_[c], design);
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  foundation::Problems warnings;
+  const std::vector<RequirementResult> found = requirement_values(context, asked_[c], warnings);
+  std::vector<Smooth> smooth(found.size());
+  Eigen::Index place = first;
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    const Eigen::Index end = place + to_index(width_[c][r]);
+    if (!found[r].value) values.segment(place, end - place).setConstant(unusable);
+    else smooth[r] = set_values(found[r], place, values);
+    place = end;
+  }
+  if (!slopes) return;
+  const DesignNeighbours neighbours(space_, *cases_[c], design);
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    if (!is_exact(found[r].kind) || smooth[r].candidates.empty()) continue;
+    const Eigen::MatrixXd exact = neighbours.slopes(context, found[r], smooth[r].candidates);
+    for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes->row(smooth[r].rows[i]) = exact.row(to_index(i));
+  }
+  add_differences(c, found, smooth, neighbours, *slopes);
+  for (std::size_t j = 0; j < space_.size(); ++j)
+    slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
+}
+
+DesignObjective::Smooth DesignObjective::set_values(const RequirementResult& result, Eigen::Index place,
+                                                    Eigen::VectorXd& values) {
+  Smooth smooth;
+  for (const RequirementResult::Candidate& candidate : nearest(result)) {
+    values(place) = logarithm(candidate.margin);
+    const bool curve_at_rest = is_exact(result.kind) && candidate.angular_frequency == 0;
+    if (values(place) > unusable && values(place) < most && !curve_at_rest) {
+      smooth.candidates.push_back(candidate);
+      smooth.rows.push_back(place);
+    }
+    ++place;
+  }
+  return smooth;
+}
+
+void DesignObjective::add_differences(std::size_t c, const std::vector<RequirementResult>& found,
+                                      const std::vector<Smooth>& smooth, const DesignNeighbours& neighbours,
+                                      Eigen::MatrixXd& slopes) const {
+  std::vector<std::size_t> differenced;
+  for (std::size_t r = 0; r < found.size(); ++r)
+    if (!is_exact(found[r].kind)) differenced.push_back(r);
+  if (differenced.empty()) return;
+  const foundation::Progress silent;
+  foundation::Problems warnings;
+  for (std::size_t j = 0; j < space_.size(); ++j)
+    for (const DesignNeighbours::Neighbour& neighbour : neighbours.all()[j]) {
+      const CaseContext context(*neighbour.system, silent);
+      const std::vector<RequirementResult> there = requirement_values(context, differenced_requirements_[c], warnings);
+      for (std::size_t i = 0; i < there.size(); ++i) {
+        const Smooth& here = smooth[differenced[i]];
+        for (std::size_t k = 0; k < here.rows.size(); ++k)
+          slopes(here.rows[k], to_index(j)) += neighbour.weight * logarithm(margin_at(there[i], here.candidates[k]));
+      }
+    }
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "trivet/numerics/search/max_min.h"
+#include "trivet/study/design_neighbours.h"
+#include "trivet/study/design_space.h"
+#include "trivet/study/verdict.h"
+
+namespace trivet::study {
+
+/// The margins of a project's requirements as smooth functions of its parameters, for a search: ln(margin) of every
+/// maximum, mode or value that may decide, each in a place of its own.
+class DesignObjective {
+ public:
+  /// @throws foundation::InvalidInput if there is nothing to meet or to minimise
+  DesignObjective(const project::Project& project, const project::OptimizeRequest& request);
+
+  [[nodiscard]] const DesignSpace& space() const { return space_; }
+  [[nodiscard]] const std::vector<const project::Case*>& cases() const { return cases_; }
+
+  /// A place of the list of values.
+  struct Place {
+    std::size_t result_case = 0, result = 0;
+  };
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
+  [[nodiscard]] const std::vector<bool>& is_objective() const { return is_objective_; }
+
+  /// ln(margin) at the places, at most `most`; designs without a model have `unusable` everywhere.
+  void evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const;
+  static constexpr double most = 30, unusable = -30;
+
+  /// The requirements of one case at a design, with the minimised amplitudes as requirements at the end of their kind.
+  [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
+  [[nodiscard]] bool minimizes() const { return minimizes_; }
+  [[nodiscard]] bool is_objective(std::size_t result) const;
+
+  [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
+  [[nodiscard]] std::size_t failed() const { return failed_; }
+  [[nodiscard]] std::string first_failure() const { return first_failure_; }
+  [[nodiscard]] const std::vector<std::string>& differenced() const { return differenced_; }
+
+ private:
+  void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
+  /// The places of one requirement that have slopes.
+  struct Smooth {
+    std::vector<RequirementResult::Candidate> candidates;
+    std::vector<Eigen::Index> rows;  ///< of the values
+  };
+  static Smooth set_values(const RequirementResult& result, Eigen::Index place, Eigen::VectorXd& values);
+  void add_differences(std::size_t c, const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
+                       const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes) const;
+  void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
+                     Eigen::MatrixXd* slopes) const;
+
+  DesignSpace space_;
+  std::vector<const project::Case*> cases_;
+  std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
+  std::vector<project::Analyses> differenced_requirements_;  ///< those without candidates
+  std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
+  bool minimizes_ = false;
+  std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places
+  std::vector<Place> places_;
+  std::vector<bool> is_objective_;
+  std::vector<std::string> differenced_;
+  mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0;
+  mutable std::mutex noting_;
+  mutable std::string first_failure_;
+};
+
+}  // namespace trivet::study

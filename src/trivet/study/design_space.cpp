@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/design_space.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
+
+namespace trivet::study {
+
+DesignSpace::DesignSpace(const project::Project& project, const std::vector<std::string>& names) {
+  for (const project::DesignAxis& axis : project.base().analyses.parameters) {
+    if (!names.empty() && std::find(names.begin(), names.end(), axis.name) == names.end()) continue;
+    axes_.push_back(axis);
+    numbers_.emplace_back(axis);
+    given_.push_back(numbers_.back().read(project.base()));
+  }
+  if (axes_.empty())
+    throw foundation::InvalidInput("optimize: the file has no parameters; write [parameters.NAME] with path, from, to");
+}
+
+Eigen::VectorXd DesignSpace::values(const Eigen::VectorXd& shares) const {
+  Eigen::VectorXd result(shares.size());
+  for (Eigen::Index j = 0; j < shares.size(); ++j) result(j) = axes_[to_size(j)].at(shares(j));
+  return result;
+}
+
+double DesignSpace::slope(std::size_t axis, double share) const {
+  const project::DesignAxis& a = axes_[axis];
+  return a.logarithmic ? a.at(share) * std::log(a.to / a.from) : a.to - a.from;
+}
+
+model::System DesignSpace::system(const project::Case& variant, const Eigen::VectorXd& values) const {
+  project::Design design;
+  for (std::size_t j = 0; j < numbers_.size(); ++j) design.emplace_back(numbers_[j], values(to_index(j)));
+  auto changed = project::changed_system(variant, design);
+  if (changed) return std::move(*changed);
+  for (const foundation::Problem& problem : changed.error().list())
+    if (problem.severity == foundation::Severity::error)
+      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
+  throw foundation::NotComputable("the model cannot be read");
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/project/model_number.h"
+#include "trivet/project/project.h"
+
+namespace trivet::study {
+
+/// The parameters of a search, each as a share 0 … 1 of its range (of its logarithm with logarithmic spacing).
+class DesignSpace {
+ public:
+  /// @param names  in [parameters]; empty: all
+  DesignSpace(const project::Project& project, const std::vector<std::string>& names);
+
+  [[nodiscard]] std::size_t size() const { return axes_.size(); }
+  [[nodiscard]] const std::vector<project::DesignAxis>& axes() const { return axes_; }
+
+  [[nodiscard]] Eigen::VectorXd values(const Eigen::VectorXd& shares) const;  ///< in the units of the axes
+  /// d value / d share of one parameter.
+  [[nodiscard]] double slope(std::size_t axis, double share) const;
+
+  /// The model of a case with these values. @throws foundation::NotComputable with the first reason if it is not valid
+  [[nodiscard]] model::System system(const project::Case& variant, const Eigen::VectorXd& values) const;
+
+  /// Values that the file has; none for a parameter whose places differ.
+  [[nodiscard]] const std::vector<std::optional<double>>& given() const { return given_; }
+
+ private:
+  std::vector<project::DesignAxis> axes_;
+  std::vector<project::ModelNumber> numbers_;
+  std::vector<std::optional<double>> given_;
+};
+
+}  // namespace trivet::study

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/optimization.h"
+
+#include <algorithm>
+#include <boost/random/sobol.hpp>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/study/case_context.h"
+#include "trivet/study/design_objective.h"
+
+namespace trivet::study {
+namespace {
+
+using numerics::MaxMinPoint;
+using numerics::MaxMinProblem;
+
+/// Looks before climbing: so many points of Sobol's sequence per start, within these bounds.
+constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
+/// Optima this near in ln(objective) have the same; if they are also this near in every share of a range, they are one.
+constexpr double same_objective = 1e-5, same_place = 1e-3;
+/// A requirement within this of the least margin holds the optimum.
+constexpr double active_within = 1e-5;
+
+MaxMinProblem problem_of(const DesignObjective& objective) {
+  return {to_index(objective.space().size()), objective.is_objective(),
+          [&](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
+            objective.evaluate(x, values, slopes);
+          }};
+}
+
+/// Violated constraints first count, then the objective.
+double rank(const MaxMinPoint& point) {
+  constexpr double met = -1e-9, below_all = -1e3;
+  return point.constraint >= met ? point.objective : below_all + point.constraint;
+}
+
+MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
+  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
+  Eigen::VectorXd values;
+  problem.evaluate(x, values, nullptr);
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
+    least = std::min(least, values(i));
+  }
+  return point;
+}
+
+std::vector<Eigen::VectorXd> sobol_points(Eigen::Index dimensions, int count) {
+  boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
+  const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
+  std::vector<Eigen::VectorXd> points;
+  for (int i = 0; i < count; ++i) {
+    Eigen::VectorXd point(dimensions);
+    for (double& share : point) share = static_cast<double>(sequence()) / whole;
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+/// The best looks that lie apart, at most `starts`.
+std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
+  std::vector<MaxMinPoint> chosen;
+  for (const double apart : {0.15, 0.05, 0.0})
+    for (const MaxMinPoint& look : looks) {
+      if (chosen.size() >= starts) return chosen;
+      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const MaxMinPoint& other) {
+        return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart;
+      });
+      if (!near) chosen.push_back(look);
+    }
+  return chosen;
+}
+
+/// Climbs from all starts; the results in their order.
+std::vector<MaxMinPoint> climbed(const MaxMinProblem& problem, const std::vector<MaxMinPoint>& starts,
+                                 const foundation::Progress& progress) {
+  std::vector<MaxMinPoint> ends(starts.size());
+  foundation::parallel_for(starts.size(), {.progress = progress, .task = "climbing"},
+                           [&](std::size_t first, std::size_t last) {
+                             for (std::size_t i = first; i < last; ++i) ends[i] = max_min(problem, starts[i].x);
+                           });
+  return ends;
+}
+
+std::vector<double> natural_frequencies(const model::System& system) {
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  std::vector<double> result;
+  for (const modal::Mode& mode : context.modes.list)
+    if (mode.angular_frequency.value_or(0) > 0) result.push_back(*mode.angular_frequency);
+  return result;
+}
+
+class Search {
+ public:
+  Search(const project::Project& project, const project::OptimizeRequest& request, const foundation::Progress& progress)
+      : project_(project),
+        request_(request),
+        progress_(progress),
+        objective_(project, request),
+        problem_(problem_of(objective_)) {}
+
+  Optimization run() {
+    const std::vector<MaxMinPoint> ends = climbed(problem_, starts(), progress_);
+    best_ = *std::max_element(ends.begin(), ends.end(),
+                              [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) < rank(b); });
+    if (best_.objective <= DesignObjective::unusable)
+      throw foundation::NotComputable("optimize: no design of the ranges can be judged: " + objective_.first_failure());
+    describe_parameters();
+    describe_verdicts();
+    describe_conditions();
+    describe_ends(ends);
+    result_.evaluations = objective_.evaluations();
+    result_.failed = objective_.failed();
+    result_.first_failure = objective_.first_failure();
+    result_.differenced = objective_.differenced();
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<MaxMinPoint> starts() {
+    const int looks = std::clamp(looks_per_start * request_.starts, fewest_looks, most_looks);
+    std::vector<Eigen::VectorXd> points = sobol_points(problem_.variables, looks);
+    Eigen::VectorXd given(problem_.variables);
+    bool inside = true;
+    for (std::size_t j = 0; j < objective_.space().size(); ++j) {
+      const auto& value = objective_.space().given()[j];
+      given(to_index(j)) = value ? objective_.space().axes()[j].share(*value) : -1;
+      inside = inside && given(to_index(j)) >= 0 && given(to_index(j)) <= 1;
+    }
+    std::vector<MaxMinPoint> seen(points.size());
+    foundation::parallel_for(points.size(), {.progress = progress_, .task = "looking"},
+                             [&](std::size_t first, std::size_t last) {
+                               for (std::size_t i = first; i < last; ++i) seen[i] = point_at(problem_, points[i]);
+                             });
+    std::vector<MaxMinPoint> chosen = chosen_starts(std::move(seen), to_size(request_.starts));
+    if (inside) chosen.push_back(point_at(problem_, given));
+    result_.starts = static_cast<int>(chosen.size());
+    return chosen;
+  }
+
+  void describe_parameters() {
+    const Eigen::VectorXd values = objective_.space().values(best_.x);
+    constexpr double at_bound = 1e-9;
+    for (std::size_t j = 0; j < objective_.space().size(); ++j) {
+      const double share = best_.x(to_index(j));
+      result_.parameters.push_back({objective_.space().axes()[j], objective_.space().given()[j], values(to_index(j)),
+                                    values(to_index(j)), values(to_index(j)),
+                                    share <= at_bound || share >= 1 - at_bound, false});
+    }
+  }
+
+  void describe_verdicts() {
+    const std::vector<std::string> hold_in = project_.base().analyses.requirements
+        ? project_.base().analyses.requirements->hold_in
+        : project::Requirements().hold_in;
+    const Eigen::VectorXd values = objective_.space().values(best_.x);
+    for (const project::Case* variant : objective_.cases()) {
+      project::Case optimum = *variant;
+      optimum.system = objective_.space().system(*variant, values);
+      const foundation::Progress silent;
+      result_.before.push_back(case_verdict(*variant, hold_in, silent));
+      result_.after.push_back(case_verdict(optimum, hold_in, silent));
+      result_.frequencies_before.push_back(natural_frequencies(variant->system));
+      result_.frequencies_after.push_back(natural_frequencies(optimum.system));
+    }
+    result_.minimizes = objective_.minimizes();
+    result_.objective = request_.minimize;
+    result_.feasible =
+        std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
+    result_.objective_before =
+        objective_of([&](std::size_t c) { return objective_.results(c, objective_.cases()[c]->system); });
+    result_.objective_after = objective_of([&](std::size_t c) {
+                                return objective_.results(c, objective_.space().system(*objective_.cases()[c], values));
+                              }).value_or(0);
+  }
+
+  /// The least margin, or the largest share of a minimised amplitude.
+  template <typename Results>
+  std::optional<double> objective_of(const Results& results) const {
+    double least = foundation::infinity;
+    for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
+      const std::vector<RequirementResult> found = results(c);
+      for (std::size_t r = 0; r < found.size(); ++r) {
+        if (objective_.minimizes() && !objective_.is_objective(r)) continue;
+        if (!found[r].value) return std::nullopt;
+        least = std::min(least, found[r].margin);
+      }
+    }
+    return objective_.minimizes() ? 1 / least : least;
+  }
+
+  void describe_conditions() {
+    const numerics::Multipliers found = numerics::multipliers(problem_, best_, active_within);
+    result_.residual = found.residual;
+    for (std::size_t i = 0; i < objective_.places().size(); ++i) {
+      const double multiplier = found.of_values(to_index(i));
+      constexpr double some = 1e-6;
+      if (multiplier <= some) continue;
+      const DesignObjective::Place& place = objective_.places()[i];
+      const auto same = std::find_if(result_.active.begin(), result_.active.end(), [&](const ActiveRequirement& one) {
+        return one.result_case == place.result_case && one.result == place.result;
+      });
+      if (same != result_.active.end()) same->multiplier += multiplier;
+      else result_.active.push_back({place.result_case, place.result, multiplier});
+    }
+    std::stable_sort(
+        result_.active.begin(), result_.active.end(),
+        [](const ActiveRequirement& a, const ActiveRequirement& b) { return a.multiplier > b.multiplier; });
+    Eigen::VectorXd values;
+    Eigen::MatrixXd slopes;
+    problem_.evaluate(best_.x, values, &slopes);
+    constexpr double no_slope = 1e-9;  // of ln(margin) over the whole range
+    for (std::size_t j = 0; j < result_.parameters.size(); ++j)
+      result_.parameters[j].idle = slopes.col(to_index(j)).isZero(no_slope);
+    if (!objective_.minimizes() && !result_.feasible) describe_conflicts();
+  }
+
+  /// Without each of the requirements that hold the optimum: what the others reach.
+  void describe_conflicts() {
+    for (const ActiveRequirement& active : result_.active) {
+      MaxMinProblem rest = problem_;
+      rest.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
+        objective_.evaluate(x, values, slopes);
+        for (std::size_t i = 0; i < objective_.places().size(); ++i) {
+          const DesignObjective::Place& place = objective_.places()[i];
+          if (place.result_case != active.result_case || place.result != active.result) continue;
+          values(to_index(i)) = DesignObjective::most;
+          if (slopes) slopes->row(to_index(i)).setZero();
+        }
+      };
+      const MaxMinPoint found = max_min(rest, best_.x);
+      const CaseVerdict& judged = result_.after[active.result_case];
+      result_.conflicts.push_back(
+          {active.result_case, active.result, judged.results[active.result].margin, std::exp(found.objective)});
+    }
+  }
+
+  void describe_ends(const std::vector<MaxMinPoint>& ends) {
+    struct Place {
+      MaxMinPoint point;
+      int starts;
+    };
+    std::vector<Place> places;
+    for (const MaxMinPoint& end : ends) {
+      if (std::abs(rank(best_) - rank(end)) <= same_objective) {
+        ++result_.agreeing;
+        const Eigen::VectorXd values = objective_.space().values(end.x);
+        for (std::size_t j = 0; j < result_.parameters.size(); ++j) {
+          study::OptimizedParameter& p = result_.parameters[j];
+          p.least = std::min(p.least, values(to_index(j)));
+          p.most = std::max(p.most, values(to_index(j)));
+        }
+        continue;
+      }
+      const auto same = std::find_if(places.begin(), places.end(), [&](const Place& place) {
+        return std::abs(rank(place.point) - rank(end)) <= same_objective &&
+            (place.point.x - end.x).lpNorm<Eigen::Infinity>() <= same_place;
+      });
+      if (same == places.end()) places.push_back({end, 1});
+      else ++same->starts;
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return rank(a.point) > rank(b.point); });
+    constexpr std::size_t shown = 3;
+    for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
+      const Eigen::VectorXd values = objective_.space().values(places[i].point.x);
+      const double least = std::exp(places[i].point.objective);
+      result_.others.push_back(
+          {{values.begin(), values.end()}, objective_.minimizes() ? 1 / least : least, places[i].starts});
+    }
+  }
+
+  const project::Project& project_;
+  const project::OptimizeRequest& request_;
+  const foundation::Progress& progress_;
+  DesignObjective objective_;
+  MaxMinProblem problem_;
+  MaxMinPoint best_;
+  Optimization result_;
+};
+
+}  // namespace
+
+Optimization optimization(const project::Project& project, const foundation::Progress& progress) {
+  const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
+  return Search(project, request, progress).run();
+}
+
+}  // namespace trivet::study

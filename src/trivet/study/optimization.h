@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/study/verdict.h"
+
+/// The best design over some parameters: `trivet optimize`. Mathematics: docs/design.md.
+namespace trivet::study {
+
+/// One parameter of the search.
+struct OptimizedParameter {
+  project::DesignAxis axis;
+  std::optional<double> given;  ///< value of the file, in the unit of the axis; none if its places differ
+  double best = 0;              ///< in the unit of the axis
+  double least = 0, most = 0;   ///< over all starts that reached the same objective
+  bool at_bound = false;
+  bool idle = false;  ///< no margin and no objective depends on it there
+};
+
+/// A requirement, or an objective, that holds the optimum.
+struct ActiveRequirement {
+  std::size_t result_case = 0;  ///< index in Optimization::after
+  std::size_t result = 0;       ///< index in its results
+  double multiplier = 0;        ///< the objective gains this many percent if the bound is relaxed by 1 %
+};
+
+/// Another local optimum.
+struct OtherOptimum {
+  std::vector<double> values;  ///< of the parameters
+  double objective = 0;
+  int starts = 0;  ///< that ended there
+};
+
+/// A requirement of a set that contradicts itself.
+struct Conflict {
+  std::size_t result_case = 0, result = 0;  ///< as in ActiveRequirement
+  double margin = 0;                        ///< at the design with the largest least margin
+  double without = 0;                       ///< largest least margin of the others without it
+};
+
+struct Optimization {
+  std::vector<OptimizedParameter> parameters;
+  bool minimizes = false;                  ///< amplitudes; false: the largest least margin
+  std::vector<std::string> objective;      ///< results that are minimised
+  std::optional<double> objective_before;  ///< least margin, or largest amplitude over its limit or over 1 SI unit
+  double objective_after = 0;
+  bool feasible = false;                   ///< every requirement is met
+  std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
+  std::vector<std::vector<double>> frequencies_before, frequencies_after;  ///< natural ones of these [rad/s]
+  std::vector<ActiveRequirement> active;
+  double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
+  std::vector<Conflict> conflicts;          ///< if no design meets all requirements
+  int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective
+  std::vector<OtherOptimum> others;         ///< the best three
+  std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
+  std::string first_failure;
+  std::vector<std::string> differenced;  ///< kinds of requirements whose slopes are differences of values
+};
+
+/// Searches [analyses.optimize] of a project, or the largest least margin over all its parameters.
+/// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged
+[[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {});
+
+}  // namespace trivet::study

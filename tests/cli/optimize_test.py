@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet optimize` against optima in closed form."""
+import json
+import math
+import unittest
+
+from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
+
+# A search stops at steps of 1e-10 of a range; at a smooth maximum of a margin this leaves half of the digits of a place.
+PLACE, OBJECTIVE = 1e-6, 1e-9
+M, G = 40.0, 9.80665
+
+OSCILLATOR = f"""trivet = 1
+gravity = [0, 0, -{G}]
+[bodies.m]
+mass = {M}
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 1e5]
+damping = {{translation = [1e-3, 1e-3, 400]}}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+[parameters.stiffness]
+path = "elements.s.translation.z"
+from = "20 N/mm"
+to = "500 N/mm"
+spacing = "logarithmic"
+"""
+
+# A mass on a spring, with an absorber on a spring and a damper.
+ABSORBER = """trivet = 1
+[bodies.main]
+mass = 100
+free = ["z"]
+[bodies.absorber]
+mass = 5
+free = ["z"]
+position = [0, 0, 0.5]
+[elements.spring]
+type = "three_springs"
+on = "main"
+at = [0, 0, 0]
+translation = [1e5, 1e5, 1e5]
+[elements.tuned]
+type = "three_springs"
+on = "absorber"
+from = "main"
+at = [0, 0, 0]
+translation = [1e4, 1e4, 5e3]
+damping = {translation = [0, 0, 30]}
+[excitations.f]
+type = "harmonic"
+on = "main"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[parameters.stiffness]
+path = "elements.tuned.translation.z"
+from = 1e3
+to = 1e4
+[parameters.damper]
+path = "elements.tuned.damping.translation.z"
+from = 1
+to = 200
+"""
+
+
+class Optimize(InTemporaryFolder):
+    def optimum(self, text):
+        found = answer("optimize", self.file(text))
+        return found, {p["name"]: p["optimum"] for p in found["parameters"]}
+
+    def test_absorber_with_the_lowest_peaks(self):
+        # Nishihara and Asami, J. Vib. Acoust. 124 (2002): exact, unlike the rule of the fixed points.
+        mu = 0.05
+        root = math.sqrt(4 + 3 * mu)
+        tuning = (
+            2
+            / (1 + mu)
+            * math.sqrt(2 * (16 + 23 * mu + 9 * mu**2 + 2 * (2 + mu) * root) / (3 * (64 + 80 * mu + 27 * mu**2)))
+        )
+        ratio = math.sqrt((8 + 9 * mu - 4 * root) / (1 + mu)) / 4
+        omega = tuning * math.sqrt(1e5 / 100)
+        found, best = self.optimum(
+            ABSORBER
+            + '[analyses.response]\nband = ["0.1 Hz", "20 Hz"]\n[analyses.optimize]\nminimize = "main.z"\nstarts = 8\n'
+        )
+        self.assertAlmostEqual(best["stiffness"] / (5 * omega**2), 1, delta=PLACE)
+        self.assertAlmostEqual(best["damper"] / (2 * ratio * 5 * omega), 1, delta=PLACE)
+        self.assertLess(found["residual"], PLACE)
+        self.assertGreaterEqual(found["agreeing"], 5)
+        self.assertAlmostEqual(found["active"][0]["multiplier"], 1, delta=PLACE)
+        # The two peaks of the optimum have one height.
+        settings = [
+            f"elements.tuned.translation.z={best['stiffness']!r}",
+            f"elements.tuned.damping.translation.z={best['damper']!r}",
+        ]
+        peaks = json.loads(
+            trivet("peaks", self.file(ABSORBER), "--json", *(x for s in settings for x in ("--set", s))).stdout
+        )["peaks"]
+        heights = [p["amplitude"] for p in peaks if p["name"] == "main.z"]
+        self.assertEqual(len(heights), 2)
+        self.assertAlmostEqual(heights[0] / heights[1], 1, delta=PLACE)
+        self.assertAlmostEqual(max(heights) / found["after"], 1, delta=OBJECTIVE)
+
+    # Sag m g/k ≤ s pulls the stiffness up, a natural frequency below a window pulls it down.
+    SAG, WINDOW = 5e-3, 2 * math.pi * 12
+
+    def between(self, sag):
+        k = (self.WINDOW * M**1.5 * G / sag) ** (2 / 3)
+        return k, sag * k / (M * G)
+
+    def test_two_requirements_in_balance(self):
+        k, margin = self.between(self.SAG)
+        found, best = self.optimum(
+            OSCILLATOR
+            + f'[requirements]\nstatic = {{"m.z" = {self.SAG}}}\nnatural_frequencies = {{avoid = [["12 Hz", "80 Hz"]]}}\n'
+        )
+        self.assertGreater(margin, 1)
+        self.assertTrue(found["feasible"])
+        self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
+        self.assertAlmostEqual(found["after"] / margin, 1, delta=OBJECTIVE)
+        # ln of the margins rises with ln k by 1 and falls by 1/2: multipliers 1/3 and 2/3.
+        multipliers = {a["requirement"]: a["multiplier"] for a in found["active"]}
+        self.assertAlmostEqual(multipliers["at rest m.z ≤ 5 mm"], 1 / 3, delta=PLACE)
+        self.assertAlmostEqual(multipliers["no natural frequency in 12 … 80 Hz"], 2 / 3, delta=PLACE)
+        self.assertEqual(found["conflicts"], [])
+        self.assertEqual(found["differenced"], ["static"])
+
+    def test_requirements_that_contradict_each_other(self):
+        sag = 1e-3
+        k, margin = self.between(sag)
+        self.assertLess(margin, 1)
+        found, best = self.optimum(
+            OSCILLATOR
+            + f'[requirements]\nstatic = {{"m.z" = {sag}}}\ndamping_ratio = 1e-3\n'
+            + 'natural_frequencies = {avoid = [["12 Hz", "80 Hz"]]}\n'
+        )
+        self.assertFalse(found["feasible"])
+        self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
+        conflicts = {c["requirement"]: c for c in found["conflicts"]}
+        self.assertEqual(set(conflicts), {"at rest m.z ≤ 1 mm", "no natural frequency in 12 … 80 Hz"})
+        for conflict in conflicts.values():
+            self.assertAlmostEqual(conflict["margin"] / margin, 1, delta=OBJECTIVE)
+        # Without the sag the softest spring, without the window the stiffest one is best.
+        self.assertAlmostEqual(
+            conflicts["at rest m.z ≤ 1 mm"]["without"], self.WINDOW / math.sqrt(2e4 / M), delta=PLACE
+        )
+        self.assertAlmostEqual(
+            conflicts["no natural frequency in 12 … 80 Hz"]["without"], sag * 5e5 / (M * G), delta=PLACE
+        )
+
+    def test_limit_holds_while_another_result_is_made_small(self):
+        # Force on the ground at 60 Hz falls with the stiffness until the sag allows no less.
+        found, best = self.optimum(
+            OSCILLATOR
+            + f'[analyses.response]\nband = ["60 Hz", "61 Hz"]\n[requirements]\nstatic = {{"m.z" = {self.SAG}}}\n'
+            + '[analyses.optimize]\nminimize = "ground.force.z"\nstarts = 4\n'
+        )
+        k, w, c = M * G / self.SAG, 2 * math.pi * 60, 400
+        self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
+        force = 30 * math.hypot(k, c * w) / math.hypot(k - M * w * w, c * w)
+        self.assertAlmostEqual(found["after"] / force, 1, delta=PLACE)
+        self.assertIn("at rest m.z ≤ 5 mm", [a["requirement"] for a in found["active"]])
+
+    def test_it_holds_in_every_case_named(self):
+        text = OSCILLATOR + f'[cases.heavy]\nbodies.m.mass = {2 * M}\n'
+        text += f'[requirements]\nhold_in = ["", "heavy"]\nstatic = {{"m.z" = {self.SAG}}}\n'
+        text += 'natural_frequencies = {avoid = [["12 Hz", "80 Hz"]]}\n'
+        found, best = self.optimum(text)
+        # The sag of the heavy one, the frequency of the light one: s k/(2 m g) = w √(m/k).
+        k = (self.WINDOW * 2 * M**1.5 * G / self.SAG) ** (2 / 3)
+        self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
+        self.assertEqual([c["case"] for c in found["cases"]], ["", "heavy"])
+        overruled = self.file(text.replace("bodies.m.mass = 80.0", 'elements.s.translation.z = "70 N/mm"'))
+        self.assertIn('case "heavy" sets elements.s.translation.z', trivet("optimize", overruled).stderr)
+
+    def test_parameter_with_factors_moves_places_together(self):
+        feet = (
+            OSCILLATOR.split("[parameters")[0]
+            .replace('free = ["z"]', 'free = ["z", "rx"]')
+            .replace(f"mass = {M}", f'mass = {M}\ninertia = {{about = "center_of_mass", xx = 3, yy = 3, zz = 3}}')
+        )
+        foot = '[elements.{0}]\ntype = "bushing"\non = "m"\nat = [0, {1}, 0]\ntranslation = [1, 1, 5e4]\n'
+        text = feet + foot.format("left", 0.2) + foot.format("right", -0.2)
+        text += "[parameters.spread]\npath = {'elements.left.at.y' = 1, 'elements.right.at.y' = -1}\n"
+        text += 'from = "400 mm"\nto = "600 mm"\n[requirements]\nnatural_frequencies = {separation = 1.2}\n'
+        found, best = self.optimum(text)
+        # The rotation is the faster motion here, √(2 k y²/J) over √((2 k + 1e5)/m): as far apart as possible.
+        self.assertAlmostEqual(best["spread"], 600, delta=PLACE)
+        self.assertTrue(found["parameters"][0]["at_bound"])
+        wide = text.replace("at = [0, 0.2, 0]", "at = [0, 0.6, 0]").replace("at = [0, -0.2, 0]", "at = [0, -0.6, 0]")
+        modes = [m["angular_frequency"] for m in answer("modes", self.file(wide))["modes"]]
+        for one, other in zip(found["cases"][0]["angular_frequencies_after"], modes):
+            self.assertAlmostEqual(one / other, 1, delta=OBJECTIVE)
+
+    def test_map_takes_parameters_as_axes(self):
+        rules = 'limits = {"m.z" = "1 mm"}}\n'
+        axis = '{parameter = "elements.s.translation.z", from = "20 N/mm", to = "500 N/mm", spacing = "logarithmic", points = 5}'
+        mass = '{parameter = "bodies.m.mass", from = 20, to = 60, points = 4}'
+        named = '{parameter = "stiffness", points = 5}'
+        margins = []
+        for x in (axis, named):
+            project = self.file(OSCILLATOR + f"[analyses]\nmap = {{x = {x}, y = {mass}, {rules}")
+            margins.append(answer("map", project)["grid"]["margin"])
+        self.assertEqual(margins[0], margins[1])
+
+    def test_search_is_the_same_for_any_number_of_runs(self):
+        project = str(SOURCE / "examples/powertrain/decoupled.toml")
+        first = trivet("optimize", project, "--json", "--set", "analyses.optimize.starts=2").stdout
+        self.assertEqual(first, trivet("optimize", project, "--json", "--set", "analyses.optimize.starts=2").stdout)
+
+    def test_example_decouples_the_powertrain(self):
+        found = answer("optimize", str(SOURCE / "examples/powertrain/decoupled.toml"))
+        self.assertLess(found["before"], 1)
+        self.assertTrue(found["feasible"])
+        self.assertLess(found["residual"], 1e-4)
+        # The program judges the settings that it prints as it says.
+        text = trivet("optimize", str(SOURCE / "examples/powertrain/decoupled.toml")).stdout
+        settings = [line[len("--set '") : -1] for line in text.splitlines() if line.startswith("--set ")]
+        judged = json.loads(
+            trivet(
+                "verdict",
+                str(SOURCE / "examples/powertrain/decoupled.toml"),
+                "--json",
+                *(x for s in settings for x in ("--set", s)),
+            ).stdout
+        )
+        least = min(r["margin"] for r in judged["cases"][0]["requirements"])
+        self.assertAlmostEqual(least / found["after"], 1, delta=1e-6)
+
+    def test_nothing_to_meet_is_refused(self):
+        project = self.file(OSCILLATOR)
+        self.assertIn("neither requirements nor limits", trivet("optimize", project).stderr)
+        bare = self.file(OSCILLATOR.split("[parameters")[0] + "[requirements]\ndamping_ratio = 0.1\n")
+        self.assertIn("no parameters", trivet("optimize", bare).stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
