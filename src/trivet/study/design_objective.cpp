@@ -146,7 +146,8 @@ std::vector<RequirementResult> DesignObjective::results(std::size_t result_case,
   return requirement_values(context, asked_[result_case], warnings);
 }
 
-void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const {
+void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
+                               const std::optional<Place>& ignored) const {
   ++evaluations_;
   const auto count = to_index(places_.size());
   values = Eigen::VectorXd::Constant(count, most);
@@ -154,7 +155,7 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
   try {
     Eigen::Index first = 0;
     for (std::size_t c = 0; c < cases_.size(); ++c) {
-      evaluate_case(c, shares, first, values, slopes);
+      evaluate_case(c, shares, first, values, slopes, ignored);
       for (const std::size_t width : width_[c]) first += to_index(width);
     }
   } catch (const foundation::NotComputable& reason) {
@@ -167,7 +168,8 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
 }
 
 void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first,
-                                    Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const {
+                                    Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
+                                    const std::optional<Place>& ignored) const {
   const Eigen::VectorXd design = space_.values(shares);
   const model::System system = space_.system(*cases_[c], design);
   const foundation::Progress silent;
@@ -178,11 +180,17 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   Eigen::Index place = first;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const Eigen::Index end = place + to_index(width_[c][r]);
-    if (!found[r].value) values.segment(place, end - place).setConstant(unusable);
+    const bool is_ignored = ignored && ignored->result_case == c && ignored->result == r;
+    if (is_ignored) values.segment(place, end - place).setConstant(most);
+    else if (!found[r].value) values.segment(place, end - place).setConstant(unusable);
     else smooth[r] = set_values(found[r], place, values);
     place = end;
   }
   if (!slopes) return;
+  double least_objective = most;
+  for (Eigen::Index i = first; i < place; ++i)
+    if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
+  for (Smooth& one : smooth) one.keep_near(values, is_objective_, least_objective);
   const DesignNeighbours neighbours(space_, *cases_[c], design);
   for (std::size_t r = 0; r < found.size(); ++r) {
     if (!is_exact(found[r].kind) || smooth[r].candidates.empty()) continue;
@@ -192,6 +200,18 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   add_differences(c, found, smooth, neighbours, *slopes);
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
+}
+
+void DesignObjective::Smooth::keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective,
+                                        double least_objective) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (values(rows[i]) > far + (is_objective[to_size(rows[i])] ? least_objective : 0)) continue;
+    rows[kept] = rows[i];
+    candidates[kept++] = candidates[i];
+  }
+  rows.resize(kept);
+  candidates.resize(kept);
 }
 
 DesignObjective::Smooth DesignObjective::set_values(const RequirementResult& result, Eigen::Index place,

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,12 @@ class DesignObjective {
   [[nodiscard]] const std::vector<bool>& is_objective() const { return is_objective_; }
 
   /// ln(margin) at the places, at most `most`; designs without a model have `unusable` everywhere.
-  void evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) const;
+  /// @param ignored  a requirement that counts as met
+  void evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
+                const std::optional<Place>& ignored = std::nullopt) const;
   static constexpr double most = 30, unusable = -30;
+  /// Values further above the least objective, or constraints further above 0, have no slopes.
+  static constexpr double far = 5;
 
   /// The requirements of one case at a design, with the minimised amplitudes as requirements at the end of their kind.
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
@@ -51,12 +56,14 @@ class DesignObjective {
   struct Smooth {
     std::vector<RequirementResult::Candidate> candidates;
     std::vector<Eigen::Index> rows;  ///< of the values
+    /// Drops values far above the least objective, or above 0: no step reaches them.
+    void keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective, double least_objective);
   };
   static Smooth set_values(const RequirementResult& result, Eigen::Index place, Eigen::VectorXd& values);
   void add_differences(std::size_t c, const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
                        const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes) const;
   void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
-                     Eigen::MatrixXd* slopes) const;
+                     Eigen::MatrixXd* slopes, const std::optional<Place>& ignored) const;
 
   DesignSpace space_;
   std::vector<const project::Case*> cases_;

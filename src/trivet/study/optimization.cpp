@@ -227,13 +227,7 @@ class Search {
     for (const ActiveRequirement& active : result_.active) {
       MaxMinProblem rest = problem_;
       rest.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
-        objective_.evaluate(x, values, slopes);
-        for (std::size_t i = 0; i < objective_.places().size(); ++i) {
-          const DesignObjective::Place& place = objective_.places()[i];
-          if (place.result_case != active.result_case || place.result != active.result) continue;
-          values(to_index(i)) = DesignObjective::most;
-          if (slopes) slopes->row(to_index(i)).setZero();
-        }
+        objective_.evaluate(x, values, slopes, DesignObjective::Place{active.result_case, active.result});
       };
       const MaxMinPoint found = max_min(rest, best_.x);
       const CaseVerdict& judged = result_.after[active.result_case];
