@@ -234,6 +234,25 @@ class Optimize(InTemporaryFolder):
         least = min(r["margin"] for r in judged["cases"][0]["requirements"])
         self.assertAlmostEqual(least / found["after"], 1, delta=1e-6)
 
+    def test_of_equally_good_designs_the_nearest_one(self):
+        # No peak of a damped mass from ζ = 1/√2 on; the given damper is below.
+        text = OSCILLATOR.replace('path = "elements.s.translation.z"', 'path = "elements.s.damping.translation.z"')
+        text = text.replace('from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"', "from = 10\nto = 5000")
+        found, best = self.optimum(text + '[requirements]\nno_peak = "m.z"\n')
+        least = math.sqrt(2 * 1e5 * M)
+        self.assertGreaterEqual(best["stiffness"], least)
+        self.assertLess(best["stiffness"], 1.01 * least)
+        self.assertEqual(found["parameters"][0]["as_good_from"], best["stiffness"])
+        self.assertEqual((found["feasible"], found["active"]), (True, []))
+
+    def test_hopeless_searches_are_refused(self):
+        undamped = OSCILLATOR.replace("damping = {translation = [1e-3, 1e-3, 400]}\n", "")
+        said = trivet("optimize", self.file(undamped + '[requirements]\nlimits = {"m.z" = "1 mm"}\n'))
+        self.assertEqual(said.returncode, 1)
+        self.assertIn('the margin of "m.z ≤ 1 mm" is 0 in every design', said.stderr)
+        still = self.file(OSCILLATOR + '[analyses.optimize]\nminimize = "s.force.x"\n')
+        self.assertIn("zero in every design", trivet("optimize", still).stderr)
+
     def test_nothing_to_meet_is_refused(self):
         project = self.file(OSCILLATOR)
         self.assertIn("neither requirements nor limits", trivet("optimize", project).stderr)

@@ -146,6 +146,24 @@ mount_load = "catalogue"
         results, _ = self.judged(upside_down)
         self.assertEqual({r["margin"] for n, r in results.items() if "carries" in n}, {0})  # tension has no range
 
+    def test_loads_of_inclined_mounts(self):
+        (self.folder / "own.toml").write_text(
+            'catalogue = 1\ntitle = "t"\nsource = "s"\n[mounts.a]\nmaker = "m"\ntranslation = [1e5, 1e5, 4e5]\n'
+            "static_load = [0, 2000]\n"
+        )
+        c, s = math.sqrt(0.75), 0.5
+        mount = '[elements.{}]\ntype = "catalogue:a"\ncatalogue = "own.toml"\non = "m"\nat = [0, {}, 0]\naxis = [0, {}, {}]\n'
+        text = f'trivet = 1\ngravity = [0, 0, -{G}]\n[bodies.m]\nmass = 200\nfree = ["z"]\n'
+        text += mount.format("left", 0.3, -s, c) + mount.format("right", -0.3, -s, -c)
+        results, _ = self.judged(text + '[requirements]\nmount_load = "catalogue"\n')
+        load = 4e5 * c * 200 * G / 2 / (4e5 * c * c + 1e5 * s * s)
+        left, right = results["left carries 0 … 2000 N"], results["right carries 0 … 2000 N"]
+        self.assertAlmostEqual(left["value"] / load, 1, DIGITS)
+        self.assertAlmostEqual(right["value"] / load, -1, DIGITS)
+        self.assertEqual(right["margin"], 0)
+        self.assertIn("in tension", right["detail"])
+        self.assertIn("across its axis: not judged", left["detail"])
+
     def test_cases_in_which_the_design_has_to_hold(self):
         text = (
             OSCILLATOR
@@ -192,6 +210,8 @@ mount_load = "catalogue"
         self.assertEqual([c["verdict"]["met"] for c in cases], [True, False, False])
         self.assertEqual([c["verdict"]["decides"] for c in cases], [True, True, False])
         self.assertIn("carries 0 … 872 N", (target / "report.html").read_text())
+        self.assertIn("3 violated, no need", (target / "report.html").read_text())
+        self.assertIn("1 of 16 VIOLATED", (target / "report.html").read_text())
 
 
 if __name__ == "__main__":

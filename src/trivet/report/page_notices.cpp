@@ -110,6 +110,15 @@ Cell map_cell(const ShownCase& shown, const std::vector<ShownCase>& cases) {
   return verdict_cell(mark->judged->governing.feasible(), "met" + whose, "VIOLATED" + whose);
 }
 
+Cell requirements_cell(const study::CaseVerdict& judged) {
+  const auto violated = std::count_if(judged.results.begin(), judged.results.end(),
+                                      [](const study::RequirementResult& r) { return r.value && !r.met(); });
+  if (violated == 0 && judged.not_judged() > 0)
+    return {fmt::format("{} not judged", judged.not_judged()), false, Tone::bad};
+  if (violated > 0 && !judged.decides) return {fmt::format("{} violated, no need", violated)};
+  return verdict_cell(violated == 0, "met", fmt::format("{} of {} VIOLATED", violated, judged.results.size()));
+}
+
 Cell motion_cell(const ShownCase& shown) {
   if (shown.grows()) return {"▲ unstable", false, Tone::bad};
   return {shown.answers.free_motions.empty() ? "stable" : "rigid-body mode"};
@@ -133,6 +142,9 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
   const bool has_map =
       std::any_of(cases.begin(), cases.end(), [&](const ShownCase& c) { return map_mark(c, cases) != nullptr; });
   std::vector<Cell> headings = {{"case"}, right("changes"), {"warnings"}, {"checks"}, {"limits"}};
+  const bool has_verdict =
+      std::any_of(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.verdict.has_value(); });
+  if (has_verdict) headings.push_back({"requirements"});
   if (has_map) headings.push_back({"rules of the map"});
   for (const Cell& cell :
        {Cell{"motion"}, right("lowest mode [rad/s]"), right("[Hz]"), right("highest mode [rad/s]"), right("[Hz]")})
@@ -149,6 +161,7 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
         verdict_cell(!failed, "ok", fmt::format("{} FAILED", failed)),
         c.limits() ? verdict_cell(!exceeded, "met", fmt::format("{} of {} EXCEEDED", exceeded, c.limits()))
                    : Cell{"–"}};
+    if (has_verdict) row.push_back(c.answers.verdict ? requirements_cell(*c.answers.verdict) : Cell{"–"});
     if (has_map) row.push_back(map_cell(c, cases));
     row.push_back(motion_cell(c));
     const auto [lowest, highest] = natural_range(c);

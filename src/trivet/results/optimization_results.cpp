@@ -38,7 +38,8 @@ std::string objective_words(const Optimization& found) {
   if (!found.minimizes) return "least margin of all requirements";
   std::string names;
   for (const std::string& name : found.objective) names += (names.empty() ? "" : ", ") + name;
-  return "largest amplitude of " + names + " over the band, as a share of its limit (of 1 SI unit without a limit)";
+  return "largest amplitude of " + names + " over the band" +
+      (found.objective_unit.empty() ? ", as a share of its limit (of 1 SI unit without a limit)" : "");
 }
 
 std::string parameters_text(const Optimization& found) {
@@ -49,8 +50,8 @@ std::string parameters_text(const Optimization& found) {
     constexpr double noticeable = 1e-3;  // of the range
     const bool valley = p.most - p.least > noticeable * (p.axis.to - p.axis.from);
     table.add({p.axis.name, words(p.axis.from), words(p.axis.to), p.given ? words(*p.given) : "differ", words(p.best),
-               p.idle           ? "changes nothing here"
-                   : valley     ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
+               valley           ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
+                   : p.idle     ? "changes nothing here"
                    : p.at_bound ? "at the end of its range"
                                 : ""});
   }
@@ -91,16 +92,14 @@ std::string frequencies_text(const Optimization& found) {
 }
 
 std::string conditions_text(const Optimization& found) {
-  std::string text;
-  if (!found.active.empty()) {
-    TextTable table({"what holds the optimum", "1 % more of its bound brings"});
-    for (const study::ActiveRequirement& one : found.active)
-      table.add({words_of(found, one.result_case, one.result), fmt::format("{:.3g} %", one.multiplier)});
-    text += table.text();
-  }
+  if (found.active.empty()) return "Nothing holds the optimum: no requirement limits it.\n";
+  TextTable held({"what holds the optimum", "1 % more of its bound brings"});
+  for (const study::ActiveRequirement& one : found.active)
+    held.add({words_of(found, one.result_case, one.result), fmt::format("{:.3g} %", one.multiplier)});
+  std::string text = held.text();
   text += fmt::format("Residual of the optimality conditions: {:.2g} of the largest slope.\n", found.residual);
   if (found.conflicts.empty()) return text;
-  text += found.feasible ? "" : "\nThese requirements contradict each other within the ranges:\n";
+  text += "\nThese requirements contradict each other within the ranges:\n";
   TextTable table({"requirement", "its bound would have to give by", "least margin of the others without it"});
   for (const study::Conflict& one : found.conflicts)
     table.add({words_of(found, one.result_case, one.result), fmt::format("{:.4g}", 1 / one.margin),
@@ -113,6 +112,7 @@ std::string search_text(const Optimization& found) {
       fmt::format("{} of {} starts reached this; {} designs computed", found.agreeing, found.starts, found.evaluations);
   if (found.failed > 0) text += fmt::format(", {} of them without a result ({})", found.failed, found.first_failure);
   text += ".\n";
+  if (found.stuck > 0) text += fmt::format("  {} found no usable design\n", found.stuck);
   for (const study::OtherOptimum& other : found.others) {
     text += fmt::format("  {} other{} ended at {} with", other.starts, other.starts == 1 ? "" : "s",
                         ratio_words(other.objective));
@@ -129,8 +129,9 @@ std::string search_text(const Optimization& found) {
 
 std::string optimization_text(const Optimization& found) {
   const std::string before = found.objective_before ? ratio_words(*found.objective_before) : "not judged";
+  const std::string unit = found.objective_unit.empty() ? "" : " " + found.objective_unit;
   std::string text =
-      fmt::format("{}: {} → {}{}\n\n", objective_words(found), before, ratio_words(found.objective_after),
+      fmt::format("{}: {} → {}{}{}\n\n", objective_words(found), before, ratio_words(found.objective_after), unit,
                   found.after.front().results.empty() ? ""
                       : found.feasible                ? ", every requirement is met"
                                                       : ", NOT every requirement is met");
@@ -155,6 +156,7 @@ std::string optimization_json(const Optimization& found) {
   Json result = {{"objective", found.minimizes ? Json(found.objective) : Json("margin")},
                  {"before", found.objective_before ? number(*found.objective_before) : Json(nullptr)},
                  {"after", number(found.objective_after)},
+                 {"unit", found.objective_unit.empty() ? "1" : found.objective_unit},
                  {"feasible", found.feasible},
                  {"parameters", Json::array()},
                  {"cases", Json::array()},
@@ -163,6 +165,7 @@ std::string optimization_json(const Optimization& found) {
                  {"conflicts", Json::array()},
                  {"starts", found.starts},
                  {"agreeing", found.agreeing},
+                 {"stuck", found.stuck},
                  {"others", Json::array()},
                  {"designs", found.evaluations},
                  {"failed", found.failed},

@@ -99,7 +99,10 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     const std::vector<RequirementResult> given = results(c, cases_[c]->system);
     std::vector<std::size_t>& width = width_.emplace_back();
     for (std::size_t r = 0; r < given.size(); ++r) {
+      if (!given[r].value)
+        throw foundation::NotComputable("optimize: \"" + given[r].words + "\" cannot be judged: " + given[r].reason);
       width.push_back(places_of(given[r].kind));
+      if (is_objective(r) && objectives_ == 1 && !limited_) unit_without_limit_ = given[r].unit;
       for (std::size_t k = 0; k < width.back(); ++k) {
         places_.push_back({c, r});
         is_objective_.push_back(!minimizes_ || is_objective(r));
@@ -125,13 +128,14 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
   first_objective_ = analyses.limits.size() + required.limits.size();
   objectives_ = request.minimize.size();
   for (const std::string& name : request.minimize) {
-    double allowed = 1;
+    double allowed = 0;
     for (const project::AmplitudeLimit& limit : required.limits)
       if (limit.name == name && limit.quantity == request.quantity) allowed = limit.amplitude;
     const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
     for (const project::Limit& limit : analyses.limits)
       if (limit.name == name && same_quantity) allowed = limit.amplitude;
-    required.limits.push_back({name, request.quantity, allowed});
+    limited_ = limited_ || allowed > 0;
+    required.limits.push_back({name, request.quantity, allowed > 0 ? allowed : 1});
   }
 }
 
@@ -163,7 +167,7 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
     values.setConstant(unusable);
     if (slopes) slopes->setZero();
     const std::lock_guard lock(noting_);
-    if (first_failure_.empty()) first_failure_ = reason.what();
+    if (first_failure_.empty() || reason.what() < first_failure_) first_failure_ = reason.what();  // in any order
   }
 }
 

@@ -19,7 +19,8 @@ namespace trivet::study {
 /// maximum, mode or value that may decide, each in a place of its own.
 class DesignObjective {
  public:
-  /// @throws foundation::InvalidInput if there is nothing to meet or to minimise
+  /// @throws foundation::InvalidInput if there is nothing to meet or to minimise, NotComputable if a requirement cannot
+  /// be judged
   DesignObjective(const project::Project& project, const project::OptimizeRequest& request);
 
   [[nodiscard]] const DesignSpace& space() const { return space_; }
@@ -44,6 +45,8 @@ class DesignObjective {
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
   [[nodiscard]] bool minimizes() const { return minimizes_; }
   [[nodiscard]] bool is_objective(std::size_t result) const;
+  /// SI unit of a single minimised result without a limit; empty otherwise.
+  [[nodiscard]] const std::string& unit_without_limit() const { return unit_without_limit_; }
 
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
@@ -70,7 +73,8 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
   std::vector<project::Analyses> differenced_requirements_;  ///< those without candidates
   std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
-  bool minimizes_ = false;
+  bool minimizes_ = false, limited_ = false;
+  std::string unit_without_limit_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places
   std::vector<Place> places_;
   std::vector<bool> is_objective_;

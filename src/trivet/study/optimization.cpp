@@ -38,17 +38,6 @@ double rank(const MaxMinPoint& point) {
   return point.constraint >= met ? point.objective : below_all + point.constraint;
 }
 
-MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
-  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
-  Eigen::VectorXd values;
-  problem.evaluate(x, values, nullptr);
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
-    least = std::min(least, values(i));
-  }
-  return point;
-}
-
 std::vector<Eigen::VectorXd> sobol_points(Eigen::Index dimensions, int count) {
   boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
   const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
@@ -108,10 +97,8 @@ class Search {
 
   Optimization run() {
     const std::vector<MaxMinPoint> ends = climbed(problem_, starts(), progress_);
-    best_ = *std::max_element(ends.begin(), ends.end(),
-                              [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) < rank(b); });
-    if (best_.objective <= DesignObjective::unusable)
-      throw foundation::NotComputable("optimize: no design of the ranges can be judged: " + objective_.first_failure());
+    best_ = nearest_of_the_best(ends);
+    refuse_hopeless_search();
     describe_parameters();
     describe_verdicts();
     describe_conditions();
@@ -137,12 +124,51 @@ class Search {
     std::vector<MaxMinPoint> seen(points.size());
     foundation::parallel_for(points.size(), {.progress = progress_, .task = "looking"},
                              [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i) seen[i] = point_at(problem_, points[i]);
+                               for (std::size_t i = first; i < last; ++i)
+                                 seen[i] = numerics::point_at(problem_, points[i]);
                              });
     std::vector<MaxMinPoint> chosen = chosen_starts(std::move(seen), to_size(request_.starts));
-    if (inside) chosen.push_back(point_at(problem_, given));
+    if (inside) chosen.push_back(numerics::point_at(problem_, given));
     result_.starts = static_cast<int>(chosen.size());
     return chosen;
+  }
+
+  /// Of equally good ends the one nearest to the given design.
+  [[nodiscard]] const MaxMinPoint& nearest_of_the_best(const std::vector<MaxMinPoint>& ends) const {
+    const MaxMinPoint* best = &ends.front();
+    for (const MaxMinPoint& end : ends)
+      if (rank(end) > rank(*best)) best = &end;
+    const double highest = rank(*best);
+    for (const MaxMinPoint& end : ends)
+      if (rank(end) >= highest - same_objective && from_given(end.x) < from_given(best->x)) best = &end;
+    return *best;
+  }
+
+  [[nodiscard]] double from_given(const Eigen::VectorXd& shares) const {
+    double distance = 0;
+    for (std::size_t j = 0; j < objective_.space().size(); ++j)
+      if (const auto& value = objective_.space().given()[j])
+        distance += std::pow(shares(to_index(j)) - objective_.space().axes()[j].share(*value), 2);
+    return distance;
+  }
+
+  void refuse_hopeless_search() const {
+    if (objective_.minimizes() && best_.objective >= DesignObjective::most)
+      throw foundation::NotComputable("optimize: the minimised results are zero in every design looked at");
+    if (best_.objective > DesignObjective::unusable) return;
+    if (!objective_.first_failure().empty())
+      throw foundation::NotComputable("optimize: no design of the ranges can be computed: " +
+                                      objective_.first_failure());
+    Eigen::VectorXd values;
+    problem_.evaluate(best_.x, values, nullptr);
+    Eigen::Index least = 0;
+    values.minCoeff(&least);
+    const DesignObjective::Place& place = objective_.places()[to_size(least)];
+    const model::System system =
+        objective_.space().system(*objective_.cases()[place.result_case], objective_.space().values(best_.x));
+    throw foundation::NotComputable("optimize: the margin of \"" +
+                                    objective_.results(place.result_case, system)[place.result].words +
+                                    "\" is 0 in every design looked at; widen the ranges, or change the requirement");
   }
 
   void describe_parameters() {
@@ -172,6 +198,7 @@ class Search {
     }
     result_.minimizes = objective_.minimizes();
     result_.objective = request_.minimize;
+    result_.objective_unit = objective_.unit_without_limit();
     result_.feasible =
         std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
     result_.objective_before =
@@ -197,6 +224,7 @@ class Search {
   }
 
   void describe_conditions() {
+    if (best_.objective >= DesignObjective::most) return;  // nothing holds it
     const numerics::Multipliers found = numerics::multipliers(problem_, best_, active_within);
     result_.residual = found.residual;
     for (std::size_t i = 0; i < objective_.places().size(); ++i) {
@@ -243,6 +271,10 @@ class Search {
     };
     std::vector<Place> places;
     for (const MaxMinPoint& end : ends) {
+      if (end.objective <= DesignObjective::unusable) {
+        ++result_.stuck;
+        continue;
+      }
       if (std::abs(rank(best_) - rank(end)) <= same_objective) {
         ++result_.agreeing;
         const Eigen::VectorXd values = objective_.space().values(end.x);

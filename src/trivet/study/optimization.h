@@ -45,6 +45,7 @@ struct Optimization {
   std::vector<OptimizedParameter> parameters;
   bool minimizes = false;                  ///< amplitudes; false: the largest least margin
   std::vector<std::string> objective;      ///< results that are minimised
+  std::string objective_unit;              ///< SI, of a single result without a limit; otherwise shares are minimised
   std::optional<double> objective_before;  ///< least margin, or largest amplitude over its limit or over 1 SI unit
   double objective_after = 0;
   bool feasible = false;                   ///< every requirement is met
@@ -54,10 +55,11 @@ struct Optimization {
   double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
   std::vector<Conflict> conflicts;          ///< if no design meets all requirements
   int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective
+  int stuck = 0;                            ///< starts that found no usable design
   std::vector<OtherOptimum> others;         ///< the best three
   std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
-  std::string first_failure;
-  std::vector<std::string> differenced;  ///< kinds of requirements whose slopes are differences of values
+  std::string first_failure;                ///< why, the first in the alphabet
+  std::vector<std::string> differenced;     ///< kinds of requirements whose slopes are differences of values
 };
 
 /// Searches [analyses.optimize] of a project, or the largest least margin over all its parameters.

@@ -445,10 +445,11 @@ class Judge {
       result.value = load;
       result.margin = margin_in_range(load, range);
       if (load < range(0)) result.allowed = range(0);
+      if (load < 0) result.detail = "in tension: its axis points from end N to end K";
       constexpr double noticeable = 0.01;
       if (across > noticeable * std::abs(load))
-        result.detail =
-            fmt::format("{} across its axis: not judged, the catalogue has no range", value_words(across, "N"));
+        result.detail += fmt::format("{}{} across its axis: not judged, the catalogue has no range",
+                                     result.detail.empty() ? "" : "; ", value_words(across, "N"));
     }
   }
 

@@ -73,7 +73,16 @@ class Bounded {
   std::exception_ptr failure_;
 };
 
-MaxMinPoint evaluated(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
+/// Constraints that are met, or less violated, come first.
+bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
+  const double violation_a = std::min(0.0, a.constraint + tolerance),
+               violation_b = std::min(0.0, b.constraint + tolerance);
+  return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
+}
+
+}  // namespace
+
+MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
   MaxMinPoint point{x, foundation::infinity, foundation::infinity};
   Eigen::VectorXd values;
   problem.evaluate(x, values, nullptr);
@@ -84,21 +93,12 @@ MaxMinPoint evaluated(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
   return point;
 }
 
-/// Constraints that are met, or less violated, come first.
-bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
-  const double violation_a = std::min(0.0, a.constraint + tolerance),
-               violation_b = std::min(0.0, b.constraint + tolerance);
-  return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
-}
-
-}  // namespace
-
 MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) {
   constexpr double slack_tolerance = 1e-11, step_tolerance = 1e-10, gain = 1e-9;
   constexpr int most_evaluations = 150, most_rounds = 4;
   const Eigen::Index n = problem.variables;
   const auto m = static_cast<unsigned>(problem.is_objective.size());
-  MaxMinPoint best = evaluated(problem, start);
+  MaxMinPoint best = point_at(problem, start);
   for (int round = 0; round < most_rounds; ++round) {
     const Optimizer library = optimizer(n + 1);
     Bounded bounded(problem, library.get());
@@ -117,7 +117,7 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
     double t = 0;
     nlopt_optimize(library.get(), x.data(), &t);
     bounded.rethrow();
-    const MaxMinPoint found = evaluated(problem, x.head(n).cwiseMax(0.0).cwiseMin(1.0));
+    const MaxMinPoint found = point_at(problem, x.head(n).cwiseMax(0.0).cwiseMin(1.0));
     const bool better = is_better(found, best, 10 * slack_tolerance);
     const bool worth = found.objective > best.objective + gain || found.constraint > best.constraint + gain;
     if (better) best = found;

@@ -22,6 +22,8 @@ struct MaxMinPoint {
   double constraint = 0;  ///< the least constraint value; infinite without constraints
 };
 
+[[nodiscard]] MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x);
+
 /// The largest t near a start, by sequential quadratic programming (NLopt's SLSQP), started again from its own end
 /// until it gains nothing.
 [[nodiscard]] MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start);
