@@ -72,6 +72,8 @@ to = 200
 
 class Optimize(InTemporaryFolder):
     def optimum(self, text):
+        if "[analyses.optimize]" not in text:
+            text += "[analyses.optimize]\nstarts = 4\n"
         found = answer("optimize", self.file(text))
         return found, {p["name"]: p["optimum"] for p in found["parameters"]}
 
@@ -88,12 +90,12 @@ class Optimize(InTemporaryFolder):
         omega = tuning * math.sqrt(1e5 / 100)
         found, best = self.optimum(
             ABSORBER
-            + '[analyses.response]\nband = ["0.1 Hz", "20 Hz"]\n[analyses.optimize]\nminimize = "main.z"\nstarts = 8\n'
+            + '[analyses.response]\nband = ["0.1 Hz", "20 Hz"]\n[analyses.optimize]\nminimize = "main.z"\nstarts = 4\n'
         )
         self.assertAlmostEqual(best["stiffness"] / (5 * omega**2), 1, delta=PLACE)
         self.assertAlmostEqual(best["damper"] / (2 * ratio * 5 * omega), 1, delta=PLACE)
         self.assertLess(found["residual"], PLACE)
-        self.assertGreaterEqual(found["agreeing"], 5)
+        self.assertGreaterEqual(found["agreeing"], 3)
         self.assertAlmostEqual(found["active"][0]["multiplier"], 1, delta=PLACE)
         # The two peaks of the optimum have one height.
         settings = [
@@ -101,7 +103,12 @@ class Optimize(InTemporaryFolder):
             f"elements.tuned.damping.translation.z={best['damper']!r}",
         ]
         peaks = json.loads(
-            trivet("peaks", self.file(ABSORBER), "--json", *(x for s in settings for x in ("--set", s))).stdout
+            trivet(
+                "peaks",
+                self.file(ABSORBER),
+                "--json",
+                *(x for s in settings for x in ("--set", s)),
+            ).stdout
         )["peaks"]
         heights = [p["amplitude"] for p in peaks if p["name"] == "main.z"]
         self.assertEqual(len(heights), 2)
@@ -149,10 +156,14 @@ class Optimize(InTemporaryFolder):
             self.assertAlmostEqual(conflict["margin"] / margin, 1, delta=OBJECTIVE)
         # Without the sag the softest spring, without the window the stiffest one is best.
         self.assertAlmostEqual(
-            conflicts["at rest m.z ≤ 1 mm"]["without"], self.WINDOW / math.sqrt(2e4 / M), delta=PLACE
+            conflicts["at rest m.z ≤ 1 mm"]["without"],
+            self.WINDOW / math.sqrt(2e4 / M),
+            delta=PLACE,
         )
         self.assertAlmostEqual(
-            conflicts["no natural frequency in 12 … 80 Hz"]["without"], sag * 5e5 / (M * G), delta=PLACE
+            conflicts["no natural frequency in 12 … 80 Hz"]["without"],
+            sag * 5e5 / (M * G),
+            delta=PLACE,
         )
 
     def test_limit_holds_while_another_result_is_made_small(self):
@@ -169,7 +180,7 @@ class Optimize(InTemporaryFolder):
         self.assertIn("at rest m.z ≤ 5 mm", [a["requirement"] for a in found["active"]])
 
     def test_it_holds_in_every_case_named(self):
-        text = OSCILLATOR + f'[cases.heavy]\nbodies.m.mass = {2 * M}\n'
+        text = OSCILLATOR + f"[cases.heavy]\nbodies.m.mass = {2 * M}\n"
         text += f'[requirements]\nhold_in = ["", "heavy"]\nstatic = {{"m.z" = {self.SAG}}}\n'
         text += 'natural_frequencies = {avoid = [["12 Hz", "80 Hz"]]}\n'
         found, best = self.optimum(text)
@@ -178,13 +189,19 @@ class Optimize(InTemporaryFolder):
         self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
         self.assertEqual([c["case"] for c in found["cases"]], ["", "heavy"])
         overruled = self.file(text.replace("bodies.m.mass = 80.0", 'elements.s.translation.z = "70 N/mm"'))
-        self.assertIn('case "heavy" sets elements.s.translation.z', trivet("optimize", overruled).stderr)
+        self.assertIn(
+            'case "heavy" sets elements.s.translation.z',
+            trivet("optimize", overruled).stderr,
+        )
 
     def test_parameter_with_factors_moves_places_together(self):
         feet = (
             OSCILLATOR.split("[parameters")[0]
             .replace('free = ["z"]', 'free = ["z", "rx"]')
-            .replace(f"mass = {M}", f'mass = {M}\ninertia = {{about = "center_of_mass", xx = 3, yy = 3, zz = 3}}')
+            .replace(
+                f"mass = {M}",
+                f'mass = {M}\ninertia = {{about = "center_of_mass", xx = 3, yy = 3, zz = 3}}',
+            )
         )
         foot = '[elements.{0}]\ntype = "bushing"\non = "m"\nat = [0, {1}, 0]\ntranslation = [1, 1, 5e4]\n'
         text = feet + foot.format("left", 0.2) + foot.format("right", -0.2)
@@ -210,44 +227,64 @@ class Optimize(InTemporaryFolder):
             margins.append(answer("map", project)["grid"]["margin"])
         self.assertEqual(margins[0], margins[1])
 
-    def test_search_is_the_same_for_any_number_of_runs(self):
-        project = str(SOURCE / "examples/powertrain/decoupled.toml")
-        first = trivet("optimize", project, "--json", "--set", "analyses.optimize.starts=2").stdout
-        self.assertEqual(first, trivet("optimize", project, "--json", "--set", "analyses.optimize.starts=2").stdout)
+    def test_search_is_the_same_in_every_run(self):
+        project = self.file(
+            ABSORBER
+            + '[analyses.response]\nband = ["0.1 Hz", "20 Hz"]\n[analyses.optimize]\nminimize = "main.z"\nstarts = 3\n'
+        )
+        runs = [trivet("optimize", project, "--json").stdout for _ in range(2)]
+        self.assertEqual(*runs)
+        # The settings that the text ends with are the optimum.
+        best = {place["path"]: p["optimum"] for p in json.loads(runs[0])["parameters"] for place in p["places"]}
+        text = trivet("optimize", project).stdout
+        settings = dict(
+            line[len("--set '") : -1].split(" = ") for line in text.splitlines() if line.startswith("--set ")
+        )
+        self.assertEqual(set(settings), set(best))
+        for path, value in settings.items():
+            self.assertAlmostEqual(float(value) / best[path], 1, delta=1e-11)
 
     def test_example_decouples_the_powertrain(self):
-        found = answer("optimize", str(SOURCE / "examples/powertrain/decoupled.toml"))
+        project = str(SOURCE / "examples/powertrain/decoupled.toml")
+        found = answer("optimize", project)
         self.assertLess(found["before"], 1)
         self.assertTrue(found["feasible"])
         self.assertLess(found["residual"], 1e-4)
-        # The program judges the settings that it prints as it says.
-        text = trivet("optimize", str(SOURCE / "examples/powertrain/decoupled.toml")).stdout
-        settings = [line[len("--set '") : -1] for line in text.splitlines() if line.startswith("--set ")]
-        judged = json.loads(
-            trivet(
-                "verdict",
-                str(SOURCE / "examples/powertrain/decoupled.toml"),
-                "--json",
-                *(x for s in settings for x in ("--set", s)),
-            ).stdout
-        )
+        settings = []
+        for p in found["parameters"]:
+            for place in p["places"]:
+                value = p["optimum"] * place["factor"]
+                settings += [
+                    "--set",
+                    f'{place["path"]}="{value!r} {p["unit"]}"' if p["unit"] else f'{place["path"]}={value!r}',
+                ]
+        judged = json.loads(trivet("verdict", project, "--json", *settings).stdout)
         least = min(r["margin"] for r in judged["cases"][0]["requirements"])
-        self.assertAlmostEqual(least / found["after"], 1, delta=1e-6)
+        self.assertAlmostEqual(least / found["after"], 1, delta=PLACE)
 
     def test_of_equally_good_designs_the_nearest_one(self):
         # No peak of a damped mass from ζ = 1/√2 on; the given damper is below.
-        text = OSCILLATOR.replace('path = "elements.s.translation.z"', 'path = "elements.s.damping.translation.z"')
-        text = text.replace('from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"', "from = 10\nto = 5000")
+        text = OSCILLATOR.replace(
+            'path = "elements.s.translation.z"',
+            'path = "elements.s.damping.translation.z"',
+        )
+        text = text.replace(
+            'from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"',
+            "from = 10\nto = 5000",
+        )
         found, best = self.optimum(text + '[requirements]\nno_peak = "m.z"\n')
         least = math.sqrt(2 * 1e5 * M)
         self.assertGreaterEqual(best["stiffness"], least)
-        self.assertLess(best["stiffness"], 1.01 * least)
+        self.assertLess(best["stiffness"], 1.1 * least)
         self.assertEqual(found["parameters"][0]["as_good_from"], best["stiffness"])
         self.assertEqual((found["feasible"], found["active"]), (True, []))
 
     def test_hopeless_searches_are_refused(self):
         undamped = OSCILLATOR.replace("damping = {translation = [1e-3, 1e-3, 400]}\n", "")
-        said = trivet("optimize", self.file(undamped + '[requirements]\nlimits = {"m.z" = "1 mm"}\n'))
+        said = trivet(
+            "optimize",
+            self.file(undamped + '[requirements]\nlimits = {"m.z" = "1 mm"}\n'),
+        )
         self.assertEqual(said.returncode, 1)
         self.assertIn('the margin of "m.z ≤ 1 mm" is 0 in every design', said.stderr)
         still = self.file(OSCILLATOR + '[analyses.optimize]\nminimize = "s.force.x"\n')
