@@ -153,7 +153,7 @@ class Optimize(InTemporaryFolder):
         conflicts = {c["requirement"]: c for c in found["conflicts"]}
         self.assertEqual(set(conflicts), {"at rest m.z ≤ 1 mm", "no natural frequency in 12 … 80 Hz"})
         for conflict in conflicts.values():
-            self.assertAlmostEqual(conflict["margin"] / margin, 1, delta=OBJECTIVE)
+            self.assertAlmostEqual(conflict["factor"] * margin, 1, delta=OBJECTIVE)
         # Without the sag the softest spring, without the window the stiffest one is best.
         self.assertAlmostEqual(
             conflicts["at rest m.z ≤ 1 mm"]["without"],
@@ -178,6 +178,77 @@ class Optimize(InTemporaryFolder):
         force = 30 * math.hypot(k, c * w) / math.hypot(k - M * w * w, c * w)
         self.assertAlmostEqual(found["after"] / force, 1, delta=PLACE)
         self.assertIn("at rest m.z ≤ 5 mm", [a["requirement"] for a in found["active"]])
+
+        multipliers = {a["requirement"]: a["multiplier"] for a in found["active"]}
+        relaxed = lambda sag: 30 * math.hypot(M * G / sag, c * w) / math.hypot(M * G / sag - M * w * w, c * w)
+        h = 1e-4
+        rate = math.log(relaxed(self.SAG * (1 - h)) / relaxed(self.SAG * (1 + h))) / (2 * h)
+        self.assertAlmostEqual(multipliers["at rest m.z ≤ 5 mm"], rate, delta=PLACE)
+        self.assertEqual(
+            [a["requirement"] for a in found["active"] if a["minimized"]],
+            ["the largest amplitude of ground.force.z"],
+        )
+        [one] = found["minimized"]
+        self.assertEqual((one["name"], one["unit"]), ("ground.force.z", "N"))
+        self.assertAlmostEqual(one["after"] / found["after"], 1, delta=OBJECTIVE)
+
+    def damper(self, least, most):
+        """The oscillator with its damper as the parameter."""
+        text = OSCILLATOR.replace('path = "elements.s.', 'path = "elements.s.damping.')
+        old = 'from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"'
+        return text.replace(old, f"from = {least}\nto = {most}")
+
+    def test_requirements_come_first_if_they_cannot_be_met(self):
+        k, margin = self.between(1e-3)
+        found, best = self.optimum(
+            OSCILLATOR
+            + '[analyses.response]\nband = ["60 Hz", "61 Hz"]\n[requirements]\nstatic = {"m.z" = 1e-3}\n'
+            + 'natural_frequencies = {avoid = [["12 Hz", "80 Hz"]]}\n'
+            + '[analyses.optimize]\nminimize = "ground.force.z"\nstarts = 4\n'
+        )
+        self.assertEqual((found["falls_short"], found["feasible"], found["objective"]), (True, False, "margin"))
+        self.assertAlmostEqual(best["stiffness"] * 1e3 / k, 1, delta=PLACE)
+        self.assertAlmostEqual(found["after"] / margin, 1, delta=OBJECTIVE)
+        self.assertEqual(len(found["conflicts"]), 2)
+
+    def test_peak_above_its_tolerance(self):
+        # p of a damped mass, by its transfer function: 1/(2ζ √(1 − ζ²)) − 1 over its value at rest.
+        text = self.damper(300, 600)
+        found, best = self.optimum(text + '[requirements]\nno_peak = "m.z"\n')
+        zeta = 600 / (2 * math.sqrt(1e5 * M))
+        p, a = 1 / (2 * zeta * math.sqrt(1 - zeta**2)) - 1, 0.01
+        self.assertAlmostEqual(best["stiffness"], 600, delta=PLACE)
+        [conflict] = found["conflicts"]
+        self.assertAlmostEqual(conflict["factor"] / (p / a), 1, delta=PLACE)
+        self.assertIsNone(conflict["without"])
+        self.assertAlmostEqual(found["active"][0]["multiplier"], a / (1 + a), delta=PLACE)
+        self.assertIn(
+            "This requirement cannot be met",
+            trivet("optimize", self.file(text + '[requirements]\nno_peak = "m.z"\n')).stdout,
+        )
+
+    def test_optimum_beside_invalid_models(self):
+        # Above resonance the least damping is best, and below none the file is rejected.
+        found, best = self.optimum(
+            self.damper(-400, 1000)
+            + '[analyses.response]\nband = ["60 Hz", "61 Hz"]\n'
+            + '[analyses.optimize]\nminimize = "ground.force.z"\nstarts = 4\n'
+        )
+        self.assertGreaterEqual(best["stiffness"], 0)
+        self.assertLess(best["stiffness"], 5)
+        self.assertGreater(found["failed"], 0)
+        self.assertFalse(found["parameters"][0]["idle"])
+        self.assertEqual(found["no_slopes"], "")
+        self.assertGreater(found["residual"], 0.5)  # held by nothing that the search knows
+
+    def test_idle_parameter_keeps_its_value(self):
+        text = OSCILLATOR + '[parameters.side]\npath = "elements.s.translation.x"\nfrom = 0.5\nto = 5\n'
+        found, best = self.optimum(
+            text
+            + f'[requirements]\nstatic = {{"m.z" = {self.SAG}}}\nnatural_frequencies = {{avoid = [["12 Hz", "80 Hz"]]}}\n'
+        )
+        self.assertEqual(best["side"], 1)
+        self.assertEqual([p["idle"] for p in found["parameters"]], [False, True])
 
     def test_it_holds_in_every_case_named(self):
         text = OSCILLATOR + f"[cases.heavy]\nbodies.m.mass = {2 * M}\n"
@@ -264,15 +335,7 @@ class Optimize(InTemporaryFolder):
 
     def test_of_equally_good_designs_the_nearest_one(self):
         # No peak of a damped mass from ζ = 1/√2 on; the given damper is below.
-        text = OSCILLATOR.replace(
-            'path = "elements.s.translation.z"',
-            'path = "elements.s.damping.translation.z"',
-        )
-        text = text.replace(
-            'from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"',
-            "from = 10\nto = 5000",
-        )
-        found, best = self.optimum(text + '[requirements]\nno_peak = "m.z"\n')
+        found, best = self.optimum(self.damper(10, 5000) + '[requirements]\nno_peak = "m.z"\n')
         least = math.sqrt(2 * 1e5 * M)
         self.assertGreaterEqual(best["stiffness"], least)
         self.assertLess(best["stiffness"], 1.1 * least)
@@ -289,6 +352,14 @@ class Optimize(InTemporaryFolder):
         self.assertIn('the margin of "m.z ≤ 1 mm" is 0 in every design', said.stderr)
         still = self.file(OSCILLATOR + '[analyses.optimize]\nminimize = "s.force.x"\n')
         self.assertIn("zero in every design", trivet("optimize", still).stderr)
+        unbounded = self.file(undamped + '[analyses.optimize]\nminimize = "m.z"\n')
+        self.assertIn("the largest amplitude of m.z is unbounded", trivet("optimize", unbounded).stderr)
+        for words, said in (
+            ('["m.z", "ground.force.z"]', "different units"),
+            ('["m.z", "m.z"]', "named twice"),
+        ):
+            mixed = self.file(OSCILLATOR + f"[analyses.optimize]\nminimize = {words}\n")
+            self.assertIn(said, trivet("optimize", mixed).stderr)
 
     def test_nothing_to_meet_is_refused(self):
         project = self.file(OSCILLATOR)

@@ -145,6 +145,11 @@ mount_load = "catalogue"
         upside_down = text.replace(f"-{G}]", f"{G}]")
         results, _ = self.judged(upside_down)
         self.assertEqual({r["margin"] for n, r in results.items() if "carries" in n}, {0})  # tension has no range
+        own = self.folder / "own.toml"
+        own.write_text(own.read_text().replace("[250, 400]", "[-300, 400]"))
+        results, _ = self.judged(upside_down)
+        load = 100 * G / 4 * 1.3
+        self.assertAlmostEqual(results["a carries -300 … 400 N"]["margin"], 300 / load, DIGITS)
 
     def test_loads_of_inclined_mounts(self):
         (self.folder / "own.toml").write_text(

@@ -84,6 +84,7 @@ void check_map_numbers(const Node& document, const MapRequest& map, const ReadMo
 
 void check_parameters(const Node& document, const std::vector<DesignAxis>& parameters, const ReadModel& read,
                       foundation::Problems& problems) {
+  constexpr int tried = 8;  // parts of the range: a model may be valid in a part of it only
   for (const DesignAxis& axis : parameters) {
     const std::string subject = "parameters." + axis.name;
     const bool has_paths = !axis.places.empty() &&
@@ -91,7 +92,7 @@ void check_parameters(const Node& document, const std::vector<DesignAxis>& param
                      [](const ParameterPlace& place) { return path_keys(place.path).empty(); });
     if (!has_paths || has_problem_at(problems, subject)) continue;
     std::vector<std::vector<Node>> designs;
-    for (const double value : {axis.from, axis.to, axis.at(0.5)}) designs.push_back({changed(axis, value)});
+    for (int i = 0; i <= tried; ++i) designs.push_back({changed(axis, axis.at(static_cast<double>(i) / tried))});
     refuse_if_all_fail(document, designs, axis, subject + ".path", true, read, problems);
   }
 }

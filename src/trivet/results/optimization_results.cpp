@@ -28,18 +28,27 @@ std::string case_prefix(const CaseVerdict& judged) {
   return judged.case_name.empty() ? "" : "case " + judged.case_name + ": ";
 }
 
-/// "machine.z ≤ 1 mm", or the amplitude of a minimised result.
-std::string words_of(const Optimization& found, std::size_t result_case, std::size_t result) {
-  const CaseVerdict& judged = found.after[result_case];
-  return case_prefix(judged) + (result < judged.results.size() ? judged.results[result].words : "the minimised result");
+std::vector<std::string> minimized_names(const Optimization& found) {
+  std::vector<std::string> names;
+  for (const study::MinimizedAmplitude& one : found.minimized)
+    if (one.result_case == 0) names.push_back(one.name);
+  return names;
 }
 
 std::string objective_words(const Optimization& found) {
+  if (found.falls_short) return "no design looked at meets every requirement. Largest least margin instead";
   if (!found.minimizes) return "least margin of all requirements";
-  std::string names;
-  for (const std::string& name : found.objective) names += (names.empty() ? "" : ", ") + name;
-  return "largest amplitude of " + names + " over the band" +
-      (found.objective_unit.empty() ? ", as a share of its limit (of 1 SI unit without a limit)" : "");
+  return "largest amplitude of " + foundation::comma_separated(minimized_names(found)) + " over the band" +
+      (found.objective_unit.empty() ? ", as a share of its limit" : "");
+}
+
+std::string minimized_text(const Optimization& found) {
+  if (found.minimized.empty()) return "";
+  TextTable table({"minimised amplitude", "given", "optimum", "limit", "unit"});
+  for (const study::MinimizedAmplitude& one : found.minimized)
+    table.add({case_prefix(found.after[one.result_case]) + one.name, ratio_words(one.before), ratio_words(one.after),
+               one.limit ? ratio_words(*one.limit) : "", one.unit});
+  return table.text() + "\n";
 }
 
 std::string parameters_text(const Optimization& found) {
@@ -50,8 +59,8 @@ std::string parameters_text(const Optimization& found) {
     constexpr double noticeable = 1e-3;  // of the range
     const bool valley = p.most - p.least > noticeable * (p.axis.to - p.axis.from);
     table.add({p.axis.name, words(p.axis.from), words(p.axis.to), p.given ? words(*p.given) : "differ", words(p.best),
-               valley           ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
-                   : p.idle     ? "changes nothing here"
+               p.idle           ? "changes nothing here"
+                   : valley     ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
                    : p.at_bound ? "at the end of its range"
                                 : ""});
   }
@@ -87,23 +96,36 @@ std::string frequencies_text(const Optimization& found) {
       text += fmt::format("{}{:.4g}", i ? ", " : "", frequencies[i] / foundation::two_pi);
     return text + (frequencies.size() > most ? ", …" : "");
   };
-  return "Natural frequencies, given:   " + list(found.frequencies_before.front()) + " Hz\n" +
-      "Natural frequencies, optimum: " + list(found.frequencies_after.front()) + " Hz\n";
+  std::string text;
+  for (std::size_t c = 0; c < found.after.size(); ++c) {
+    const std::string of =
+        found.after.size() > 1 && found.after[c].case_name.empty() ? "base model: " : case_prefix(found.after[c]);
+    text += "Natural frequencies, " + of + "given:   " + list(found.frequencies_before[c]) + " Hz\n" +
+        "Natural frequencies, " + of + "optimum: " + list(found.frequencies_after[c]) + " Hz\n";
+  }
+  return text;
 }
 
 std::string conditions_text(const Optimization& found) {
+  if (!found.no_slopes.empty())
+    return "What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").\n";
   if (found.active.empty()) return "Nothing holds the optimum: no requirement limits it.\n";
   TextTable held({"what holds the optimum", "1 % more of its bound brings"});
   for (const study::ActiveRequirement& one : found.active)
-    held.add({words_of(found, one.result_case, one.result), fmt::format("{:.3g} %", one.multiplier)});
+    held.add({case_prefix(found.after[one.result_case]) + one.words,
+              one.minimized ? "" : fmt::format("{:.3g} %", one.multiplier)});
   std::string text = held.text();
   text += fmt::format("Residual of the optimality conditions: {:.2g} of the largest slope.\n", found.residual);
   if (found.conflicts.empty()) return text;
-  text += "\nThese requirements contradict each other within the ranges:\n";
-  TextTable table({"requirement", "its bound would have to give by", "least margin of the others without it"});
+  text += found.conflicts.size() == 1
+      ? "\nThis requirement cannot be met within the ranges, but with its bound eased by the factor:\n"
+      : "\nThese requirements contradict each other within the ranges. All can be met with all their bounds eased by "
+        "the "
+        "factors:\n";
+  TextTable table({"requirement", "factor", "least margin of the others without it"});
   for (const study::Conflict& one : found.conflicts)
-    table.add({words_of(found, one.result_case, one.result), fmt::format("{:.4g}", 1 / one.margin),
-               ratio_words(one.without)});
+    table.add({case_prefix(found.after[one.result_case]) + one.words,
+               std::isinf(one.factor) ? "∞" : fmt::format("{:.4g}", one.factor), ratio_words(one.without)});
   return text + table.text();
 }
 
@@ -136,8 +158,8 @@ std::string optimization_text(const Optimization& found) {
                       : found.feasible                ? ", every requirement is met"
                                                       : ", NOT every requirement is met");
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + parameters_text(found) + "\n" + requirements_text(found) + frequencies_text(found) + "\n" +
-      conditions_text(found) + "\n" + search_text(found);
+  return text + parameters_text(found) + "\n" + minimized_text(found) + requirements_text(found) +
+      frequencies_text(found) + "\n" + conditions_text(found) + "\n" + search_text(found);
 }
 
 std::string optimization_settings(const Optimization& found) {
@@ -153,7 +175,9 @@ std::string optimization_settings(const Optimization& found) {
 std::string optimization_json(const Optimization& found) {
   using json::Json;
   const auto number = [](double value) { return json::number(value); };
-  Json result = {{"objective", found.minimizes ? Json(found.objective) : Json("margin")},
+  Json result = {{"objective", found.minimizes ? Json(minimized_names(found)) : Json("margin")},
+                 {"falls_short", found.falls_short},
+                 {"minimized", Json::array()},
                  {"before", found.objective_before ? number(*found.objective_before) : Json(nullptr)},
                  {"after", number(found.objective_after)},
                  {"unit", found.objective_unit.empty() ? "1" : found.objective_unit},
@@ -161,7 +185,8 @@ std::string optimization_json(const Optimization& found) {
                  {"parameters", Json::array()},
                  {"cases", Json::array()},
                  {"active", Json::array()},
-                 {"residual", number(found.residual)},
+                 {"residual", found.no_slopes.empty() ? number(found.residual) : Json(nullptr)},
+                 {"no_slopes", found.no_slopes},
                  {"conflicts", Json::array()},
                  {"starts", found.starts},
                  {"agreeing", found.agreeing},
@@ -194,12 +219,20 @@ std::string optimization_json(const Optimization& found) {
                                {"angular_frequencies_after", json::list(found.frequencies_after[c])}});
   for (const study::ActiveRequirement& one : found.active)
     result["active"].push_back({{"case", found.after[one.result_case].case_name},
-                                {"requirement", words_of(found, one.result_case, one.result)},
+                                {"requirement", one.words},
+                                {"minimized", one.minimized},
                                 {"multiplier", one.multiplier}});
+  for (const study::MinimizedAmplitude& one : found.minimized)
+    result["minimized"].push_back({{"case", found.after[one.result_case].case_name},
+                                   {"name", one.name},
+                                   {"unit", one.unit},
+                                   {"limit", json::optional(one.limit)},
+                                   {"before", number(one.before)},
+                                   {"after", number(one.after)}});
   for (const study::Conflict& one : found.conflicts)
     result["conflicts"].push_back({{"case", found.after[one.result_case].case_name},
-                                   {"requirement", words_of(found, one.result_case, one.result)},
-                                   {"margin", number(one.margin)},
+                                   {"requirement", one.words},
+                                   {"factor", number(one.factor)},
                                    {"without", number(one.without)}});
   for (const study::OtherOptimum& other : found.others)
     result["others"].push_back(

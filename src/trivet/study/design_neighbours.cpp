@@ -30,13 +30,16 @@ std::array<double, nodes> derivative_weights(const std::array<double, nodes>& at
   return weights;
 }
 
-/// Five equally spaced values inside the range, around the given one where there is room.
-std::array<double, nodes> stencil(const project::DesignAxis& axis, double value) {
+/// Five equally spaced values inside the range: around the given one where there is room, else above or below it.
+std::vector<std::array<double, nodes>> stencils(const project::DesignAxis& axis, double value) {
   const double step = distance * (axis.logarithmic ? value : axis.to - axis.from);
-  const double first = std::clamp(value - 2 * step, axis.from, axis.to - (nodes - 1) * step);
-  std::array<double, nodes> at{};
-  for (std::size_t i = 0; i < nodes; ++i) at[i] = first + static_cast<double>(i) * step;
-  return at;
+  std::vector<std::array<double, nodes>> result;
+  for (const double below : {2.0, 0.0, nodes - 1.0}) {
+    const double first = std::clamp(value - below * step, axis.from, axis.to - (nodes - 1) * step);
+    std::array<double, nodes>& at = result.emplace_back();
+    for (std::size_t i = 0; i < nodes; ++i) at[i] = first + static_cast<double>(i) * step;
+  }
+  return result;
 }
 
 std::complex<double> with(const Eigen::VectorXcd& row, const Eigen::VectorXcd& column) {
@@ -65,22 +68,41 @@ class DrivenResult {
 
 }  // namespace
 
+namespace {
+
+/// Neighbours of a design along one parameter.
+std::vector<DesignNeighbours::Neighbour> neighbours_at(const DesignSpace& space, const project::Case& variant,
+                                                       const Eigen::VectorXd& values, std::size_t parameter,
+                                                       const std::array<double, nodes>& at) {
+  const std::array<double, nodes> weights = derivative_weights(at, values(to_index(parameter)));
+  double largest = 0;
+  for (const double weight : weights) largest = std::max(largest, std::abs(weight));
+  constexpr double negligible = 1e-9;  // the middle of a symmetric formula
+  std::vector<DesignNeighbours::Neighbour> neighbours;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (std::abs(weights[i]) <= negligible * largest) continue;
+    Eigen::VectorXd moved = values;
+    moved(to_index(parameter)) = at[i];
+    auto system = std::make_unique<model::System>(space.system(variant, moved));
+    assembly::Assembled assembled = assembly::assemble(*system);
+    neighbours.push_back({weights[i], std::move(system), std::move(assembled)});
+  }
+  return neighbours;
+}
+
+}  // namespace
+
 DesignNeighbours::DesignNeighbours(const DesignSpace& space, const project::Case& variant,
                                    const Eigen::VectorXd& values) {
   for (std::size_t j = 0; j < space.size(); ++j) {
-    std::vector<Neighbour>& neighbours = all_.emplace_back();
-    const std::array<double, nodes> at = stencil(space.axes()[j], values(to_index(j)));
-    const std::array<double, nodes> weights = derivative_weights(at, values(to_index(j)));
-    double largest = 0;
-    for (const double weight : weights) largest = std::max(largest, std::abs(weight));
-    constexpr double negligible = 1e-9;  // the middle of a symmetric formula
-    for (std::size_t i = 0; i < nodes; ++i) {
-      if (std::abs(weights[i]) <= negligible * largest) continue;
-      Eigen::VectorXd moved = values;
-      moved(to_index(j)) = at[i];
-      auto system = std::make_unique<model::System>(space.system(variant, moved));
-      assembly::Assembled assembled = assembly::assemble(*system);
-      neighbours.push_back({weights[i], std::move(system), std::move(assembled)});
+    const auto choices = stencils(space.axes()[j], values(to_index(j)));
+    for (std::size_t i = 0; i < choices.size(); ++i) {
+      try {  // next to a design there may be no valid model
+        all_.push_back(neighbours_at(space, variant, values, j, choices[i]));
+        break;
+      } catch (const foundation::NotComputable&) {
+        if (i + 1 == choices.size()) throw;
+      }
     }
   }
 }

@@ -20,6 +20,7 @@ namespace trivet::study {
 class DesignNeighbours {
  public:
   /// @param values  of the design
+  /// @throws foundation::NotComputable if there is no valid model on any side of it
   DesignNeighbours(const DesignSpace& space, const project::Case& variant, const Eigen::VectorXd& values);
 
   struct Neighbour {

@@ -96,13 +96,12 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     differenced_requirements_.push_back(without_exact(asked_.back()));
   }
   for (std::size_t c = 0; c < cases_.size(); ++c) {
-    const std::vector<RequirementResult> given = results(c, cases_[c]->system);
+    const std::vector<RequirementResult>& given = given_.emplace_back(results(c, cases_[c]->system));
     std::vector<std::size_t>& width = width_.emplace_back();
     for (std::size_t r = 0; r < given.size(); ++r) {
       if (!given[r].value)
-        throw foundation::NotComputable("optimize: \"" + given[r].words + "\" cannot be judged: " + given[r].reason);
+        throw foundation::NotComputable("optimize: \"" + words({c, r}) + "\" cannot be judged: " + given[r].reason);
       width.push_back(places_of(given[r].kind));
-      if (is_objective(r) && objectives_ == 1 && !limited_) unit_without_limit_ = given[r].unit;
       for (std::size_t k = 0; k < width.back(); ++k) {
         places_.push_back({c, r});
         is_objective_.push_back(!minimizes_ || is_objective(r));
@@ -116,6 +115,25 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     throw foundation::InvalidInput(
         "optimize: neither requirements nor limits nor anything to minimise; add [requirements], or minimize = "
         "[\"BODY.x\"] in [analyses.optimize]");
+  refuse_mixed_objectives();
+}
+
+void DesignObjective::refuse_mixed_objectives() const {
+  if (!minimizes_ || limited_ == objectives_) return;
+  const std::vector<RequirementResult>& given = given_.front();
+  bool mixed = limited_ > 0;
+  for (std::size_t i = 0; i < objectives_; ++i)
+    mixed = mixed || given[first_objective_ + i].unit != given[first_objective_].unit;
+  if (mixed)
+    throw foundation::InvalidInput(
+        "optimize: amplitudes of different units, or some with a limit and some without, have no common measure; give "
+        "each of minimize a limit in limits = {\"BODY.x\" = \"1 mm\"} of [requirements]: then the largest share of a "
+        "limit is minimised");
+}
+
+std::string DesignObjective::words(const Place& place) const {
+  const RequirementResult& result = given_[place.result_case][place.result];
+  return is_objective(place.result) ? "the largest amplitude of " + result.subject : result.words;
 }
 
 void DesignObjective::add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request) {
@@ -127,6 +145,7 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
   project::Requirements& required = *analyses.requirements;
   first_objective_ = analyses.limits.size() + required.limits.size();
   objectives_ = request.minimize.size();
+  limited_ = 0;
   for (const std::string& name : request.minimize) {
     double allowed = 0;
     for (const project::AmplitudeLimit& limit : required.limits)
@@ -134,7 +153,7 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
     const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
     for (const project::Limit& limit : analyses.limits)
       if (limit.name == name && same_quantity) allowed = limit.amplitude;
-    limited_ = limited_ || allowed > 0;
+    if (allowed > 0) ++limited_;
     required.limits.push_back({name, request.quantity, allowed > 0 ? allowed : 1});
   }
 }

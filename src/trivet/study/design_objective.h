@@ -41,12 +41,16 @@ class DesignObjective {
   /// Values further above the least objective, or constraints further above 0, have no slopes.
   static constexpr double far = 5;
 
-  /// The requirements of one case at a design, with the minimised amplitudes as requirements at the end of their kind.
+  /// The requirements of one case at a design, with the minimised amplitudes as requirements after the limits.
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
   [[nodiscard]] bool minimizes() const { return minimizes_; }
   [[nodiscard]] bool is_objective(std::size_t result) const;
-  /// SI unit of a single minimised result without a limit; empty otherwise.
-  [[nodiscard]] const std::string& unit_without_limit() const { return unit_without_limit_; }
+  /// The minimised amplitudes have limits, and count as shares of these.
+  [[nodiscard]] bool has_limits() const { return limited_ > 0; }
+  /// The results at the given design.
+  [[nodiscard]] const std::vector<std::vector<RequirementResult>>& given() const { return given_; }
+  /// "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
+  [[nodiscard]] std::string words(const Place& place) const;
 
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
@@ -55,6 +59,7 @@ class DesignObjective {
 
  private:
   void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
+  void refuse_mixed_objectives() const;
   /// The places of one requirement that have slopes.
   struct Smooth {
     std::vector<RequirementResult::Candidate> candidates;
@@ -73,8 +78,9 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
   std::vector<project::Analyses> differenced_requirements_;  ///< those without candidates
   std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
-  bool minimizes_ = false, limited_ = false;
-  std::string unit_without_limit_;
+  bool minimizes_ = false;
+  std::size_t limited_ = 0;  ///< minimised amplitudes with a limit
+  std::vector<std::vector<RequirementResult>> given_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places
   std::vector<Place> places_;
   std::vector<bool> is_objective_;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <cmath>
+#include <iterator>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -25,17 +26,45 @@ constexpr double same_objective = 1e-5, same_place = 1e-3;
 /// A requirement within this of the least margin holds the optimum.
 constexpr double active_within = 1e-5;
 
-MaxMinProblem problem_of(const DesignObjective& objective) {
+using Place = DesignObjective::Place;
+
+/// The search as asked. @param ignored  a requirement that counts as met
+MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<Place>& ignored = std::nullopt) {
   return {to_index(objective.space().size()), objective.is_objective(),
-          [&](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
-            objective.evaluate(x, values, slopes);
+          [&objective, ignored](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
+            objective.evaluate(x, values, slopes, ignored);
           }};
 }
 
+/// The largest least margin of the requirements, whatever is minimised.
+MaxMinProblem problem_of_requirements(const DesignObjective& objective,
+                                      const std::optional<Place>& ignored = std::nullopt) {
+  MaxMinProblem problem = problem_of(objective, ignored);
+  if (!objective.minimizes()) return problem;
+  problem.is_objective.flip();
+  problem.evaluate = [all = problem.evaluate, &objective](const Eigen::VectorXd& x, Eigen::VectorXd& values,
+                                                          Eigen::MatrixXd* slopes) {
+    all(x, values, slopes);
+    for (std::size_t i = 0; i < objective.is_objective().size(); ++i) {
+      if (!objective.is_objective()[i]) continue;
+      values(to_index(i)) = DesignObjective::most;
+      if (slopes) slopes->row(to_index(i)).setZero();
+    }
+  };
+  return problem;
+}
+
+constexpr double met_within = -1e-9;  // ln of a margin
+
 /// Violated constraints first count, then the objective.
 double rank(const MaxMinPoint& point) {
-  constexpr double met = -1e-9, below_all = -1e3;
-  return point.constraint >= met ? point.objective : below_all + point.constraint;
+  constexpr double below_all = -1e3;
+  return point.constraint >= met_within ? point.objective : below_all + point.constraint;
+}
+
+/// exp of a logarithm that may be cut off.
+double whole(double logarithm) {
+  return logarithm >= DesignObjective::most ? foundation::infinity : std::exp(logarithm);
 }
 
 std::vector<Eigen::VectorXd> sobol_points(Eigen::Index dimensions, int count) {
@@ -96,9 +125,13 @@ class Search {
         problem_(problem_of(objective_)) {}
 
   Optimization run() {
-    const std::vector<MaxMinPoint> ends = climbed(problem_, starts(), progress_);
+    const std::vector<MaxMinPoint> chosen = starts();
+    std::vector<MaxMinPoint> ends = climbed(problem_, chosen, progress_);
     best_ = nearest_of_the_best(ends);
+    if (objective_.minimizes() && best_.constraint < met_within) ends = climbed_to_requirements(chosen);
     refuse_hopeless_search();
+    result_.minimizes = objective_.minimizes() && !result_.falls_short;
+    leave_idle_parameters_as_given();
     describe_parameters();
     describe_verdicts();
     describe_conditions();
@@ -111,6 +144,25 @@ class Search {
   }
 
  private:
+  /// No climb met the requirements: climbs to their largest least margin, and from there again if it meets them.
+  std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen) {
+    const MaxMinProblem requirements = problem_of_requirements(objective_);
+    std::vector<MaxMinPoint> from;
+    for (const MaxMinPoint& start : chosen) from.push_back(numerics::point_at(requirements, start.x));
+    std::vector<MaxMinPoint> ends = climbed(requirements, from, progress_);
+    std::vector<MaxMinPoint> meeting;
+    std::copy_if(ends.begin(), ends.end(), std::back_inserter(meeting),
+                 [](const MaxMinPoint& end) { return end.objective >= met_within; });
+    if (meeting.empty()) {
+      problem_ = requirements;
+      result_.falls_short = true;
+    } else {
+      ends = climbed(problem_, meeting, progress_);
+    }
+    best_ = nearest_of_the_best(ends);
+    return ends;
+  }
+
   std::vector<MaxMinPoint> starts() {
     const int looks = std::clamp(looks_per_start * request_.starts, fewest_looks, most_looks);
     std::vector<Eigen::VectorXd> points = sobol_points(problem_.variables, looks);
@@ -153,7 +205,7 @@ class Search {
   }
 
   void refuse_hopeless_search() const {
-    if (objective_.minimizes() && best_.objective >= DesignObjective::most)
+    if (objective_.minimizes() && !result_.falls_short && best_.objective >= DesignObjective::most)
       throw foundation::NotComputable("optimize: the minimised results are zero in every design looked at");
     if (best_.objective > DesignObjective::unusable) return;
     if (!objective_.first_failure().empty())
@@ -163,12 +215,38 @@ class Search {
     problem_.evaluate(best_.x, values, nullptr);
     Eigen::Index least = 0;
     values.minCoeff(&least);
-    const DesignObjective::Place& place = objective_.places()[to_size(least)];
-    const model::System system =
-        objective_.space().system(*objective_.cases()[place.result_case], objective_.space().values(best_.x));
-    throw foundation::NotComputable("optimize: the margin of \"" +
-                                    objective_.results(place.result_case, system)[place.result].words +
+    const Place& place = objective_.places()[to_size(least)];
+    if (objective_.is_objective(place.result))
+      throw foundation::NotComputable("optimize: " + objective_.words(place) +
+                                      " is unbounded in every design looked at: an undamped resonance lies in the "
+                                      "band; add damping, or change the band");
+    throw foundation::NotComputable("optimize: the margin of \"" + objective_.words(place) +
                                     "\" is 0 in every design looked at; widen the ranges, or change the requirement");
+  }
+
+  /// What changes nothing at the optimum keeps its given value, if the objective does.
+  void leave_idle_parameters_as_given() {
+    idle_.assign(objective_.space().size(), false);
+    if (best_.objective >= DesignObjective::most) return;
+    Eigen::VectorXd values;
+    Eigen::MatrixXd slopes;
+    problem_.evaluate(best_.x, values, &slopes);
+    if (values.minCoeff() <= DesignObjective::unusable) {
+      result_.no_slopes = objective_.first_failure().empty() ? "a margin is 0 there" : objective_.first_failure();
+      return;
+    }
+    MaxMinPoint kept = best_;
+    constexpr double no_slope = 1e-9;  // of ln(margin) over the whole range
+    for (std::size_t j = 0; j < idle_.size(); ++j) {
+      idle_[j] = slopes.col(to_index(j)).isZero(no_slope);
+      if (const auto& value = objective_.space().given()[j]; value && idle_[j])
+        if (const double share = objective_.space().axes()[j].share(*value); share >= 0 && share <= 1)
+          kept.x(to_index(j)) = share;
+    }
+    if (kept.x == best_.x) return;
+    kept = numerics::point_at(problem_, kept.x);
+    constexpr double round_off = 1e-12;
+    if (rank(kept) >= rank(best_) - round_off) best_ = kept;
   }
 
   void describe_parameters() {
@@ -178,7 +256,7 @@ class Search {
       const double share = best_.x(to_index(j));
       result_.parameters.push_back({objective_.space().axes()[j], objective_.space().given()[j], values(to_index(j)),
                                     values(to_index(j)), values(to_index(j)),
-                                    share <= at_bound || share >= 1 - at_bound, false});
+                                    share <= at_bound || share >= 1 - at_bound, idle_[j]});
     }
   }
 
@@ -196,80 +274,88 @@ class Search {
       result_.frequencies_before.push_back(natural_frequencies(variant->system));
       result_.frequencies_after.push_back(natural_frequencies(optimum.system));
     }
-    result_.minimizes = objective_.minimizes();
-    result_.objective = request_.minimize;
-    result_.objective_unit = objective_.unit_without_limit();
     result_.feasible =
         std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
-    result_.objective_before =
-        objective_of([&](std::size_t c) { return objective_.results(c, objective_.cases()[c]->system); });
-    result_.objective_after = objective_of([&](std::size_t c) {
-                                return objective_.results(c, objective_.space().system(*objective_.cases()[c], values));
-                              }).value_or(0);
+    std::vector<std::vector<RequirementResult>> optimum;
+    for (std::size_t c = 0; c < objective_.cases().size(); ++c)
+      optimum.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
+    result_.objective_before = objective_of(objective_.given());
+    result_.objective_after = objective_of(optimum).value_or(0);
+    for (std::size_t c = 0; c < optimum.size(); ++c)
+      for (std::size_t r = 0; r < optimum[c].size(); ++r) {
+        if (!objective_.is_objective(r)) continue;
+        const RequirementResult &before = objective_.given()[c][r], &after = optimum[c][r];
+        const auto limit = objective_.has_limits() ? std::optional(after.allowed) : std::nullopt;
+        result_.minimized.push_back(
+            {c, after.subject, after.unit, limit, before.value.value_or(0), after.value.value_or(0)});
+        if (!limit && result_.minimizes) result_.objective_unit = after.unit;
+      }
   }
 
-  /// The least margin, or the largest share of a minimised amplitude.
-  template <typename Results>
-  std::optional<double> objective_of(const Results& results) const {
+  /// The least margin, or the largest minimised amplitude, or share of its limit.
+  [[nodiscard]] std::optional<double> objective_of(const std::vector<std::vector<RequirementResult>>& found) const {
     double least = foundation::infinity;
-    for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
-      const std::vector<RequirementResult> found = results(c);
-      for (std::size_t r = 0; r < found.size(); ++r) {
-        if (objective_.minimizes() && !objective_.is_objective(r)) continue;
-        if (!found[r].value) return std::nullopt;
-        least = std::min(least, found[r].margin);
+    for (const std::vector<RequirementResult>& results : found)
+      for (std::size_t r = 0; r < results.size(); ++r) {
+        if (objective_.is_objective(r) != result_.minimizes) continue;
+        if (!results[r].value) return std::nullopt;
+        least = std::min(least, results[r].margin);
       }
-    }
-    return objective_.minimizes() ? 1 / least : least;
+    return result_.minimizes ? 1 / least : least;
+  }
+
+  /// d ln(margin)/d ln(bound): 1 but for peaks above their tolerance a, with the margin (1 + a)/(1 + p).
+  [[nodiscard]] static double effect_of_bound(const RequirementResult& result) {
+    return result.kind == RequirementKind::no_peak && result.margin < 1 ? result.allowed / (1 + result.allowed) : 1;
   }
 
   void describe_conditions() {
-    if (best_.objective >= DesignObjective::most) return;  // nothing holds it
+    if (best_.objective >= DesignObjective::most || !result_.no_slopes.empty()) return;  // nothing holds it
     const numerics::Multipliers found = numerics::multipliers(problem_, best_, active_within);
     result_.residual = found.residual;
+    struct Held {
+      Place place;
+      double multiplier;
+    };
+    std::vector<Held> held;
     for (std::size_t i = 0; i < objective_.places().size(); ++i) {
       const double multiplier = found.of_values(to_index(i));
       constexpr double some = 1e-6;
       if (multiplier <= some) continue;
-      const DesignObjective::Place& place = objective_.places()[i];
-      const auto same = std::find_if(result_.active.begin(), result_.active.end(), [&](const ActiveRequirement& one) {
-        return one.result_case == place.result_case && one.result == place.result;
+      const Place& place = objective_.places()[i];
+      const auto same = std::find_if(held.begin(), held.end(), [&](const Held& one) {
+        return one.place.result_case == place.result_case && one.place.result == place.result;
       });
-      if (same != result_.active.end()) same->multiplier += multiplier;
-      else result_.active.push_back({place.result_case, place.result, multiplier});
+      if (same != held.end()) same->multiplier += multiplier;
+      else held.push_back({place, multiplier});
     }
-    std::stable_sort(
-        result_.active.begin(), result_.active.end(),
-        [](const ActiveRequirement& a, const ActiveRequirement& b) { return a.multiplier > b.multiplier; });
-    Eigen::VectorXd values;
-    Eigen::MatrixXd slopes;
-    problem_.evaluate(best_.x, values, &slopes);
-    constexpr double no_slope = 1e-9;  // of ln(margin) over the whole range
-    for (std::size_t j = 0; j < result_.parameters.size(); ++j)
-      result_.parameters[j].idle = slopes.col(to_index(j)).isZero(no_slope);
-    if (!objective_.minimizes() && !result_.feasible) describe_conflicts();
+    std::stable_sort(held.begin(), held.end(),
+                     [](const Held& a, const Held& b) { return a.multiplier > b.multiplier; });
+    std::vector<std::vector<RequirementResult>> there;
+    for (std::size_t c = 0; c < objective_.cases().size(); ++c)
+      there.push_back(
+          objective_.results(c, objective_.space().system(*objective_.cases()[c], objective_.space().values(best_.x))));
+    for (const Held& one : held) {
+      const RequirementResult& result = there[one.place.result_case][one.place.result];
+      result_.active.push_back({one.place.result_case, objective_.words(one.place),
+                                objective_.is_objective(one.place.result), one.multiplier * effect_of_bound(result)});
+      if (!result_.feasible && !result_.minimizes) describe_conflict(one.place, result);
+    }
   }
 
-  /// Without each of the requirements that hold the optimum: what the others reach.
-  void describe_conflicts() {
-    for (const ActiveRequirement& active : result_.active) {
-      MaxMinProblem rest = problem_;
-      rest.evaluate = [&](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
-        objective_.evaluate(x, values, slopes, DesignObjective::Place{active.result_case, active.result});
-      };
-      const MaxMinPoint found = max_min(rest, best_.x);
-      const CaseVerdict& judged = result_.after[active.result_case];
-      result_.conflicts.push_back(
-          {active.result_case, active.result, judged.results[active.result].margin, std::exp(found.objective)});
-    }
+  /// Without a requirement that holds the optimum: what the others reach.
+  void describe_conflict(const Place& place, const RequirementResult& result) {
+    const MaxMinPoint others = max_min(problem_of_requirements(objective_, place), best_.x);
+    const double factor = result.kind == RequirementKind::no_peak ? *result.value / result.allowed : 1 / result.margin;
+    result_.conflicts.push_back({place.result_case, objective_.words(place), factor, whole(others.objective)});
   }
 
   void describe_ends(const std::vector<MaxMinPoint>& ends) {
-    struct Place {
+    struct Top {
       MaxMinPoint point;
       int starts;
     };
-    std::vector<Place> places;
+    std::vector<Top> places;
     for (const MaxMinPoint& end : ends) {
       if (end.objective <= DesignObjective::unusable) {
         ++result_.stuck;
@@ -285,7 +371,7 @@ class Search {
         }
         continue;
       }
-      const auto same = std::find_if(places.begin(), places.end(), [&](const Place& place) {
+      const auto same = std::find_if(places.begin(), places.end(), [&](const Top& place) {
         return std::abs(rank(place.point) - rank(end)) <= same_objective &&
             (place.point.x - end.x).lpNorm<Eigen::Infinity>() <= same_place;
       });
@@ -293,13 +379,13 @@ class Search {
       else ++same->starts;
     }
     std::stable_sort(places.begin(), places.end(),
-                     [](const Place& a, const Place& b) { return rank(a.point) > rank(b.point); });
+                     [](const Top& a, const Top& b) { return rank(a.point) > rank(b.point); });
     constexpr std::size_t shown = 3;
     for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
       const Eigen::VectorXd values = objective_.space().values(places[i].point.x);
-      const double least = std::exp(places[i].point.objective);
+      const double least = whole(places[i].point.objective);
       result_.others.push_back(
-          {{values.begin(), values.end()}, objective_.minimizes() ? 1 / least : least, places[i].starts});
+          {{values.begin(), values.end()}, result_.minimizes ? 1 / least : least, places[i].starts});
     }
   }
 
@@ -309,6 +395,7 @@ class Search {
   DesignObjective objective_;
   MaxMinProblem problem_;
   MaxMinPoint best_;
+  std::vector<bool> idle_;
   Optimization result_;
 };
 

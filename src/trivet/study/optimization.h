@@ -17,13 +17,14 @@ struct OptimizedParameter {
   double best = 0;              ///< in the unit of the axis
   double least = 0, most = 0;   ///< over all starts that reached the same objective
   bool at_bound = false;
-  bool idle = false;  ///< no margin and no objective depends on it there
+  bool idle = false;  ///< no margin and no objective near deciding depends on it there
 };
 
 /// A requirement, or an objective, that holds the optimum.
 struct ActiveRequirement {
   std::size_t result_case = 0;  ///< index in Optimization::after
-  std::size_t result = 0;       ///< index in its results
+  std::string words;            ///< "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
+  bool minimized = false;       ///< a minimised amplitude, no requirement
   double multiplier = 0;        ///< the objective gains this many percent if the bound is relaxed by 1 %
 };
 
@@ -34,25 +35,37 @@ struct OtherOptimum {
   int starts = 0;  ///< that ended there
 };
 
-/// A requirement of a set that contradicts itself.
+/// A requirement of a set that cannot be met.
 struct Conflict {
-  std::size_t result_case = 0, result = 0;  ///< as in ActiveRequirement
-  double margin = 0;                        ///< at the design with the largest least margin
-  double without = 0;                       ///< largest least margin of the others without it
+  std::size_t result_case = 0;  ///< index in Optimization::after
+  std::string words;
+  double factor = 0;   ///< by which its bound is missed at the design with the largest least margin
+  double without = 0;  ///< largest least margin of the others without it; infinite if nothing limits it
+};
+
+/// A minimised amplitude.
+struct MinimizedAmplitude {
+  std::size_t result_case = 0;  ///< index in Optimization::after
+  std::string name, unit;       ///< SI
+  std::optional<double> limit;
+  double before = 0, after = 0;
 };
 
 struct Optimization {
   std::vector<OptimizedParameter> parameters;
-  bool minimizes = false;                  ///< amplitudes; false: the largest least margin
-  std::vector<std::string> objective;      ///< results that are minimised
-  std::string objective_unit;              ///< SI, of a single result without a limit; otherwise shares are minimised
-  std::optional<double> objective_before;  ///< least margin, or largest amplitude over its limit or over 1 SI unit
+  bool minimizes = false;  ///< amplitudes; false: the largest least margin
+  /// Amplitudes were to be minimised, but no design met the requirements: it is that with their largest least margin.
+  bool falls_short = false;
+  std::vector<MinimizedAmplitude> minimized;
+  std::string objective_unit;              ///< SI, of amplitudes without limits; otherwise shares of these
+  std::optional<double> objective_before;  ///< least margin, or largest amplitude or share of a limit
   double objective_after = 0;
   bool feasible = false;                   ///< every requirement is met
   std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
   std::vector<std::vector<double>> frequencies_before, frequencies_after;  ///< natural ones of these [rad/s]
   std::vector<ActiveRequirement> active;
   double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
+  std::string no_slopes;                    ///< why these conditions were not computed
   std::vector<Conflict> conflicts;          ///< if no design meets all requirements
   int starts = 0, agreeing = 0;             ///< `agreeing` of the starts reached the same objective
   int stuck = 0;                            ///< starts that found no usable design

@@ -456,7 +456,7 @@ class Judge {
   /// Least factor by which a load may grow or fall within a range.
   static double margin_in_range(double load, const Eigen::Vector2d& range) {
     const double low = range(0), high = range(1);
-    if (load < 0) return low < 0 ? margin_of(low, load) : 0;  // tension
+    if (load < 0) return low < 0 ? margin_of(-low, load) : 0;  // tension
     const double upper = margin_of(high, load);
     return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
   }

@@ -24,9 +24,12 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   if (in_file.harmonic_excitations.empty())
     reader.error("minimize", "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
                  "add [excitations.NAME] with type = \"harmonic\"");
-  for (const std::string& word : *words)
-    if (!names.component(word, quantity))
-      names.refuse(reader, "minimize", word, "one component of a body, BODY.POINT, an element or the ground");
+  for (auto word = words->begin(); word != words->end(); ++word) {
+    if (!names.component(*word, quantity))
+      names.refuse(reader, "minimize", *word, "one component of a body, BODY.POINT, an element or the ground");
+    if (std::find(words->begin(), word, *word) != word)
+      reader.error("minimize", foundation::quoted(*word), "it is named twice", "name it once");
+  }
   return *words;
 }
 
