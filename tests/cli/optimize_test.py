@@ -241,6 +241,22 @@ class Optimize(InTemporaryFolder):
         self.assertEqual(found["no_slopes"], "")
         self.assertGreater(found["residual"], 0.5)  # held by nothing that the search knows
 
+    def test_lone_valid_design_has_no_slopes(self):
+        # One damper rises as the other falls below zero: only the given design, without both, is valid.
+        text = OSCILLATOR.replace("1e-3, 400]", "1e-3, 0]") + "[elements.t]\ntype = \"bushing\"\non = \"m\"\n"
+        text += "at = [0, 0, 0]\ntranslation = [1, 1, 1]\ndamping = {translation = [1e-3, 1e-3, 0]}\n"
+        text = text.replace(
+            'path = "elements.s.translation.z"',
+            "path = {'elements.s.damping.translation.z' = 1, 'elements.t.damping.translation.z' = -1}",
+        )
+        text = text.replace('from = "20 N/mm"\nto = "500 N/mm"\nspacing = "logarithmic"', "from = -1\nto = 1")
+        text += f'[requirements]\nstatic = {{"m.z" = {self.SAG}}}\n'
+        found, best = self.optimum(text)
+        self.assertEqual(best["stiffness"], 0)
+        self.assertNotEqual(found["no_slopes"], "")
+        self.assertEqual((found["residual"], found["active"], found["parameters"][0]["idle"]), (None, [], False))
+        self.assertIn("What holds the optimum is not known", trivet("optimize", self.file(text)).stdout)
+
     def test_idle_parameter_keeps_its_value(self):
         text = OSCILLATOR + '[parameters.side]\npath = "elements.s.translation.x"\nfrom = 0.5\nto = 5\n'
         found, best = self.optimum(

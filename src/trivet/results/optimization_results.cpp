@@ -119,9 +119,8 @@ std::string conditions_text(const Optimization& found) {
   if (found.conflicts.empty()) return text;
   text += found.conflicts.size() == 1
       ? "\nThis requirement cannot be met within the ranges, but with its bound eased by the factor:\n"
-      : "\nThese requirements contradict each other within the ranges. All can be met with all their bounds eased by "
-        "the "
-        "factors:\n";
+      : "\nThese requirements contradict each other within the ranges. All can be met with every bound eased by its "
+        "factor:\n";
   TextTable table({"requirement", "factor", "least margin of the others without it"});
   for (const study::Conflict& one : found.conflicts)
     table.add({case_prefix(found.after[one.result_case]) + one.words,

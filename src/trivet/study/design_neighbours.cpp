@@ -66,10 +66,6 @@ class DrivenResult {
   assembly::Loading load_;
 };
 
-}  // namespace
-
-namespace {
-
 /// Neighbours of a design along one parameter.
 std::vector<DesignNeighbours::Neighbour> neighbours_at(const DesignSpace& space, const project::Case& variant,
                                                        const Eigen::VectorXd& values, std::size_t parameter,

@@ -276,15 +276,14 @@ class Search {
     }
     result_.feasible =
         std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
-    std::vector<std::vector<RequirementResult>> optimum;
     for (std::size_t c = 0; c < objective_.cases().size(); ++c)
-      optimum.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
+      at_best_.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
     result_.objective_before = objective_of(objective_.given());
-    result_.objective_after = objective_of(optimum).value_or(0);
-    for (std::size_t c = 0; c < optimum.size(); ++c)
-      for (std::size_t r = 0; r < optimum[c].size(); ++r) {
+    result_.objective_after = objective_of(at_best_).value_or(0);
+    for (std::size_t c = 0; c < at_best_.size(); ++c)
+      for (std::size_t r = 0; r < at_best_[c].size(); ++r) {
         if (!objective_.is_objective(r)) continue;
-        const RequirementResult &before = objective_.given()[c][r], &after = optimum[c][r];
+        const RequirementResult &before = objective_.given()[c][r], &after = at_best_[c][r];
         const auto limit = objective_.has_limits() ? std::optional(after.allowed) : std::nullopt;
         result_.minimized.push_back(
             {c, after.subject, after.unit, limit, before.value.value_or(0), after.value.value_or(0)});
@@ -331,12 +330,8 @@ class Search {
     }
     std::stable_sort(held.begin(), held.end(),
                      [](const Held& a, const Held& b) { return a.multiplier > b.multiplier; });
-    std::vector<std::vector<RequirementResult>> there;
-    for (std::size_t c = 0; c < objective_.cases().size(); ++c)
-      there.push_back(
-          objective_.results(c, objective_.space().system(*objective_.cases()[c], objective_.space().values(best_.x))));
     for (const Held& one : held) {
-      const RequirementResult& result = there[one.place.result_case][one.place.result];
+      const RequirementResult& result = at_best_[one.place.result_case][one.place.result];
       result_.active.push_back({one.place.result_case, objective_.words(one.place),
                                 objective_.is_objective(one.place.result), one.multiplier * effect_of_bound(result)});
       if (!result_.feasible && !result_.minimizes) describe_conflict(one.place, result);
@@ -396,6 +391,7 @@ class Search {
   MaxMinProblem problem_;
   MaxMinPoint best_;
   std::vector<bool> idle_;
+  std::vector<std::vector<RequirementResult>> at_best_;  ///< per case
   Optimization result_;
 };
 

@@ -24,10 +24,10 @@ Optimizer optimizer(Eigen::Index variables) {
   return result;
 }
 
-/// The problem with its bound t as last variable, for the callbacks of the library.
+/// The problem with its bound t as last variable, for the callbacks of NLopt.
 class Bounded {
  public:
-  Bounded(const MaxMinProblem& problem, nlopt_opt library) : problem_(problem), library_(library) {}
+  Bounded(const MaxMinProblem& problem, nlopt_opt optimizer) : problem_(problem), optimizer_(optimizer) {}
 
   static double bound(unsigned n, const double* x, double* slope, void*) {
     if (slope) {
@@ -46,7 +46,7 @@ class Bounded {
       bounded.failure_ = std::current_exception();
       std::fill(result, result + m, 0.0);
       if (slope) std::fill(slope, slope + static_cast<std::size_t>(m) * n, 0.0);
-      nlopt_force_stop(bounded.library_);
+      nlopt_force_stop(bounded.optimizer_);
     }
   }
 
@@ -69,7 +69,7 @@ class Bounded {
   }
 
   const MaxMinProblem& problem_;
-  nlopt_opt library_;
+  nlopt_opt optimizer_;
   std::exception_ptr failure_;
 };
 
