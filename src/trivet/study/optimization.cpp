@@ -2,108 +2,28 @@
 #include "trivet/study/optimization.h"
 
 #include <algorithm>
-#include <boost/random/sobol.hpp>
 #include <cmath>
-#include <iterator>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/parallel_for.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_objective.h"
+#include "trivet/study/design_search.h"
 
 namespace trivet::study {
 namespace {
 
 using numerics::MaxMinPoint;
-using numerics::MaxMinProblem;
-
-/// Looks before climbing: so many points of Sobol's sequence per start, within these bounds.
-constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
-/// Optima this near in ln(objective) have the same; if they are also this near in every share of a range, they are one.
-constexpr double same_objective = 1e-5, same_place = 1e-3;
-/// A requirement within this of the least margin holds the optimum.
-constexpr double active_within = 1e-5;
-
 using Place = DesignObjective::Place;
 
-/// The search as asked. @param ignored  a requirement that counts as met
-MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<Place>& ignored = std::nullopt) {
-  return {to_index(objective.space().size()), objective.is_objective(),
-          [&objective, ignored](const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes) {
-            objective.evaluate(x, values, slopes, ignored);
-          }};
-}
-
-/// The largest least margin of the requirements, whatever is minimised.
-MaxMinProblem problem_of_requirements(const DesignObjective& objective,
-                                      const std::optional<Place>& ignored = std::nullopt) {
-  MaxMinProblem problem = problem_of(objective, ignored);
-  if (!objective.minimizes()) return problem;
-  problem.is_objective.flip();
-  problem.evaluate = [all = problem.evaluate, &objective](const Eigen::VectorXd& x, Eigen::VectorXd& values,
-                                                          Eigen::MatrixXd* slopes) {
-    all(x, values, slopes);
-    for (std::size_t i = 0; i < objective.is_objective().size(); ++i) {
-      if (!objective.is_objective()[i]) continue;
-      values(to_index(i)) = DesignObjective::most;
-      if (slopes) slopes->row(to_index(i)).setZero();
-    }
-  };
-  return problem;
-}
-
-constexpr double met_within = -1e-9;  // ln of a margin
-
-/// Violated constraints first count, then the objective.
-double rank(const MaxMinPoint& point) {
-  constexpr double below_all = -1e3;
-  return point.constraint >= met_within ? point.objective : below_all + point.constraint;
-}
+/// Ends this near to each other in every share of a range, and in the objective, are one.
+constexpr double same_place = 1e-3;
+/// A requirement within this of the least margin holds the optimum.
+constexpr double active_within = 1e-5;
 
 /// exp of a logarithm that may be cut off.
 double whole(double logarithm) {
   return logarithm >= DesignObjective::most ? foundation::infinity : std::exp(logarithm);
-}
-
-std::vector<Eigen::VectorXd> sobol_points(Eigen::Index dimensions, int count) {
-  boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
-  const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
-  std::vector<Eigen::VectorXd> points;
-  for (int i = 0; i < count; ++i) {
-    Eigen::VectorXd point(dimensions);
-    for (double& share : point) share = static_cast<double>(sequence()) / whole;
-    points.push_back(std::move(point));
-  }
-  return points;
-}
-
-/// The best looks that lie apart, at most `starts`.
-std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
-  std::stable_sort(looks.begin(), looks.end(),
-                   [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
-  std::vector<MaxMinPoint> chosen;
-  for (const double apart : {0.15, 0.05, 0.0})
-    for (const MaxMinPoint& look : looks) {
-      if (chosen.size() >= starts) return chosen;
-      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const MaxMinPoint& other) {
-        return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart;
-      });
-      if (!near) chosen.push_back(look);
-    }
-  return chosen;
-}
-
-/// Climbs from all starts; the results in their order.
-std::vector<MaxMinPoint> climbed(const MaxMinProblem& problem, const std::vector<MaxMinPoint>& starts,
-                                 const foundation::Progress& progress) {
-  std::vector<MaxMinPoint> ends(starts.size());
-  foundation::parallel_for(starts.size(), {.progress = progress, .task = "climbing"},
-                           [&](std::size_t first, std::size_t last) {
-                             for (std::size_t i = first; i < last; ++i) ends[i] = max_min(problem, starts[i].x);
-                           });
-  return ends;
 }
 
 std::vector<double> natural_frequencies(const model::System& system) {
@@ -115,27 +35,26 @@ std::vector<double> natural_frequencies(const model::System& system) {
   return result;
 }
 
-class Search {
+/// What a search found, in the words of an engineer.
+class Description {
  public:
-  Search(const project::Project& project, const project::OptimizeRequest& request, const foundation::Progress& progress)
+  Description(const project::Project& project, const DesignObjective& objective, DesignSearch found)
       : project_(project),
-        request_(request),
-        progress_(progress),
-        objective_(project, request),
-        problem_(problem_of(objective_)) {}
+        objective_(objective),
+        problem_(std::move(found.problem)),
+        best_(std::move(found.best)),
+        ends_(std::move(found.ends)) {
+    result_.starts = found.starts;
+    result_.falls_short = found.falls_short;
+  }
 
-  Optimization run() {
-    const std::vector<MaxMinPoint> chosen = starts();
-    std::vector<MaxMinPoint> ends = climbed(problem_, chosen, progress_);
-    best_ = nearest_of_the_best(ends);
-    if (objective_.minimizes() && best_.constraint < met_within) ends = climbed_to_requirements(chosen);
-    refuse_hopeless_search();
+  Optimization optimization() {
     result_.minimizes = objective_.minimizes() && !result_.falls_short;
     leave_idle_parameters_as_given();
     describe_parameters();
     describe_verdicts();
     describe_conditions();
-    describe_ends(ends);
+    describe_ends();
     result_.evaluations = objective_.evaluations();
     result_.failed = objective_.failed();
     result_.first_failure = objective_.first_failure();
@@ -144,86 +63,6 @@ class Search {
   }
 
  private:
-  /// No climb met the requirements: climbs to their largest least margin, and from there again if it meets them.
-  std::vector<MaxMinPoint> climbed_to_requirements(const std::vector<MaxMinPoint>& chosen) {
-    const MaxMinProblem requirements = problem_of_requirements(objective_);
-    std::vector<MaxMinPoint> from;
-    for (const MaxMinPoint& start : chosen) from.push_back(numerics::point_at(requirements, start.x));
-    std::vector<MaxMinPoint> ends = climbed(requirements, from, progress_);
-    std::vector<MaxMinPoint> meeting;
-    std::copy_if(ends.begin(), ends.end(), std::back_inserter(meeting),
-                 [](const MaxMinPoint& end) { return end.objective >= met_within; });
-    if (meeting.empty()) {
-      problem_ = requirements;
-      result_.falls_short = true;
-    } else {
-      ends = climbed(problem_, meeting, progress_);
-    }
-    best_ = nearest_of_the_best(ends);
-    return ends;
-  }
-
-  std::vector<MaxMinPoint> starts() {
-    const int looks = std::clamp(looks_per_start * request_.starts, fewest_looks, most_looks);
-    std::vector<Eigen::VectorXd> points = sobol_points(problem_.variables, looks);
-    Eigen::VectorXd given(problem_.variables);
-    bool inside = true;
-    for (std::size_t j = 0; j < objective_.space().size(); ++j) {
-      const auto& value = objective_.space().given()[j];
-      given(to_index(j)) = value ? objective_.space().axes()[j].share(*value) : -1;
-      inside = inside && given(to_index(j)) >= 0 && given(to_index(j)) <= 1;
-    }
-    std::vector<MaxMinPoint> seen(points.size());
-    foundation::parallel_for(points.size(), {.progress = progress_, .task = "looking"},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i)
-                                 seen[i] = numerics::point_at(problem_, points[i]);
-                             });
-    std::vector<MaxMinPoint> chosen = chosen_starts(std::move(seen), to_size(request_.starts));
-    if (inside) chosen.push_back(numerics::point_at(problem_, given));
-    result_.starts = static_cast<int>(chosen.size());
-    return chosen;
-  }
-
-  /// Of equally good ends the one nearest to the given design.
-  [[nodiscard]] const MaxMinPoint& nearest_of_the_best(const std::vector<MaxMinPoint>& ends) const {
-    const MaxMinPoint* best = &ends.front();
-    for (const MaxMinPoint& end : ends)
-      if (rank(end) > rank(*best)) best = &end;
-    const double highest = rank(*best);
-    for (const MaxMinPoint& end : ends)
-      if (rank(end) >= highest - same_objective && from_given(end.x) < from_given(best->x)) best = &end;
-    return *best;
-  }
-
-  [[nodiscard]] double from_given(const Eigen::VectorXd& shares) const {
-    double distance = 0;
-    for (std::size_t j = 0; j < objective_.space().size(); ++j)
-      if (const auto& value = objective_.space().given()[j])
-        distance += std::pow(shares(to_index(j)) - objective_.space().axes()[j].share(*value), 2);
-    return distance;
-  }
-
-  void refuse_hopeless_search() const {
-    if (objective_.minimizes() && !result_.falls_short && best_.objective >= DesignObjective::most)
-      throw foundation::NotComputable("optimize: the minimised results are zero in every design looked at");
-    if (best_.objective > DesignObjective::unusable) return;
-    if (!objective_.first_failure().empty())
-      throw foundation::NotComputable("optimize: no design of the ranges can be computed: " +
-                                      objective_.first_failure());
-    Eigen::VectorXd values;
-    problem_.evaluate(best_.x, values, nullptr);
-    Eigen::Index least = 0;
-    values.minCoeff(&least);
-    const Place& place = objective_.places()[to_size(least)];
-    if (objective_.is_objective(place.result))
-      throw foundation::NotComputable("optimize: " + objective_.words(place) +
-                                      " is unbounded in every design looked at: an undamped resonance lies in the "
-                                      "band; add damping, or change the band");
-    throw foundation::NotComputable("optimize: the margin of \"" + objective_.words(place) +
-                                    "\" is 0 in every design looked at; widen the ranges, or change the requirement");
-  }
-
   /// What changes nothing at the optimum keeps its given value, if the objective does.
   void leave_idle_parameters_as_given() {
     idle_.assign(objective_.space().size(), false);
@@ -345,13 +184,13 @@ class Search {
     result_.conflicts.push_back({place.result_case, objective_.words(place), factor, whole(others.objective)});
   }
 
-  void describe_ends(const std::vector<MaxMinPoint>& ends) {
+  void describe_ends() {
     struct Top {
       MaxMinPoint point;
       int starts;
     };
     std::vector<Top> places;
-    for (const MaxMinPoint& end : ends) {
+    for (const MaxMinPoint& end : ends_) {
       if (end.objective <= DesignObjective::unusable) {
         ++result_.stuck;
         continue;
@@ -385,11 +224,10 @@ class Search {
   }
 
   const project::Project& project_;
-  const project::OptimizeRequest& request_;
-  const foundation::Progress& progress_;
-  DesignObjective objective_;
-  MaxMinProblem problem_;
+  const DesignObjective& objective_;
+  numerics::MaxMinProblem problem_;
   MaxMinPoint best_;
+  std::vector<MaxMinPoint> ends_;
   std::vector<bool> idle_;
   std::vector<std::vector<RequirementResult>> at_best_;  ///< per case
   Optimization result_;
@@ -399,7 +237,8 @@ class Search {
 
 Optimization optimization(const project::Project& project, const foundation::Progress& progress) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
-  return Search(project, request, progress).run();
+  const DesignObjective objective(project, request);
+  return Description(project, objective, design_search(objective, request.starts, progress)).optimization();
 }
 
 }  // namespace trivet::study

@@ -20,6 +20,8 @@
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
+#include "trivet/study/margin.h"
+#include "trivet/study/mount_loads.h"
 #include "trivet/study/question_answer.h"
 #include "trivet/study/transient_answer.h"
 
@@ -32,12 +34,6 @@ using foundation::two_pi;
 
 constexpr MotionQuantity motion_quantities[] = {MotionQuantity::displacement, MotionQuantity::velocity,
                                                 MotionQuantity::acceleration};
-
-/// Limit over value, 1 within nine digits of the limit.
-double margin_of(double allowed, double value) { return design::margin({.allowed = allowed}, std::abs(value)); }
-
-/// Value over limit, for what has to be large.
-double margin_of_least(double least, double value) { return value > 0 ? margin_of(value, least) : 0; }
 
 class Judge {
  public:
@@ -57,7 +53,8 @@ class Judge {
     add_rms(required.rms);
     add_largest(required.largest);
     add_static(required.statics);
-    if (required.mount_load) add_mount_loads();
+    if (required.mount_load)
+      for (RequirementResult& one : mount_loads(c_)) results_.push_back(std::move(one));
     return std::move(results_);
   }
 
@@ -390,75 +387,6 @@ class Judge {
         results_[first + i].margin = margin_of(results_[first + i].allowed, rest.values[i].value);
       }
     });
-  }
-
-  /// Static force of each catalogue mount along its axis, against the range of its maker.
-  void add_mount_loads() {
-    std::vector<std::string> words;
-    for (const model::Element& element : c_.system.elements())
-      if (element.rating) words.insert(words.end(), {element.name, element.name + ".deflection"});
-    if (words.empty()) return;
-    std::optional<response::StaticResponse> rest;  // of all mounts at once
-    const auto at_rest = [&]() -> const response::StaticResponse& {
-      if (!rest)
-        rest = response::static_response(
-            c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
-      return *rest;
-    };
-    std::size_t value = 0;
-    for (const model::Element& element : c_.system.elements()) {
-      if (!element.rating) continue;
-      const std::size_t first = results_.size();
-      if (element.rating->compression)
-        add(RequirementKind::mount_load, element.name,
-            fmt::format("{} carries {:.5g} … {:.5g} N", element.name, (*element.rating->compression)(0),
-                        (*element.rating->compression)(1)),
-            "N", (*element.rating->compression)(1));
-      if (element.rating->deflection)
-        add(RequirementKind::mount_deflection, element.name,
-            fmt::format("{} deflects ≤ {}", element.name, value_words(*element.rating->deflection, "m")), "m",
-            *element.rating->deflection);
-      attempt(first, [&] { set_mount_load(first, element, at_rest(), value); });
-      value += 12;
-    }
-  }
-
-  /// @param at  first of its six forces and six deflections
-  void set_mount_load(std::size_t first, const model::Element& element, const response::StaticResponse& rest,
-                      std::size_t at) {
-    Eigen::Vector3d force, deflection;  // on the N side, ground axes; of K against N, axes of the element
-    for (int j = 0; j < 3; ++j) {
-      force(j) = rest.values[at + to_size(j)].value;
-      deflection(j) = rest.values[at + 6 + to_size(j)].value;
-    }
-    Eigen::Vector3d axis = element.n.axes.col(2);
-    if (element.n.body) axis = c_.system.bodies()[*element.n.body].pose.rotation * axis;
-    const double load = -force.dot(axis), across = (force + load * axis).norm();
-    for (std::size_t i = first; i < results_.size(); ++i) {
-      RequirementResult& result = results_[i];
-      if (result.kind == RequirementKind::mount_deflection) {
-        result.value = std::abs(deflection.z());
-        result.margin = margin_of(result.allowed, deflection.z());
-        continue;
-      }
-      const Eigen::Vector2d& range = *element.rating->compression;
-      result.value = load;
-      result.margin = margin_in_range(load, range);
-      if (load < range(0)) result.allowed = range(0);
-      if (load < 0) result.detail = "in tension: its axis points from end N to end K";
-      constexpr double noticeable = 0.01;
-      if (across > noticeable * std::abs(load))
-        result.detail += fmt::format("{}{} across its axis: not judged, the catalogue has no range",
-                                     result.detail.empty() ? "" : "; ", value_words(across, "N"));
-    }
-  }
-
-  /// Least factor by which a load may grow or fall within a range.
-  static double margin_in_range(double load, const Eigen::Vector2d& range) {
-    const double low = range(0), high = range(1);
-    if (load < 0) return low < 0 ? margin_of(-low, load) : 0;  // tension
-    const double upper = margin_of(high, load);
-    return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
   }
 
   const CaseContext& c_;

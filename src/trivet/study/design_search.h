@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/numerics/search/max_min.h"
+#include "trivet/study/design_objective.h"
+
+/// Where the best designs are: looks over the ranges, climbs, and what they reached.
+namespace trivet::study {
+
+struct DesignSearch {
+  numerics::MaxMinProblem problem;  ///< that was climbed last: as asked, or of the requirements alone
+  numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
+  std::vector<numerics::MaxMinPoint> ends;
+  int starts = 0;
+  bool falls_short = false;  ///< no end met the requirements: `problem` is their largest least margin
+};
+
+/// @param objective  used by the result
+/// @throws foundation::NotComputable if no design can be computed, or none is better than another
+[[nodiscard]] DesignSearch design_search(const DesignObjective& objective, int starts,
+                                         const foundation::Progress& progress);
+
+/// The largest least margin of the requirements, whatever is minimised.
+/// @param ignored  a requirement that counts as met
+[[nodiscard]] numerics::MaxMinProblem problem_of_requirements(
+    const DesignObjective& objective, const std::optional<DesignObjective::Place>& ignored = std::nullopt);
+
+/// Violated constraints first count, then the objective.
+[[nodiscard]] double rank(const numerics::MaxMinPoint& point);
+
+/// Ends this near in rank are equally good.
+inline constexpr double same_objective = 1e-5;
+
+}  // namespace trivet::study

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+#include "trivet/design/design_rules.h"
+
+namespace trivet::study {
+
+/// Limit over value, 1 within nine digits of the limit.
+[[nodiscard]] inline double margin_of(double allowed, double value) {
+  return design::margin({.allowed = allowed}, std::abs(value));
+}
+
+/// Value over limit, for what has to be large.
+[[nodiscard]] inline double margin_of_least(double least, double value) {
+  return value > 0 ? margin_of(value, least) : 0;
+}
+
+}  // namespace trivet::study
