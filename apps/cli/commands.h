@@ -47,6 +47,7 @@ int suspension_command(const Options& options);
 int map_command(const Options& options);
 int verdict_command(const Options& options);
 int optimize_command(const Options& options);
+int select_command(const Options& options);
 
 /// The command line requests something that the project does not have.
 struct BadArgument : std::runtime_error {

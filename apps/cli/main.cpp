@@ -99,6 +99,7 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "suspension") return trivet::cli::suspension_command(options);
   if (which == "verdict") return trivet::cli::verdict_command(options);
   if (which == "optimize") return trivet::cli::optimize_command(options);
+  if (which == "select") return trivet::cli::select_command(options);
   if (which == "map") return trivet::cli::map_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
@@ -177,6 +178,16 @@ void add_optimize(CLI::App& app, Options& options) {
   add_strict(optimize, options);
 }
 
+void add_select(CLI::App& app, Options& options) {
+  CLI::App* select = add_command(
+      app, "select", "the mounts of a catalogue with the largest least margin of all requirements", options);
+  select->add_option("--most", options.most, "number of combinations listed")
+      ->capture_default_str()
+      ->check(at_least_one);
+  select->add_flag("--json", options.json, "JSON, SI");
+  add_strict(select, options);
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
@@ -204,6 +215,7 @@ int run(int argc, char** argv) {
   add_map(app, options);
   add_verdict(app, options);
   add_optimize(app, options);
+  add_select(app, options);
   add_element(app, options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");

@@ -34,7 +34,8 @@ std::vector<std::filesystem::path> examples() {
   std::vector<std::filesystem::path> found;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(std::filesystem::path(TRIVET_SOURCE_DIR) / "examples"))
-    if (entry.path().extension() == ".toml" && entry.path().string().find("rubber_mounts") == std::string::npos)
+    if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "rubber_mounts" &&
+        entry.path().parent_path().filename() != "catalogue")
       found.push_back(entry.path());  // rubber_mounts needs a mesh
   return found;
 }

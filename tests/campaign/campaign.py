@@ -75,7 +75,9 @@ def scene(kind, number, folder):
     if example.parent.name in MESHED and turn % 8:
         example = examples[place // 2 - 1]
     for other in example.parent.iterdir():
-        if other.suffix != ".toml":
+        if other.is_dir():
+            shutil.copytree(other, folder / other.name)
+        elif other.suffix != ".toml":
             shutil.copy(other, folder / other.name)
     project = folder / "project.toml"
     shutil.copy(example, project)

@@ -96,6 +96,7 @@ ON_THE_FRAME = (
 KEYS = "docs/project-file.md"
 
 POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
+MOUNTS = (SOURCE / "examples/genset/mounts.toml").read_text()
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
 
 BASES = {
@@ -112,6 +113,8 @@ axis = "z"
     + "[cases."
     + REQUIRED[1].partition("[cases.")[2],
     ("docs/design.md", "Parameters"): POWERTRAIN.split("[parameters")[0] + "[requirements]\ndamping_ratio = 0.01\n",
+    ("docs/design.md", "Choices of mounts"): MOUNTS,
+    ("docs/design.md", "trivet select"): MOUNTS,
     ("docs/design.md", "trivet optimize"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
@@ -134,7 +137,10 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
 # A part that is not one of a project file is the file of this name, to which the base refers.
 NOT_A_PROJECT = {("docs/elements/catalogue.md", "Catalogues of mounts"): "maker.toml"}
 # Files that a part names: a text, or a path of a file with the contents.
+CONES = {"catalogue/cones.toml": SOURCE / "examples/genset/catalogue/cones.toml"}
 FILES = {
+    ("docs/design.md", "Choices of mounts"): CONES,
+    ("docs/design.md", "trivet select"): CONES,
     (KEYS, "Flexible foundations"): {"y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n"},
     (KEYS, "solid_mount"): {"mount.step": SOURCE / "tests/samples/data/rubber_on_steel.step"},
     (KEYS, "imported"): {"mount.mtx": SOURCE / "tests/data/matrices/beam_coordinate_symmetric.mtx"},

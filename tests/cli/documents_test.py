@@ -240,6 +240,7 @@ class Documents(unittest.TestCase):
             (folder / NOT_A_PROJECT[where]).write_text(block.text)
             part = {}
         for name, content in FILES.get(where, {}).items():
+            (folder / name).parent.mkdir(exist_ok=True)
             (folder / name).write_text(content.read_text() if isinstance(content, pathlib.Path) else content)
         for other in BLOCKS:
             if other.language == "csv" and (other.document, other.heading) == where:

@@ -79,6 +79,11 @@ def written_out(p):
             element.update(shared)
             if scale != 1:
                 element["scale"] = scale
+    # What names a type has no meaning any more.
+    p.get("parameters", {}).clear()
+    p["cases"] = {k: v for k, v in p.get("cases", {}).items() if "element_types" not in v}
+    if "requirements" in p:
+        p["requirements"].pop("hold_in", None)
     return p
 
 

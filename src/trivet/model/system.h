@@ -79,10 +79,19 @@ struct Fact {
   std::string what, value;
 };
 
-/// What the maker of a mount allows, along the axis e3 from end N to end K.
+/// A sum of money.
+struct Price {
+  double amount = 0;
+  std::string currency;  ///< "EUR"
+  bool operator==(const Price&) const = default;
+};
+
+/// What the maker of a mount allows, along the axis e3 from end N to end K, and what the mount costs.
 struct Rating {
   std::optional<Eigen::Vector2d> compression;  ///< lowest and highest static load [N]; negative: tension
   std::optional<double> deflection;            ///< [m]
+  std::optional<double> mass;                  ///< not part of the model [kg]
+  std::optional<Price> price;
 };
 
 /// One measured value behind an identified law, for a residual plot.

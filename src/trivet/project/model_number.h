@@ -50,4 +50,7 @@ using Design = std::vector<std::pair<ModelNumber, double>>;
 /// and may run on any number of threads at once.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const Design& design);
 
+/// The same with changes of the file.
+[[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
+
 }  // namespace trivet::project

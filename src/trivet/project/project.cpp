@@ -18,8 +18,10 @@
 #include "trivet/project/foundation_reader.h"
 #include "trivet/project/map_numbers.h"
 #include "trivet/project/model_number.h"
+#include "trivet/project/mount_choices.h"
 #include "trivet/project/node_reader.h"
 #include "trivet/project/questions.h"
+#include "trivet/project/settings.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
@@ -111,6 +113,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   read_excitations(root, description, in_file);
   for (const auto& adjust : in_file.adjustments) adjust(description);
   Analyses analyses = read_analyses(root, in_file);
+  analyses.choices = read_mount_choices(root, written);
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
@@ -184,89 +187,6 @@ std::size_t parts_of_cases(const Node& document) {
   return count("cases") * (count("bodies") + count("nodes") + count("elements") + count("excitations"));
 }
 
-struct ChangedNumber {
-  std::string path, value;
-};
-
-void list_changes(const Node& node, const std::string& path, std::vector<ChangedNumber>& changes) {
-  switch (node.kind) {
-    case Node::Kind::table:
-      for (std::size_t i = 0; i < node.keys.size(); ++i)
-        list_changes(node.items[i], path.empty() ? node.keys[i] : path + "." + node.keys[i], changes);
-      return;
-    case Node::Kind::array:
-      changes.push_back({path, fmt::format("[{} values]", node.items.size())});
-      return;
-    case Node::Kind::text:
-      changes.push_back({path, "\"" + node.text + "\""});
-      return;
-    case Node::Kind::boolean:
-      changes.push_back({path, node.boolean ? "true" : "false"});
-      return;
-    default:
-      changes.push_back({path, fmt::format("{:.12g}", node.number)});
-      return;
-  }
-}
-
-/// Changes of the command line. No two settings change the same number.
-struct Settings {
-  std::vector<Node> changes;
-  std::vector<ChangedNumber> numbers;
-};
-
-bool is_part_of(const std::string& path, const std::string& whole) {
-  return path == whole || path.starts_with(whole + ".");
-}
-
-Settings read_settings(const std::vector<std::string>& settings, foundation::Problems& problems) {
-  Settings result;
-  for (const std::string& setting : settings) {
-    foundation::Expected<Node> change = parse_setting(setting);
-    if (!change) {
-      problems.add(change.error());
-      continue;
-    }
-    std::vector<ChangedNumber> numbers;
-    list_changes(*change, "", numbers);
-    for (const ChangedNumber& number : numbers) {
-      const auto earlier = std::find_if(result.numbers.begin(), result.numbers.end(), [&](const ChangedNumber& known) {
-        return is_part_of(known.path, number.path) || is_part_of(number.path, known.path);
-      });
-      if (earlier != result.numbers.end())
-        problems
-            .error(number.path,
-                   number.value + ", and " + earlier->path + " = " + earlier->value + " in an earlier --set",
-                   "two settings of one number: only one of them can apply", "keep one of them")
-            .origin = change->origin;
-    }
-    result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
-    result.changes.push_back(std::move(*change));
-  }
-  return result;
-}
-
-/// True if the document has this number after all changes.
-bool holds(const Node& document, const ChangedNumber& number) {
-  std::vector<ChangedNumber> there;
-  list_changes(deepest(document, number.path), number.path, there);
-  return there.size() == 1 && there.front().path == number.path && there.front().value == number.value;
-}
-
-/// Changes of a case that the command line does not override, then those of the command line.
-std::vector<std::string> change_lines(const Node* of_case, const Settings& settings, const Node& document) {
-  std::vector<ChangedNumber> numbers;
-  if (of_case) list_changes(*of_case, "", numbers);
-  std::erase_if(numbers, [&](const ChangedNumber& number) {
-    const auto again = [&](const ChangedNumber& setting) { return is_part_of(number.path, setting.path); };
-    return !holds(document, number) || std::any_of(settings.numbers.begin(), settings.numbers.end(), again);
-  });
-  numbers.insert(numbers.end(), settings.numbers.begin(), settings.numbers.end());
-  std::vector<std::string> lines;
-  for (const ChangedNumber& number : numbers) lines.push_back(number.path + " = " + number.value);
-  return lines;
-}
-
 }  // namespace
 
 const Case* Project::find(const std::string& name) const {
@@ -274,15 +194,21 @@ const Case* Project::find(const std::string& name) const {
   return found == cases.end() ? nullptr : &*found;
 }
 
-foundation::Expected<model::System> changed_system(const Case& variant, const Design& design) {
+foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
   Node document = without_questions(variant.written);
   foundation::Problems problems;
-  for (const auto& [number, value] : design) apply_changes(document, number.change(value), "", problems);
+  for (const Node& change : changes) apply_changes(document, change, "", problems);
   std::string title;
   const KnownModel known{variant.document, variant.system.description()};
   auto changed = read_case(document, variant.name, title, problems, {}, nullptr, &known);
   if (changed && !problems.has_errors()) return std::move(changed->system);
   return tl::make_unexpected(std::move(problems));
+}
+
+foundation::Expected<model::System> changed_system(const Case& variant, const Design& design) {
+  std::vector<Node> changes;
+  for (const auto& [number, value] : design) changes.push_back(number.change(value));
+  return changed_system(variant, changes);
 }
 
 namespace {
@@ -349,7 +275,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   foundation::Problems problems;
   std::string hashed = text;
   for (const std::string& setting : given) hashed += "\n" + setting;
-  const Settings settings = read_settings(given, problems);
+  const Settings settings = read_settings(given, source, problems);
   put_tables_in_place(document, problems);
   foundation::Problems of_settings;
   const Node as_written = document;

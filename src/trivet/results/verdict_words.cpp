@@ -32,6 +32,9 @@ std::string value_cell(const RequirementResult& r) {
     case RequirementKind::separation:
     case RequirementKind::damping_ratio:
       return fmt::format("{:.5g}", *r.value);
+    case RequirementKind::price:
+    case RequirementKind::mount_mass:
+      return fmt::format("{:.6g} {}", *r.value, r.unit);
     default:
       return study::value_words(*r.value, r.unit);
   }

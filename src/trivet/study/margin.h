@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/design/design_rules.h"
@@ -15,6 +16,11 @@ namespace trivet::study {
 /// Value over limit, for what has to be large.
 [[nodiscard]] inline double margin_of_least(double least, double value) {
   return value > 0 ? margin_of(value, least) : 0;
+}
+
+/// Factor from a natural frequency ω to the nearer end of a window without natural frequencies; below 1 inside it.
+[[nodiscard]] inline double margin_outside(const response::Band& window, double omega) {
+  return std::max(window.from / omega, omega / window.to);
 }
 
 }  // namespace trivet::study

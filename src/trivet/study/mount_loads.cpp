@@ -15,12 +15,10 @@
 namespace trivet::study {
 namespace {
 
-/// Least factor by which a load may grow or fall within a range.
-double margin_in_range(double load, const Eigen::Vector2d& range) {
-  const double low = range(0), high = range(1);
-  if (load < 0) return low < 0 ? margin_of(-low, load) : 0;  // tension
-  const double upper = margin_of(high, load);
-  return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
+/// From its end N to its end K, ground axes.
+Eigen::Vector3d axis_of(const model::System& system, const model::Element& element) {
+  const Eigen::Vector3d axis = element.n.axes.col(2);
+  return element.n.body ? system.bodies()[*element.n.body].pose.rotation * axis : axis;
 }
 
 /// Force and deflection of one mount at rest.
@@ -34,8 +32,7 @@ MountLoad mount_load(const model::System& system, const model::Element& element,
                      std::size_t at) {
   Eigen::Vector3d force;  // on the N side, ground axes
   for (int j = 0; j < 3; ++j) force(j) = rest.values[at + to_size(j)].value;
-  Eigen::Vector3d axis = element.n.axes.col(2);
-  if (element.n.body) axis = system.bodies()[*element.n.body].pose.rotation * axis;
+  const Eigen::Vector3d axis = axis_of(system, element);
   const double along = -force.dot(axis);
   return {along, (force + along * axis).norm(),
           rest.values[at + 8].value};  // the third deflection: axes of the element
@@ -73,6 +70,30 @@ void judge_load(RequirementResult& result, const Eigen::Vector2d& range, const M
 }
 
 }  // namespace
+
+double margin_in_range(double compression, const Eigen::Vector2d& range) {
+  const double low = range(0), high = range(1);
+  if (compression < 0) return low < 0 ? margin_of(-low, compression) : 0;  // tension
+  const double upper = margin_of(high, compression);
+  return low > 0 ? std::min(upper, margin_of_least(low, compression)) : upper;
+}
+
+MountRows mount_rows(const CaseContext& context, const model::Element& element) {
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(context.system, context.assembled, {element.name, element.name + ".deflection"},
+                         assembly::MotionQuantity::displacement);
+  const Eigen::Vector3d axis = axis_of(context.system, element);
+  MountRows rows;
+  rows.compression = Eigen::RowVectorXd::Zero(context.assembled.matrices.size());
+  for (std::size_t j = 0; j < 3; ++j) {
+    rows.compression -= axis(to_index(j)) * channels[j].on_displacement.real().transpose();
+    rows.compression_at_rest -= axis(to_index(j)) * channels[j].at_rest;
+  }
+  constexpr std::size_t along_the_axis = 8;  // after six forces
+  rows.deflection = channels[along_the_axis].on_displacement.real().transpose();
+  rows.deflection_at_rest = channels[along_the_axis].at_rest;
+  return rows;
+}
 
 std::vector<RequirementResult> mount_loads(const CaseContext& context) {
   std::vector<const model::Element*> mounts;

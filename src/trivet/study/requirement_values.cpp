@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <optional>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/design/design_rules.h"
@@ -22,6 +21,7 @@
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/mount_loads.h"
+#include "trivet/study/mount_sums.h"
 #include "trivet/study/question_answer.h"
 #include "trivet/study/transient_answer.h"
 
@@ -55,6 +55,7 @@ class Judge {
     add_static(required.statics);
     if (required.mount_load)
       for (RequirementResult& one : mount_loads(c_)) results_.push_back(std::move(one));
+    for (RequirementResult& one : mount_sums(c_.system, required)) results_.push_back(std::move(one));
     return std::move(results_);
   }
 
@@ -239,12 +240,13 @@ class Judge {
               "rad/s", window.to);
       result.margin = result.value.emplace(infinity);
       for (const modal::Mode* mode : oscillating) {
-        const double omega = *mode->angular_frequency, below = window.from / omega, above = omega / window.to;
-        result.candidates.push_back({std::max(below, above), omega, 0, mode->number, below > above});
-        if (std::max(below, above) >= result.margin) continue;
-        result.margin = std::max(below, above);
+        const double omega = *mode->angular_frequency, margin = margin_outside(window, omega);
+        const bool below = window.from / omega > omega / window.to;
+        result.candidates.push_back({margin, omega, 0, mode->number, below});
+        if (margin >= result.margin) continue;
+        result.margin = margin;
         result.value = result.angular_frequency = omega;
-        result.allowed = below > above ? window.from : window.to;
+        result.allowed = below ? window.from : window.to;
         result.detail = fmt::format("mode {}", mode->number);
       }
     }

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "trivet/design/design_rules.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/project/analyses/transmissibility_question.h"
 #include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/question_answer.h"
 
@@ -18,23 +18,36 @@ std::string direction_words(const response::Direction& direction) {
   return (direction.rotation ? "about " : "along ") + modal::direction_words(direction.axis.normalized());
 }
 
+response::Transmission transmission_of(const CaseContext& c, const project::TransmissibilityQuestion& asked) {
+  if (!asked.force.empty())
+    return response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force));
+  require_rigid_ground(c, "transmissibility");
+  return response::displacement_transmission(c.system, c.assembled, asked.selection.of, asked.direction);
+}
+
+/// @throws foundation::NotComputable if it is empty
+response::Band band_of(const CaseContext& c, const project::TransmissibilityQuestion& asked) {
+  const response::Band band = asked.band ? *asked.band : default_band(c);
+  if (band.from < band.to) return band;
+  throw foundation::NotComputable(
+      "transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
+}
+
+response::Peaks peaks_of(const CaseContext& c, const response::Transmission& transmission, const response::Band& band) {
+  return response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots(),
+                         {.search_to = band.to}, c.progress);
+}
+
 TransmissibilityResult answer_transmissibility(const CaseContext& c, const project::TransmissibilityQuestion& asked,
                                                foundation::Problems&) {
   const bool force = !asked.force.empty();
-  if (!force) require_rigid_ground(c, "transmissibility");
-  const response::Transmission transmission = force
-      ? response::force_transmission(c.system, c.assembled, response::applied_force(c.system, asked.force))
-      : response::displacement_transmission(c.system, c.assembled, asked.selection.of, asked.direction);
+  const response::Transmission transmission = transmission_of(c, asked);
   TransmissibilityResult result;
   result.of_force = force;
   result.words = force ? "force on the ground over \"" + asked.force + "\""
                        : "motion over a motion of the ground " + direction_words(asked.direction);
-  result.band = asked.band ? *asked.band : default_band(c);
-  if (!(result.band.from < result.band.to))
-    throw foundation::NotComputable(
-        "transmissibility: the tables of the elements and the natural frequencies have no band in common; give a band");
-  result.peaks = response::peaks(c.assembled, transmission.channels, transmission.loading, c.modes, c.roots(),
-                                 {.search_to = result.band.to}, c.progress);
+  result.band = band_of(c, asked);
+  result.peaks = peaks_of(c, transmission, result.band);
   response::set_nearest_modes(c.assembled, transmission.channels, transmission.loading, c.modes, result.peaks);
   result.curves = response::frequency_response(
       c.assembled, transmission.channels, transmission.loading,
@@ -44,6 +57,14 @@ TransmissibilityResult answer_transmissibility(const CaseContext& c, const proje
 }
 
 }  // namespace
+
+double largest_transmissibility(const CaseContext& context, const project::TransmissibilityQuestion& asked) {
+  const response::Transmission transmission = transmission_of(context, asked);
+  const response::Band band = band_of(context, asked);
+  return design::largest_in_band(context.assembled, transmission.channels, transmission.loading,
+                                 peaks_of(context, transmission, band), 0, band)
+      .amplitude;
+}
 
 const QuestionAnswer transmissibility_answer =
     answered_by<answer_transmissibility>("force or motion that the mounts transmit",

@@ -59,9 +59,9 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
 }
 
 const char* name(RequirementKind kind) {
-  static constexpr std::array names = {"amplitude",  "no_peak",       "limit_line", "avoided_frequencies",
-                                       "separation", "damping_ratio", "decoupling", "rms",
-                                       "largest",    "static",        "mount_load", "mount_deflection"};
+  static constexpr std::array names = {
+      "amplitude", "no_peak", "limit_line", "avoided_frequencies", "separation",       "damping_ratio", "decoupling",
+      "rms",       "largest", "static",     "mount_load",          "mount_deflection", "price",         "mount_mass"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -23,7 +23,9 @@ enum class RequirementKind {
   largest,
   static_value,
   mount_load,
-  mount_deflection
+  mount_deflection,
+  price,
+  mount_mass
 };
 [[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
 

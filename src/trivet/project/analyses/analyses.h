@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/project/analyses/design_axis.h"
+#include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/analyses/optimize_request.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/project/analyses/requirements.h"
@@ -72,6 +73,7 @@ struct Analyses {
   std::vector<Limit> limits;
   std::optional<Requirements> requirements;
   std::vector<DesignAxis> parameters;  ///< [parameters.NAME]
+  std::vector<MountChoice> choices;    ///< those that choose mounts
   std::optional<OptimizeRequest> optimize;
   std::map<std::string, std::shared_ptr<const Question>> questions;  ///< those of question_table.h, by name
 

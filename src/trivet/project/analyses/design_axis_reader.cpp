@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/model_path.h"
 
@@ -188,6 +189,7 @@ std::vector<DesignAxis> read_parameters(TableReader& root) {
           .origin = table->items[i].origin;
       continue;
     }
+    if (is_mount_choice(table->items[i])) continue;
     TableReader reader(table->items[i], subject, root.problems());
     DesignAxis axis;
     axis.name = table->keys[i];

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/model/system.h"
 #include "trivet/project/analyses/question.h"
 
 namespace trivet::project {
@@ -40,6 +41,8 @@ struct Requirements {
   std::vector<AmplitudeLimit> largest;      ///< magnitude over the transient
   std::vector<AmplitudeLimit> statics;      ///< magnitude under gravity and the constant forces
   bool mount_load = false;                  ///< every catalogue mount within its load and deflection
+  std::optional<model::Price> price;        ///< largest sum over the catalogue mounts
+  double mass = 0;                          ///< largest sum over them [kg]; 0: not required
   std::vector<std::string> hold_in = {""};  ///< cases in which a design has to hold; "" is the base model
 
   bool operator==(const Requirements&) const = default;

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
+#include "trivet/project/text/price.h"
 
 namespace trivet::project {
 namespace {
@@ -111,6 +113,35 @@ void read_names(TableReader& root, TableReader& reader, const std::string& key, 
   result = *names;
 }
 
+std::optional<model::Price> read_price(TableReader& reader) {
+  const auto text = reader.text("price");
+  if (!text) return std::nullopt;
+  auto price = price_from(*text);
+  if (price && price->amount > 0) return price;
+  reader.error("price", foundation::quoted(*text), "a price is a number above 0 and a currency",
+               "for instance price = \"120 EUR\"");
+  return std::nullopt;
+}
+
+/// Reports catalogue mounts without what a requirement on all of them needs.
+void check_each_mount(const model::System& system, const std::string& key, const std::string& rule,
+                      const std::string& remedy, const std::string& lack,
+                      const std::function<bool(const model::Rating&)>& has, foundation::Problems& problems) {
+  std::vector<std::string> without;
+  bool any = false;
+  for (const model::Element& element : system.elements()) {
+    if (!element.type.starts_with("catalogue:")) continue;
+    if (element.rating && has(*element.rating)) any = true;
+    else without.push_back(foundation::quoted(element.name));
+  }
+  const std::string subject = "requirements." + key;
+  if (!without.empty())
+    problems.error(subject, lack + " in the catalogue for " + foundation::comma_separated(without), rule, remedy);
+  else if (!any)
+    problems.error(subject, "no mount of a catalogue", rule,
+                   "take mounts of type \"catalogue:NAME\", or remove " + key);
+}
+
 }  // namespace
 
 void read_requirements(TableReader& root, const ResultNames& names, const NamesInFile& in_file, Analyses& result) {
@@ -161,28 +192,38 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
                    "at rest a point has a displacement only", "give a length or an angle");
   found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
+  found.price = read_price(reader);
+  if (const auto mass = reader.number("mass", Quantity::mass)) {
+    if (*mass > 0) found.mass = *mass;
+    else
+      reader.error("mass", fmt::format("{:.6g} kg", *mass), "the largest mass of all mounts together is above 0",
+                   "for instance mass = \"4 kg\"");
+  }
   read_names(root, reader, "hold_in", "cases", "case", found.hold_in);
   reader.finish();
   result.requirements = std::move(found);
 }
 
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (!asked.requirements || !asked.requirements->mount_load) return;
-  std::vector<std::string> unrated;
-  bool rated = false;
-  for (const model::Element& element : system.elements()) {
-    if (!element.type.starts_with("catalogue:")) continue;
-    if (element.rating && element.rating->compression) rated = true;
-    else unrated.push_back(foundation::quoted(element.name));
-  }
-  const std::string rule = "mount_load compares the static load of each catalogue mount with its static_load";
-  if (!unrated.empty())
-    problems.error("requirements.mount_load",
-                   "no static_load in the catalogue for " + foundation::comma_separated(unrated), rule,
-                   "add the range to the catalogue, or remove mount_load");
-  else if (!rated)
-    problems.error("requirements.mount_load", "no mount of a catalogue", rule,
-                   "take mounts of type \"catalogue:NAME\", or remove mount_load");
+  if (!asked.requirements) return;
+  const Requirements& required = *asked.requirements;
+  if (required.mount_load)
+    check_each_mount(
+        system, "mount_load", "mount_load compares the static load of each catalogue mount with its static_load",
+        "add the range to the catalogue, or remove mount_load", "no static_load",
+        [](const model::Rating& rating) { return rating.compression.has_value(); }, problems);
+  if (required.mass > 0)
+    check_each_mount(
+        system, "mass", "mass is a limit on the sum over all catalogue mounts",
+        "add mass = … to the catalogue, or remove mass", "no mass",
+        [](const model::Rating& rating) { return rating.mass.has_value(); }, problems);
+  if (required.price)
+    check_each_mount(
+        system, "price", "price is a limit on the sum over all catalogue mounts, in one currency",
+        "write price = \"12.50 " + required.price->currency + "\" in the catalogue, or remove price",
+        "no price in " + foundation::quoted(required.price->currency),
+        [&](const model::Rating& rating) { return rating.price && rating.price->currency == required.price->currency; },
+        problems);
 }
 
 }  // namespace trivet::project

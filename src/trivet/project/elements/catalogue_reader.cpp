@@ -5,6 +5,7 @@
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/text/file_name.h"
+#include "trivet/project/text/price.h"
 
 namespace trivet::project {
 namespace {
@@ -40,8 +41,8 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
       elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, 0.5), ends.span.n_from_k);
   if (mount->loss_factor && !reader.has("damping")) element.law.damping = elements::LossFactor{*mount->loss_factor};
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
-  if (mount->static_load || mount->static_deflection_limit)
-    element.rating = model::Rating{mount->static_load, mount->static_deflection_limit};
+  element.rating =
+      model::Rating{mount->static_load, mount->static_deflection_limit, mount->mass, price_from(mount->price)};
   if (mount->static_load)
     element.facts.push_back(
         {"static load", fmt::format("{:.6g} … {:.6g} N along e3", (*mount->static_load)(0), (*mount->static_load)(1))});

@@ -8,7 +8,8 @@ std::optional<std::filesystem::path> read_file_name(TableReader& reader, const s
   if (!reader.has(key)) reader.missing(key, "name the file, relative to the project file: " + key + " = \"…\"");
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
-  const fs::path folder = fs::path(reader.node(key)->origin.source).parent_path();
+  const Node& node = *reader.node(key);
+  const fs::path folder = node.folder.empty() ? fs::path(node.origin.source).parent_path() : fs::path(node.folder);
   fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
   std::error_code unreadable;
   if (!fs::is_regular_file(path, unreadable)) {

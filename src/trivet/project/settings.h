@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/project/text/document.h"
+
+namespace trivet::project {
+
+/// One value that a case or the command line sets.
+struct ChangedNumber {
+  std::string path, value;
+};
+
+/// Changes of the command line. No two settings change the same number.
+struct Settings {
+  std::vector<Node> changes;
+  std::vector<ChangedNumber> numbers;
+};
+
+/// @param project  the project file: names of files in settings are relative to its folder
+[[nodiscard]] Settings read_settings(const std::vector<std::string>& settings, const std::string& project,
+                                     foundation::Problems& problems);
+
+/// Changes of a case that the command line does not override, then those of the command line.
+[[nodiscard]] std::vector<std::string> change_lines(const Node* of_case, const Settings& settings,
+                                                    const Node& document);
+
+}  // namespace trivet::project

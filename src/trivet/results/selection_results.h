@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "trivet/study/mount_selection.h"
+
+namespace trivet::results {
+
+/// The best combinations of mounts beside the given design, and what each mount reaches at best.
+[[nodiscard]] std::string selection_text(const study::MountSelection& found);
+[[nodiscard]] std::string selection_json(const study::MountSelection& found);
+/// The settings that give the best combination: --set 'elements.left.type = "catalogue:NAME"', one per line.
+[[nodiscard]] std::string selection_settings(const study::MountSelection& found);
+
+}  // namespace trivet::results

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/mount_combinations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/parallel_for.h"
+#include "trivet/foundation/plain_text.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/project/model_number.h"
+#include "trivet/study/margin.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr std::size_t most_combinations = 1000000;
+/// Sums differ from assembled models by at most this share of the largest entry.
+constexpr double sum_tolerance = 1e-11;
+/// Smaller ω² as a share of the largest are those of free motions.
+constexpr double at_rest = 1e-9;
+
+/// A reason for which the requirements of combinations have no bound.
+struct NoSum {
+  std::string reason;
+};
+
+/// Inertia, stiffness and static load of one model.
+struct Assembly {
+  Eigen::MatrixXd inertia, stiffness;
+  Eigen::VectorXd load;
+};
+
+Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
+  if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
+  if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
+  return {assembled.matrices.A, assembled.matrices.K, assembly::static_load(system, assembled)};
+}
+
+template <typename Matrix>
+bool equal(const Matrix& a, const Matrix& b) {
+  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
+  const double size = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+  return (a - b).cwiseAbs().maxCoeff() <= sum_tolerance * size;
+}
+
+/// Windows without natural frequencies ω, and their separation, from the ω²; `judge` gets each margin.
+template <typename Judge>
+void judge_frequencies(const project::Requirements& required, const Eigen::VectorXd& squares, const Judge& judge) {
+  double lower = 0;
+  for (const double square : squares) {
+    if (square <= at_rest * squares.tail<1>()(0)) continue;
+    const double omega = std::sqrt(square);
+    for (const response::Band& window : required.avoided)
+      judge(MountTest::natural_frequencies, margin_outside(window, omega));
+    if (required.separation > 0 && lower > 0)
+      judge(MountTest::natural_frequencies, margin_of_least(required.separation, omega / lower));
+    lower = omega;
+  }
+}
+
+/// The rated mounts among these elements, their rows on p of q = Φ p.
+template <typename Selected, typename Mount>
+void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const Selected& selected,
+                std::vector<Mount>& mounts, double& price, double& mass) {
+  for (const model::Element& element : context.system.elements()) {
+    if (!element.rating || !selected(element.name)) continue;
+    MountRows rows = mount_rows(context, element);
+    rows.compression = rows.compression * shapes;
+    rows.deflection = rows.deflection * shapes;
+    mounts.push_back({*element.rating, std::move(rows)});
+    price += element.rating->price ? element.rating->price->amount : 0;
+    mass += element.rating->mass.value_or(0);
+  }
+}
+
+/// A case must not set a mount that a choice sets: the choice would undo it.
+void refuse_overruled_cases(const std::vector<project::MountChoice>& choices, const project::Project& project,
+                            const std::vector<const project::Case*>& cases) {
+  for (const project::MountChoice& choice : choices)
+    for (const project::Case* variant : cases)
+      for (const std::string& name : choice.elements) {
+        const auto type_in = [&](const project::Case& one) {
+          for (const model::Element& element : one.system.elements())
+            if (element.name == name) return element.type;
+          return std::string();
+        };
+        if (type_in(*variant) != type_in(project.base()))
+          throw foundation::InvalidInput(fmt::format(
+              "select: the case {} sets the mount of {}, which the choice {} sets too; remove one of them",
+              foundation::quoted(variant->name), foundation::quoted(name), foundation::quoted(choice.name)));
+      }
+}
+
+/// Every mount of every choice has a price in the required currency, and a mass and a load range, where these count.
+void refuse_mounts_without_data(const MountCombinations& all, const project::Project& project) {
+  const auto& required = project.base().analyses.requirements;
+  if (!required) return;
+  std::vector<std::string> priceless, massless, unrated;
+  for (std::size_t c = 0; c < all.choices().size(); ++c)
+    for (std::size_t m = 0; m < all.choices()[c].mounts.size(); ++m) {
+      const model::System system = all.system_with(project.base(), c, m);
+      for (const model::Element& element : system.elements()) {
+        if (element.name != all.choices()[c].elements.front() || !element.rating) continue;
+        const std::string shown = foundation::quoted(all.choices()[c].mounts[m]);
+        const auto& price = element.rating->price;
+        if (required->price && !(price && price->currency == required->price->currency)) priceless.push_back(shown);
+        if (required->mass > 0 && !element.rating->mass) massless.push_back(shown);
+        if (required->mount_load && !element.rating->compression) unrated.push_back(shown);
+      }
+    }
+  std::string words;
+  const auto add = [&](const std::vector<std::string>& mounts, const std::string& lack) {
+    if (!mounts.empty()) words += (words.empty() ? "" : "; ") + lack + " of " + foundation::comma_separated(mounts);
+  };
+  add(unrated, "no static_load");
+  add(massless, "no mass");
+  if (required->price) add(priceless, "no price in " + foundation::quoted(required->price->currency));
+  if (!words.empty())
+    throw foundation::InvalidInput("select: the catalogue gives " + words +
+                                   "; add it to the catalogue, name choices without these mounts, or remove the "
+                                   "requirement");
+}
+
+}  // namespace
+
+MountCombinations::MountCombinations(const project::Project& project, std::vector<const project::Case*> cases)
+    : choices_(project.base().analyses.choices), cases_(std::move(cases)) {
+  if (choices_.empty())
+    throw foundation::InvalidInput(
+        "select: the file has no choice of mounts; write [parameters.NAME] with path = 'elements.NAME.type' and "
+        "choices = [\"catalogue:MOUNT\", …], or catalogue = \"FILE\"");
+  for (const project::MountChoice& choice : choices_) {
+    if (choice.mounts.size() > most_combinations / count_)
+      throw foundation::InvalidInput(
+          fmt::format("select: more than {} combinations of mounts; let more places share one choice, or name fewer "
+                      "mounts in choices",
+                      most_combinations));
+    strides_.push_back(count_);
+    count_ *= choice.mounts.size();
+  }
+  refuse_overruled_cases(choices_, project, cases_);
+  refuse_mounts_without_data(*this, project);
+  try {
+    for (const project::Case* variant : cases_) sums_.push_back(sums_of(*variant));
+    compare_with_assembled();
+  } catch (const NoSum& no_sum) {
+    without_bounds_ = no_sum.reason;
+  } catch (const foundation::NotComputable& refused) {
+    without_bounds_ = refused.what();
+  }
+}
+
+std::vector<std::size_t> MountCombinations::mounts(std::size_t combination) const {
+  std::vector<std::size_t> result;
+  for (std::size_t c = 0; c < choices_.size(); ++c) result.push_back(mount(combination, c));
+  return result;
+}
+
+model::System MountCombinations::changed(const project::Case& variant, const std::vector<project::Node>& changes) {
+  auto system = project::changed_system(variant, changes);
+  if (system) return std::move(*system);
+  for (const foundation::Problem& problem : system.error().list())
+    if (problem.severity == foundation::Severity::error)
+      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
+  throw foundation::NotComputable("the model cannot be read");
+}
+
+model::System MountCombinations::system_with(const project::Case& variant, std::size_t choice,
+                                             std::size_t mount) const {
+  return changed(variant, {change_of(choices_[choice], mount)});
+}
+
+model::System MountCombinations::system(const project::Case& variant, std::size_t combination) const {
+  std::vector<project::Node> changes;
+  const std::vector<std::size_t> numbers = mounts(combination);
+  for (std::size_t c = 0; c < numbers.size(); ++c) changes.push_back(change_of(choices_[c], numbers[c]));
+  return changed(variant, changes);
+}
+
+MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant) const {
+  const foundation::Progress silent;
+  const CaseContext given(variant.system, silent);
+  const Assembly base = assembly_of(variant.system, given.assembled);
+  if (!numerics::is_positive_definite(base.inertia)) throw NoSum{"some coordinates have no mass"};
+  Sums sums;
+  sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
+  sums.stiffness = sums.shapes.transpose() * base.stiffness * sums.shapes;
+  sums.load = sums.shapes.transpose() * base.load;
+  sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
+  if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
+  const auto is_of = [](const project::MountChoice& choice, const std::string& name) {
+    return std::find(choice.elements.begin(), choice.elements.end(), name) != choice.elements.end();
+  };
+  add_mounts(
+      given, sums.shapes,
+      [&](const std::string& name) {
+        return std::none_of(choices_.begin(), choices_.end(), [&](const auto& choice) { return is_of(choice, name); });
+      },
+      sums.mounts, sums.price, sums.mass);
+  for (std::size_t c = 0; c < choices_.size(); ++c) {
+    std::vector<Option>& options = sums.options.emplace_back();
+    for (std::size_t m = 0; m < choices_[c].mounts.size(); ++m) {
+      const model::System changed = system_with(variant, c, m);
+      const CaseContext context(changed, silent);
+      const Assembly assembly = assembly_of(changed, context.assembled);
+      if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
+      Option& option = options.emplace_back();
+      option.stiffness = sums.shapes.transpose() * (assembly.stiffness - base.stiffness) * sums.shapes;
+      option.load = sums.shapes.transpose() * (assembly.load - base.load);
+      add_mounts(
+          context, sums.shapes, [&](const std::string& name) { return is_of(choices_[c], name); }, option.mounts,
+          option.price, option.mass);
+    }
+  }
+  return sums;
+}
+
+void MountCombinations::compare_with_assembled() const {
+  constexpr std::size_t compared = 6;
+  for (std::size_t i = 0; i < compared; ++i) {
+    const std::size_t combination = (count_ - 1) * i / (compared - 1);
+    const std::vector<std::size_t> numbers = mounts(combination);
+    for (std::size_t v = 0; v < cases_.size(); ++v) {
+      const model::System whole = system(*cases_[v], combination);
+      const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
+      const auto& [stiffness, load] = added(sums_[v], numbers);
+      const Eigen::MatrixXd& shapes = sums_[v].shapes;
+      if (!equal<Eigen::MatrixXd>(stiffness, shapes.transpose() * assembled.stiffness * shapes) ||
+          !equal<Eigen::MatrixXd>(load, shapes.transpose() * assembled.load) ||
+          !equal<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(load.size(), load.size()),
+                                  shapes.transpose() * assembled.inertia * shapes))
+        throw NoSum{"the model of a combination is no sum over its mounts"};
+    }
+  }
+}
+
+std::pair<Eigen::MatrixXd, Eigen::VectorXd> MountCombinations::added(const Sums& sums,
+                                                                     const std::vector<std::size_t>& mounts) {
+  std::pair<Eigen::MatrixXd, Eigen::VectorXd> result{sums.stiffness, sums.load};
+  for (std::size_t c = 0; c < mounts.size(); ++c) {
+    result.first += sums.options[c][mounts[c]].stiffness;
+    result.second += sums.options[c][mounts[c]].load;
+  }
+  return result;
+}
+
+MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::vector<std::size_t>& mounts) const {
+  Bound result{foundation::infinity, MountTest::none};
+  const auto judge = [&](MountTest test, double margin) {
+    if (margin < 1 && result.failed == MountTest::none) result.failed = test;
+    result.margin = std::min(result.margin, margin);
+  };
+  double price = sums.price, mass = sums.mass;
+  for (std::size_t c = 0; c < mounts.size(); ++c) {
+    price += sums.options[c][mounts[c]].price;
+    mass += sums.options[c][mounts[c]].mass;
+  }
+  if (sums.required.price) judge(MountTest::price, margin_of(sums.required.price->amount, price));
+  if (sums.required.mass > 0) judge(MountTest::mass, margin_of(sums.required.mass, mass));
+  const bool wants_loads = sums.required.mount_load && sums.loaded;
+  const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
+  if (!wants_loads && !wants_frequencies) return result;
+  const auto [stiffness, load] = added(sums, mounts);
+  const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
+  if (wants_loads) {
+    if (squares(0) <= at_rest * squares.tail<1>()(0)) return result;  // no position of rest: the verdict tells why
+    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
+    const auto judge_mounts = [&](MountTest test, const std::vector<Mount>& list) {
+      for (const Mount& mount : list) {
+        const MountRows& rows = mount.rows;
+        if (test == MountTest::load && mount.rating.compression)
+          judge(test,
+                margin_in_range(rows.compression.dot(rest) + rows.compression_at_rest, *mount.rating.compression));
+        if (test == MountTest::deflection && mount.rating.deflection)
+          judge(test, margin_of(*mount.rating.deflection, rows.deflection.dot(rest) + rows.deflection_at_rest));
+      }
+    };
+    for (const MountTest test : {MountTest::load, MountTest::deflection}) {
+      judge_mounts(test, sums.mounts);
+      for (std::size_t c = 0; c < mounts.size(); ++c) judge_mounts(test, sums.options[c][mounts[c]].mounts);
+    }
+  }
+  if (wants_frequencies) judge_frequencies(sums.required, squares, judge);
+  return result;
+}
+
+std::vector<MountCombinations::Bound> MountCombinations::bounds(const foundation::Progress& progress) const {
+  std::vector<Bound> result(count_, {foundation::infinity, MountTest::none});
+  if (!without_bounds_.empty()) return result;
+  constexpr std::size_t piece = 256;
+  foundation::parallel_for(count_, {.size = piece, .progress = progress, .task = "loads and natural frequencies"},
+                           [&](std::size_t first, std::size_t last) {
+                             for (std::size_t i = first; i < last; ++i)
+                               for (const Sums& sums : sums_) {
+                                 const Bound here = bound(sums, mounts(i));
+                                 result[i].margin = std::min(result[i].margin, here.margin);
+                                 if (result[i].failed == MountTest::none) result[i].failed = here.failed;
+                               }
+                           });
+  return result;
+}
+
+}  // namespace trivet::study

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "trivet/study/mount_loads.h"
+
+namespace trivet::study {
+
+/// Which test of a combination of mounts fails first, in the order in which they are made.
+enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies };
+inline constexpr std::size_t mount_tests = 6;
+
+/// All combinations of the mounts of a project's choices, with a bound of the least margin of each that takes
+/// microseconds.
+///
+/// Stiffness, static load and mass of a combination are sums over the choices: M = M₀ + Σ (M_i − M₀), with M_i the
+/// model in which only one choice differs from the given design. This gives price, mass, static loads and deflections
+/// of the mounts and natural frequencies. The least margin of these requirements is that of all requirements, or above
+/// it. The sum is compared with assembled models of some combinations; where it is not exact (mounts with mass that
+/// preloads stiffen, for example), there is no bound.
+class MountCombinations {
+ public:
+  /// @param cases  in which the design has to hold
+  /// @throws foundation::InvalidInput if a mount cannot stand at its places
+  MountCombinations(const project::Project& project, std::vector<const project::Case*> cases);
+
+  [[nodiscard]] const std::vector<project::MountChoice>& choices() const { return choices_; }
+  [[nodiscard]] const std::vector<const project::Case*>& cases() const { return cases_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// Number of the mount of one choice.
+  [[nodiscard]] std::size_t mount(std::size_t combination, std::size_t choice) const {
+    return combination / strides_[choice] % choices_[choice].mounts.size();
+  }
+  /// Of each choice.
+  [[nodiscard]] std::vector<std::size_t> mounts(std::size_t combination) const;
+  /// The model of a case with one mount of one choice, otherwise as given.
+  /// @throws foundation::NotComputable if it is not valid
+  [[nodiscard]] model::System system_with(const project::Case& variant, std::size_t choice, std::size_t mount) const;
+  /// The model of a case. @throws foundation::NotComputable if it is not valid
+  [[nodiscard]] model::System system(const project::Case& variant, std::size_t combination) const;
+
+  /// Upper bound of the least margin; `failed` is the first test with a margin below 1.
+  struct Bound {
+    double margin = 0;
+    MountTest failed = MountTest::none;
+  };
+  [[nodiscard]] std::vector<Bound> bounds(const foundation::Progress& progress) const;
+  /// Why there are no bounds; empty if there are.
+  [[nodiscard]] const std::string& without_bounds() const { return without_bounds_; }
+
+ private:
+  struct Mount {
+    model::Rating rating;
+    MountRows rows;  ///< on the coordinates of the case, see Sums
+  };
+  /// One mount of a choice: what it adds to the given design.
+  struct Option {
+    Eigen::MatrixXd stiffness;
+    Eigen::VectorXd load;
+    std::vector<Mount> mounts;
+    double price = 0, mass = 0;
+  };
+  /// A case in coordinates p, q = Φ p, in which its inertia matrix is the unit matrix.
+  struct Sums {
+    Eigen::MatrixXd shapes;  ///< Φ: undamped modes of the given design
+    Eigen::MatrixXd stiffness;
+    Eigen::VectorXd load;
+    std::vector<Mount> mounts;  ///< at places without a choice
+    double price = 0, mass = 0;
+    bool loaded = false;  ///< by gravity or constant forces
+    project::Requirements required;
+    std::vector<std::vector<Option>> options;  ///< per choice and mount
+  };
+  [[nodiscard]] Sums sums_of(const project::Case& variant) const;
+  void compare_with_assembled() const;
+  /// Stiffness and load of a combination.
+  [[nodiscard]] static std::pair<Eigen::MatrixXd, Eigen::VectorXd> added(const Sums& sums,
+                                                                         const std::vector<std::size_t>& mounts);
+  [[nodiscard]] static model::System changed(const project::Case& variant, const std::vector<project::Node>& changes);
+  [[nodiscard]] Bound bound(const Sums& sums, const std::vector<std::size_t>& mounts) const;
+
+  std::vector<project::MountChoice> choices_;
+  std::vector<const project::Case*> cases_;
+  std::size_t count_ = 1;
+  std::vector<std::size_t> strides_;  ///< per choice: combinations from one of its mounts to the next
+  std::vector<Sums> sums_;            ///< per case
+  std::string without_bounds_;
+};
+
+}  // namespace trivet::study

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/study/verdict.h"
+
+/// Which mounts of a catalogue at which places: `trivet select`. Mathematics: docs/design.md.
+namespace trivet::study {
+
+/// A design with chosen mounts.
+struct MountDesign {
+  std::vector<std::size_t> mounts;  ///< number of the mount of each choice; empty for the given design
+  double margin = 0;                ///< least of all requirements in all cases in which the design has to hold
+  bool met = false;
+  std::string governing;       ///< the requirement with the least margin, in words, with its case
+  std::string reason;          ///< why a requirement is not judged, or the model is not valid
+  std::optional<double> load;  ///< largest static compression of a mount as a share of its highest; none: not known
+  std::optional<double> deflection;        ///< largest static one of a mount along its axis [m]
+  std::optional<double> lowest, highest;   ///< natural frequencies of the first case [rad/s]
+  std::optional<double> transmissibility;  ///< largest of the first case, of the question `transmissibility`
+  std::optional<model::Price> price;       ///< of all catalogue mounts; none if one has no price
+  std::optional<double> mass;              ///< of all catalogue mounts [kg]
+};
+
+/// One mount of a choice, and the best design with it.
+struct MountOption {
+  std::size_t choice = 0, mount = 0;
+  MountDesign best;
+};
+
+struct MountSelection {
+  std::vector<project::MountChoice> choices;
+  std::vector<std::string> cases;  ///< in which a design has to hold
+  std::size_t combinations = 0;
+  /// Combinations that fail a test, each counted at the first one.
+  struct Failed {
+    std::string test;
+    std::size_t combinations = 0;
+  };
+  std::vector<Failed> failed;
+  std::size_t judged = 0;      ///< combinations of which every requirement was computed
+  std::string without_bounds;  ///< why all had to be; empty if a bound spared most of them
+  MountDesign given;
+  std::vector<MountDesign> best;     ///< by descending margin
+  std::vector<MountOption> options;  ///< every mount, in the order of the choices, each by descending margin
+};
+
+/// The combinations of mounts with the largest least margins. All are judged: completely, or by a bound below which
+/// they cannot be among the best.
+/// @param most  number of designs in `best`
+/// @throws foundation::InvalidInput without choices or requirements; NotComputable if a requirement cannot be judged
+[[nodiscard]] MountSelection mount_selection(const project::Project& project, std::size_t most,
+                                             const foundation::Progress& progress = {});
+
+}  // namespace trivet::study
