@@ -53,4 +53,7 @@ using Design = std::vector<std::pair<ModelNumber, double>>;
 /// The same with changes of the file.
 [[nodiscard]] foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes);
 
+/// The case with changes of its model: its analyses and warnings are those of `variant`.
+[[nodiscard]] foundation::Expected<Case> changed_case(const Case& variant, const std::vector<Node>& changes);
+
 }  // namespace trivet::project

@@ -194,15 +194,33 @@ const Case* Project::find(const std::string& name) const {
   return found == cases.end() ? nullptr : &*found;
 }
 
-foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
-  Node document = without_questions(variant.written);
-  foundation::Problems problems;
+namespace {
+
+std::optional<Case> read_changed(const Case& variant, Node document, const std::vector<Node>& changes,
+                                 foundation::Problems& problems) {
   for (const Node& change : changes) apply_changes(document, change, "", problems);
   std::string title;
   const KnownModel known{variant.document, variant.system.description()};
   auto changed = read_case(document, variant.name, title, problems, {}, nullptr, &known);
-  if (changed && !problems.has_errors()) return std::move(changed->system);
+  return problems.has_errors() ? std::nullopt : std::move(changed);
+}
+
+}  // namespace
+
+foundation::Expected<model::System> changed_system(const Case& variant, const std::vector<Node>& changes) {
+  foundation::Problems problems;
+  auto changed = read_changed(variant, without_questions(variant.written), changes, problems);
+  if (changed) return std::move(changed->system);
   return tl::make_unexpected(std::move(problems));
+}
+
+foundation::Expected<Case> changed_case(const Case& variant, const std::vector<Node>& changes) {
+  foundation::Problems problems;
+  auto changed = read_changed(variant, without_questions(variant.written), changes, problems);
+  if (!changed) return tl::make_unexpected(std::move(problems));
+  changed->analyses = variant.analyses;
+  changed->warnings = variant.warnings;
+  return std::move(*changed);
 }
 
 foundation::Expected<model::System> changed_system(const Case& variant, const Design& design) {

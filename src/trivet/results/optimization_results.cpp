@@ -12,6 +12,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/json_parts.h"
+#include "trivet/results/selection_results.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
 
@@ -65,6 +66,26 @@ std::string parameters_text(const Optimization& found) {
                                 : ""});
   }
   return table.text();
+}
+
+std::string mounts_words(const study::OptimizedMounts& mounts, const std::vector<std::size_t>& chosen) {
+  std::string text;
+  for (std::size_t c = 0; c < chosen.size(); ++c)
+    text += (c ? ", " : "") + mounts.choices[c].name + " = " + mounts.choices[c].mounts[chosen[c]];
+  return text;
+}
+
+std::string mounts_text(const Optimization& found) {
+  if (!found.mounts) return "";
+  const study::OptimizedMounts& mounts = *found.mounts;
+  std::string text = "Mounts: " + mounts_words(mounts, mounts.chosen) + "\n";
+  text += fmt::format(
+      "Best found of {} combinations of mounts: {} were judged with the given numbers, and the numbers of the best {} "
+      "optimised.\n",
+      mounts.combinations, mounts.considered, mounts.optimized);
+  for (const study::OptimizedMounts::Other& other : mounts.others)
+    text += fmt::format("  next: {} with {}\n", ratio_words(other.objective), mounts_words(mounts, other.mounts));
+  return text + "\n";
 }
 
 std::string requirements_text(const Optimization& found) {
@@ -146,6 +167,12 @@ std::string search_text(const Optimization& found) {
   return text + "A search finds the best of where it looked; it proves no global optimum.\n";
 }
 
+json::Json mounts_json(const study::OptimizedMounts& mounts, const std::vector<std::size_t>& chosen) {
+  json::Json names = json::Json::object();
+  for (std::size_t c = 0; c < chosen.size(); ++c) names[mounts.choices[c].name] = mounts.choices[c].mounts[chosen[c]];
+  return names;
+}
+
 }  // namespace
 
 std::string optimization_text(const Optimization& found) {
@@ -157,12 +184,12 @@ std::string optimization_text(const Optimization& found) {
                       : found.feasible                ? ", every requirement is met"
                                                       : ", NOT every requirement is met");
   text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + parameters_text(found) + "\n" + minimized_text(found) + requirements_text(found) +
+  return text + mounts_text(found) + parameters_text(found) + "\n" + minimized_text(found) + requirements_text(found) +
       frequencies_text(found) + "\n" + conditions_text(found) + "\n" + search_text(found);
 }
 
 std::string optimization_settings(const Optimization& found) {
-  std::string text;
+  std::string text = found.mounts ? mount_settings(found.mounts->choices, found.mounts->chosen) : "";
   for (const study::OptimizedParameter& p : found.parameters)
     for (const project::ParameterPlace& place : p.axis.places)
       text += fmt::format("--set '{} = {}'\n", place.path,
@@ -194,6 +221,17 @@ std::string optimization_json(const Optimization& found) {
                  {"designs", found.evaluations},
                  {"failed", found.failed},
                  {"differenced", found.differenced}};
+  if (found.mounts) {
+    const study::OptimizedMounts& mounts = *found.mounts;
+    Json others = Json::array();
+    for (const study::OptimizedMounts::Other& other : mounts.others)
+      others.push_back({{"chosen", mounts_json(mounts, other.mounts)}, {"objective", number(other.objective)}});
+    result["mounts"] = {{"chosen", mounts_json(mounts, mounts.chosen)},
+                        {"combinations", mounts.combinations},
+                        {"considered", mounts.considered},
+                        {"optimized", mounts.optimized},
+                        {"others", std::move(others)}};
+  }
   for (const study::OptimizedParameter& p : found.parameters) {
     Json places = Json::array();
     for (const project::ParameterPlace& place : p.axis.places)

@@ -126,18 +126,20 @@ std::string selection_text(const MountSelection& found) {
       search_text(found);
 }
 
-std::string selection_settings(const MountSelection& found) {
+std::string mount_settings(const std::vector<project::MountChoice>& choices, const std::vector<std::size_t>& mounts) {
   std::string text;
-  for (std::size_t c = 0; c < found.choices.size(); ++c) {
-    const project::MountChoice& choice = found.choices[c];
-    for (const std::string& path : choice.paths) {
-      text += fmt::format("--set '{} = \"catalogue:{}\"'\n", path, choice.mounts[found.best.front().mounts[c]]);
-      if (choice.catalogue)
+  for (std::size_t c = 0; c < choices.size(); ++c)
+    for (const std::string& path : choices[c].paths) {
+      text += fmt::format("--set '{} = \"catalogue:{}\"'\n", path, choices[c].mounts[mounts[c]]);
+      if (choices[c].catalogue)
         text += fmt::format("--set '{}catalogue = \"{}\"'\n", path.substr(0, path.size() - std::string("type").size()),
-                            choice.catalogue->text);
+                            choices[c].catalogue->text);
     }
-  }
   return text;
+}
+
+std::string selection_settings(const MountSelection& found) {
+  return mount_settings(found.choices, found.best.front().mounts);
 }
 
 std::string selection_json(const MountSelection& found) {

@@ -13,4 +13,8 @@ namespace trivet::results {
 /// The settings that give the best combination: --set 'elements.left.type = "catalogue:NAME"', one per line.
 [[nodiscard]] std::string selection_settings(const study::MountSelection& found);
 
+/// The settings that put a mount at the places of each choice.
+[[nodiscard]] std::string mount_settings(const std::vector<project::MountChoice>& choices,
+                                         const std::vector<std::size_t>& mounts);
+
 }  // namespace trivet::results

@@ -173,6 +173,8 @@ class Search {
 
 }  // namespace
 
+MaxMinProblem search_problem(const DesignObjective& objective) { return problem_of(objective); }
+
 MaxMinProblem problem_of_requirements(const DesignObjective& objective, const std::optional<Place>& ignored) {
   MaxMinProblem problem = problem_of(objective, ignored);
   if (!objective.minimizes()) return problem;

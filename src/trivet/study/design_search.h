@@ -24,6 +24,9 @@ struct DesignSearch {
 [[nodiscard]] DesignSearch design_search(const DesignObjective& objective, int starts,
                                          const foundation::Progress& progress);
 
+/// The search as asked.
+[[nodiscard]] numerics::MaxMinProblem search_problem(const DesignObjective& objective);
+
 /// The largest least margin of the requirements, whatever is minimised.
 /// @param ignored  a requirement that counts as met
 [[nodiscard]] numerics::MaxMinProblem problem_of_requirements(

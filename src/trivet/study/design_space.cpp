@@ -17,6 +17,9 @@ DesignSpace::DesignSpace(const project::Project& project, const std::vector<std:
     numbers_.emplace_back(axis);
     given_.push_back(numbers_.back().read(project.base()));
   }
+  if (axes_.empty() && !project.base().analyses.choices.empty())
+    throw foundation::InvalidInput(
+        "optimize: only mounts vary, no numbers; trivet select judges every combination of mounts");
   if (axes_.empty())
     throw foundation::InvalidInput("optimize: the file has no parameters; write [parameters.NAME] with path, from, to");
 }

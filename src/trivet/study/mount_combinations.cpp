@@ -81,6 +81,16 @@ void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const
   }
 }
 
+/// @throws foundation::NotComputable with the first reason if it is not valid
+template <typename Model>
+Model valid(foundation::Expected<Model> changed) {
+  if (changed) return std::move(*changed);
+  for (const foundation::Problem& problem : changed.error().list())
+    if (problem.severity == foundation::Severity::error)
+      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
+  throw foundation::NotComputable("the model cannot be read");
+}
+
 /// A case must not set a mount that a choice sets: the choice would undo it.
 void refuse_overruled_cases(const std::vector<project::MountChoice>& choices, const project::Project& project,
                             const std::vector<const project::Case*>& cases) {
@@ -94,7 +104,7 @@ void refuse_overruled_cases(const std::vector<project::MountChoice>& choices, co
         };
         if (type_in(*variant) != type_in(project.base()))
           throw foundation::InvalidInput(fmt::format(
-              "select: the case {} sets the mount of {}, which the choice {} sets too; remove one of them",
+              "choices of mounts: the case {} sets the mount of {}, which the choice {} sets too; remove one of them",
               foundation::quoted(variant->name), foundation::quoted(name), foundation::quoted(choice.name)));
       }
 }
@@ -124,25 +134,34 @@ void refuse_mounts_without_data(const MountCombinations& all, const project::Pro
   add(massless, "no mass");
   if (required->price) add(priceless, "no price in " + foundation::quoted(required->price->currency));
   if (!words.empty())
-    throw foundation::InvalidInput("select: the catalogue gives " + words +
+    throw foundation::InvalidInput("choices of mounts: the catalogue gives " + words +
                                    "; add it to the catalogue, name choices without these mounts, or remove the "
                                    "requirement");
 }
 
 }  // namespace
 
+std::vector<const project::Case*> deciding_cases(const project::Project& project) {
+  const auto& required = project.base().analyses.requirements;
+  const std::vector<std::string> hold_in = required ? required->hold_in : project::Requirements().hold_in;
+  std::vector<const project::Case*> cases;
+  for (const project::Case& variant : project.cases)
+    if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases.push_back(&variant);
+  return cases;
+}
+
 MountCombinations::MountCombinations(const project::Project& project, std::vector<const project::Case*> cases)
     : choices_(project.base().analyses.choices), cases_(std::move(cases)) {
   if (choices_.empty())
     throw foundation::InvalidInput(
-        "select: the file has no choice of mounts; write [parameters.NAME] with path = 'elements.NAME.type' and "
+        "choices of mounts: the file has none; write [parameters.NAME] with path = 'elements.NAME.type' and "
         "choices = [\"catalogue:MOUNT\", …], or catalogue = \"FILE\"");
   for (const project::MountChoice& choice : choices_) {
     if (choice.mounts.size() > most_combinations / count_)
-      throw foundation::InvalidInput(
-          fmt::format("select: more than {} combinations of mounts; let more places share one choice, or name fewer "
-                      "mounts in choices",
-                      most_combinations));
+      throw foundation::InvalidInput(fmt::format(
+          "choices of mounts: more than {} combinations of mounts; let more places share one choice, or name fewer "
+          "mounts in choices",
+          most_combinations));
     strides_.push_back(count_);
     count_ *= choice.mounts.size();
   }
@@ -164,25 +183,30 @@ std::vector<std::size_t> MountCombinations::mounts(std::size_t combination) cons
   return result;
 }
 
-model::System MountCombinations::changed(const project::Case& variant, const std::vector<project::Node>& changes) {
-  auto system = project::changed_system(variant, changes);
-  if (system) return std::move(*system);
-  for (const foundation::Problem& problem : system.error().list())
-    if (problem.severity == foundation::Severity::error)
-      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
-  throw foundation::NotComputable("the model cannot be read");
-}
-
 model::System MountCombinations::system_with(const project::Case& variant, std::size_t choice,
                                              std::size_t mount) const {
-  return changed(variant, {change_of(choices_[choice], mount)});
+  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}));
+}
+
+std::vector<project::Node> MountCombinations::changes(std::size_t combination) const {
+  std::vector<project::Node> result;
+  const std::vector<std::size_t> numbers = mounts(combination);
+  for (std::size_t c = 0; c < numbers.size(); ++c) result.push_back(change_of(choices_[c], numbers[c]));
+  return result;
 }
 
 model::System MountCombinations::system(const project::Case& variant, std::size_t combination) const {
-  std::vector<project::Node> changes;
-  const std::vector<std::size_t> numbers = mounts(combination);
-  for (std::size_t c = 0; c < numbers.size(); ++c) changes.push_back(change_of(choices_[c], numbers[c]));
-  return changed(variant, changes);
+  return valid(project::changed_system(variant, changes(combination)));
+}
+
+project::Project MountCombinations::project(const project::Project& given, std::size_t combination) const {
+  project::Project result{given.title, given.source, given.sha256, {}};
+  for (const project::Case& variant : given.cases) {
+    const bool decides = std::find(cases_.begin(), cases_.end(), &variant) != cases_.end();
+    if (decides || &variant == &given.base())
+      result.cases.push_back(valid(project::changed_case(variant, changes(combination))));
+  }
+  return result;
 }
 
 MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant) const {

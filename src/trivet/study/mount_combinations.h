@@ -40,6 +40,10 @@ class MountCombinations {
   /// The model of a case with one mount of one choice, otherwise as given.
   /// @throws foundation::NotComputable if it is not valid
   [[nodiscard]] model::System system_with(const project::Case& variant, std::size_t choice, std::size_t mount) const;
+  /// The project with a combination at its places: the base model and the cases in which the design has to hold.
+  /// @param given  to which cases() belong
+  /// @throws foundation::NotComputable if a case is not valid then
+  [[nodiscard]] project::Project project(const project::Project& given, std::size_t combination) const;
   /// The model of a case. @throws foundation::NotComputable if it is not valid
   [[nodiscard]] model::System system(const project::Case& variant, std::size_t combination) const;
 
@@ -80,7 +84,7 @@ class MountCombinations {
   /// Stiffness and load of a combination.
   [[nodiscard]] static std::pair<Eigen::MatrixXd, Eigen::VectorXd> added(const Sums& sums,
                                                                          const std::vector<std::size_t>& mounts);
-  [[nodiscard]] static model::System changed(const project::Case& variant, const std::vector<project::Node>& changes);
+  [[nodiscard]] std::vector<project::Node> changes(std::size_t combination) const;
   [[nodiscard]] Bound bound(const Sums& sums, const std::vector<std::size_t>& mounts) const;
 
   std::vector<project::MountChoice> choices_;
@@ -90,5 +94,8 @@ class MountCombinations {
   std::vector<Sums> sums_;            ///< per case
   std::string without_bounds_;
 };
+
+/// Cases in which a design has to hold.
+[[nodiscard]] std::vector<const project::Case*> deciding_cases(const project::Project& project);
 
 }  // namespace trivet::study

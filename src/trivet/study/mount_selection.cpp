@@ -29,15 +29,6 @@ constexpr double same_margin = 1e-9;
 constexpr std::array<const char*, mount_tests> test_names = {"",           "price",      "mass",
                                                              "mount_load", "deflection", "natural_frequencies"};
 
-std::vector<const project::Case*> deciding_cases(const project::Project& project) {
-  const auto& required = project.base().analyses.requirements;
-  const std::vector<std::string> hold_in = required ? required->hold_in : project::Requirements().hold_in;
-  std::vector<const project::Case*> cases;
-  for (const project::Case& variant : project.cases)
-    if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases.push_back(&variant);
-  return cases;
-}
-
 /// Adds what the table shows of a case: loads and deflections of the mounts.
 void add_loads(const CaseContext& context, MountDesign& design) {
   for (const RequirementResult& one : mount_loads(context)) {

@@ -9,6 +9,7 @@
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_objective.h"
 #include "trivet/study/design_search.h"
+#include "trivet/study/mount_search.h"
 
 namespace trivet::study {
 namespace {
@@ -38,8 +39,11 @@ std::vector<double> natural_frequencies(const model::System& system) {
 /// What a search found, in the words of an engineer.
 class Description {
  public:
-  Description(const project::Project& project, const DesignObjective& objective, DesignSearch found)
+  /// @param given  objective of the design of the file, `objective` of that with the chosen mounts
+  Description(const project::Project& project, const DesignObjective& given, const DesignObjective& objective,
+              DesignSearch found)
       : project_(project),
+        given_(given),
         objective_(objective),
         problem_(std::move(found.problem)),
         best_(std::move(found.best)),
@@ -104,25 +108,26 @@ class Description {
         ? project_.base().analyses.requirements->hold_in
         : project::Requirements().hold_in;
     const Eigen::VectorXd values = objective_.space().values(best_.x);
-    for (const project::Case* variant : objective_.cases()) {
-      project::Case optimum = *variant;
-      optimum.system = objective_.space().system(*variant, values);
-      const foundation::Progress silent;
-      result_.before.push_back(case_verdict(*variant, hold_in, silent));
+    const foundation::Progress silent;
+    for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
+      const project::Case& before = *given_.cases()[c];
+      project::Case optimum = *objective_.cases()[c];
+      optimum.system = objective_.space().system(*objective_.cases()[c], values);
+      result_.before.push_back(case_verdict(before, hold_in, silent));
       result_.after.push_back(case_verdict(optimum, hold_in, silent));
-      result_.frequencies_before.push_back(natural_frequencies(variant->system));
+      result_.frequencies_before.push_back(natural_frequencies(before.system));
       result_.frequencies_after.push_back(natural_frequencies(optimum.system));
     }
     result_.feasible =
         std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
     for (std::size_t c = 0; c < objective_.cases().size(); ++c)
       at_best_.push_back(objective_.results(c, objective_.space().system(*objective_.cases()[c], values)));
-    result_.objective_before = objective_of(objective_.given());
+    result_.objective_before = objective_of(given_.given());
     result_.objective_after = objective_of(at_best_).value_or(0);
     for (std::size_t c = 0; c < at_best_.size(); ++c)
       for (std::size_t r = 0; r < at_best_[c].size(); ++r) {
         if (!objective_.is_objective(r)) continue;
-        const RequirementResult &before = objective_.given()[c][r], &after = at_best_[c][r];
+        const RequirementResult &before = given_.given()[c][r], &after = at_best_[c][r];
         const auto limit = objective_.has_limits() ? std::optional(after.allowed) : std::nullopt;
         result_.minimized.push_back(
             {c, after.subject, after.unit, limit, before.value.value_or(0), after.value.value_or(0)});
@@ -224,6 +229,7 @@ class Description {
   }
 
   const project::Project& project_;
+  const DesignObjective& given_;
   const DesignObjective& objective_;
   numerics::MaxMinProblem problem_;
   MaxMinPoint best_;
@@ -237,8 +243,14 @@ class Description {
 
 Optimization optimization(const project::Project& project, const foundation::Progress& progress) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
-  const DesignObjective objective(project, request);
-  return Description(project, objective, design_search(objective, request.starts, progress)).optimization();
+  const DesignObjective given(project, request);
+  std::optional<MountSearch> mounts = mount_search(project, request, progress);
+  if (!mounts) return Description(project, given, given, design_search(given, request.starts, progress)).optimization();
+  const DesignObjective objective(mounts->best, request);
+  Optimization result =
+      Description(project, given, objective, design_search(objective, request.starts, progress)).optimization();
+  result.mounts = std::move(mounts->found);
+  return result;
 }
 
 }  // namespace trivet::study

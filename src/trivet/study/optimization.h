@@ -51,8 +51,23 @@ struct MinimizedAmplitude {
   double before = 0, after = 0;
 };
 
+/// Mounts that were chosen together with the numbers.
+struct OptimizedMounts {
+  std::vector<project::MountChoice> choices;
+  std::vector<std::size_t> chosen;               ///< number of the mount of each choice
+  std::size_t combinations = 0, considered = 0;  ///< all; those with the numbers of the file judged completely
+  std::size_t optimized = 0;                     ///< those whose numbers were optimised
+  /// One of the next best combinations.
+  struct Other {
+    std::vector<std::size_t> mounts;
+    double objective = 0;  ///< as Optimization::objective_after, from the given numbers alone
+  };
+  std::vector<Other> others;
+};
+
 struct Optimization {
   std::vector<OptimizedParameter> parameters;
+  std::optional<OptimizedMounts> mounts;
   bool minimizes = false;  ///< amplitudes; false: the largest least margin
   /// Amplitudes were to be minimised, but no design met the requirements: it is that with their largest least margin.
   bool falls_short = false;

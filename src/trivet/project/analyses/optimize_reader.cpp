@@ -8,11 +8,29 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
+#include "trivet/project/analyses/mount_choice.h"
 
 namespace trivet::project {
 namespace {
 
-constexpr double most_starts = 1000;
+constexpr double most_starts = 1000, most_combinations = 1e6;
+
+std::vector<std::string> names_of_choices(TableReader& root) {
+  std::vector<std::string> names;
+  const Node* table = root.has("parameters") ? root.node("parameters") : nullptr;
+  for (std::size_t i = 0; table && i < table->keys.size(); ++i)
+    if (is_mount_choice(table->items[i])) names.push_back(table->keys[i]);
+  return names;
+}
+
+std::optional<int> read_count(TableReader& reader, const std::string& key, double most, const std::string& usual) {
+  const auto number = reader.number(key, Quantity::pure);
+  if (!number) return std::nullopt;
+  if (*number >= 1 && *number <= most && *number == std::floor(*number)) return static_cast<int>(*number);
+  reader.error(key, fmt::format("{:.6g}", *number), fmt::format("a whole number from 1 to {:.0f} is expected", most),
+               usual);
+  return std::nullopt;
+}
 
 /// Results to minimise; "margin" alone stands for none.
 std::vector<std::string> read_objective(TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
@@ -46,6 +64,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
   if (const auto wanted = reader.texts("parameters", R"(["NAME"])")) {
     std::vector<std::string> known;
     for (const DesignAxis& parameter : result.parameters) known.push_back(parameter.name);
+    for (const std::string& choice : names_of_choices(root)) known.push_back(choice);
     for (const std::string& name : *wanted) {
       if (std::find(known.begin(), known.end(), name) != known.end()) continue;
       const std::string guess = foundation::nearest_name(name, known);
@@ -59,13 +78,9 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     reader.error("", "no parameters", "a design varies at least one number",
                  "write [parameters.NAME] with path, from and to");
   request.minimize = read_objective(reader, names, in_file, request.quantity);
-  if (const auto starts = reader.number("starts", Quantity::pure)) {
-    if (*starts >= 1 && *starts <= most_starts && *starts == std::floor(*starts))
-      request.starts = static_cast<int>(*starts);
-    else
-      reader.error("starts", fmt::format("{:.6g}", *starts),
-                   fmt::format("a whole number from 1 to {:.0f} is expected", most_starts), "32 is usual");
-  }
+  if (const auto starts = read_count(reader, "starts", most_starts, "32 is usual")) request.starts = *starts;
+  if (const auto count = read_count(reader, "combinations", most_combinations, "1000 is usual"))
+    request.combinations = *count;
   reader.finish();
   result.optimize = std::move(request);
 }

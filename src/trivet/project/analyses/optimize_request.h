@@ -10,11 +10,12 @@ namespace trivet::project {
 
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {
-  std::vector<std::string> parameters;  ///< names in [parameters]; empty: all
+  std::vector<std::string> parameters;  ///< names in [parameters], of numbers and choices; empty: all
   std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
                                         ///< empty: the largest least margin of the requirements
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
   int starts = 32;
+  int combinations = 1000;  ///< most combinations of mounts whose numbers are optimised
 };
 
 }  // namespace trivet::project
