@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/study/case_context.h"
+#include "trivet/study/requirement_list.h"
+
+namespace trivet::study {
+
+/// Adds what limits curves over frequency, with values and margins: [limits], limits, no_peak, limit lines.
+void add_curve_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
+
+}  // namespace trivet::study
