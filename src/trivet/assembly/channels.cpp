@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <set>
 
 #include "trivet/assembly/following.h"
+#include "trivet/assembly/place_motion.h"
+#include "trivet/assembly/wrench_rows.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/problems.h"
@@ -17,8 +17,6 @@ namespace trivet::assembly {
 namespace {
 
 using spatial::Matrix6;
-using Matrix6x = Eigen::Matrix<double, 6, Eigen::Dynamic>;
-using Matrix6xc = Eigen::Matrix<std::complex<double>, 6, Eigen::Dynamic>;
 
 class Builder {
  public:
@@ -46,10 +44,17 @@ class Builder {
     }
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const std::string& name = system_.elements()[e].name;
-      if (of == name) append(forces(name, wrench_on_n(e)));
+      if (of == name) append(forces(name, wrench_on_n(system_, assembled_, e)));
       if (of == name + ".deflection") append_motions(end_motion(e, of, true));
       if (of == name + ".foot") append_motions(end_motion(e, of, false));
     }
+    const model::Description& description = system_.description();
+    for (const model::RelativeMotion& motion : description.relative_motions)
+      if (of == motion.name) append_motions(relative_motion(motion));
+    for (const model::Clearance& clearance : description.clearances)
+      if (of == clearance.name) append_motions({approach(clearance)});
+    for (const model::Section& section : description.sections)
+      if (of == section.name) append(forces(section.name, section_wrench(system_, assembled_, section)));
     return result;
   }
 
@@ -140,6 +145,31 @@ class Builder {
     return result;
   }
 
+  /// Row j of the motion of one place less that of another.
+  Channel row_channel(const MotionRows& rows, int j, const std::string& name, const char* component) const {
+    Channel channel = empty(name + "." + component, motion_unit(j), derivative_);
+    channel.on_displacement = rows.on_coordinates.row(j).transpose().cast<std::complex<double>>();
+    set_ground(channel, rows.on_ground.row(j).transpose());
+    return channel;
+  }
+
+  std::vector<Channel> relative_motion(const model::RelativeMotion& motion) const {
+    const MotionRows rows = motion_between(system_, assembled_, motion.of, motion.to, motion.axes);
+    std::vector<Channel> result;
+    for (int j = 0; j < 6; ++j)
+      if (!model::is_left_out(system_.bodies(), motion, j))
+        result.push_back(row_channel(rows, j, motion.name, model::relative_components[to_size(j)]));
+    return result;
+  }
+
+  /// Positive if the places move towards each other.
+  Channel approach(const model::Clearance& clearance) const {
+    const Eigen::Matrix3d axes = spatial::axes_along(clearance.direction);
+    constexpr int along = 2;
+    return row_channel(motion_between(system_, assembled_, clearance.of, clearance.to, axes), along, clearance.name,
+                       model::approach_component);
+  }
+
   /// Motion of end N of an element in ground axes; or motion of end K relative to N beyond a rigid motion of both, in
   /// the element's axes at N.
   std::vector<Channel> end_motion(std::size_t e, const std::string& name, bool deflection) const {
@@ -166,129 +196,12 @@ class Builder {
     });
   }
 
-  struct WrenchRows {
-    Matrix6xc on_displacement, ground_displacement;
-    Matrix6x on_velocity, on_acceleration, ground_velocity, ground_acceleration;
-    std::vector<std::pair<std::size_t, Eigen::Matrix<double, 6, 12>>> dynamic;  // element, rows on D(ω)
-    spatial::Vector6 at_rest = spatial::Vector6::Zero();
-
-    void add(const Matrix6& carry, const WrenchRows& other) {
-      on_displacement += carry * other.on_displacement;
-      on_velocity += carry * other.on_velocity;
-      on_acceleration += carry * other.on_acceleration;
-      ground_displacement += carry * other.ground_displacement;
-      ground_velocity += carry * other.ground_velocity;
-      ground_acceleration += carry * other.ground_acceleration;
-      for (const auto& [element, rows] : other.dynamic) dynamic.emplace_back(element, carry * rows);
-      at_rest += carry * other.at_rest;
-    }
-  };
-
-  WrenchRows no_wrench() const {
-    const Eigen::Index n = assembled_.layout.size(), g = assembled_.ground.size();
-    return {Matrix6xc::Zero(6, n),
-            Matrix6xc::Zero(6, g),
-            Matrix6x::Zero(6, n),
-            Matrix6x::Zero(6, n),
-            Matrix6x::Zero(6, g),
-            Matrix6x::Zero(6, g),
-            {},
-            spatial::Vector6::Zero()};
-  }
-
-  /// Longest lever arm of the moments of this element [m].
-  double longest_lever(std::size_t e) const {
-    const model::Element& element = system_.elements()[e];
-    return std::max(
-        {element.n.at.norm(), element.k.at.norm(), model::span(system_.bodies(), element.n, element.k).arm.norm()});
-  }
-
-  /// Sets the round-off (1e-17) of products of rotation matrices to zero: a strut has no moment, a turned spring no
-  /// transverse force.
-  Matrix6x without_round_off(Matrix6x rows, const ElementMap& map, const Eigen::MatrixXd& matrix, double lever) const {
-    constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
-    double force = 0, moment = 0;
-    for (int i = 0; i < 12; ++i)
-      (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
-    for (Eigen::Index j = 0; j < map.end_columns; ++j)
-      for (int i = 0; i < 6; ++i) {
-        const bool moment_row = i >= 3, rotation_column = is_rotation(map.rows[to_size(j)]);
-        double typical = force * (moment_row ? lever : 1) * (rotation_column ? lever : 1);
-        if (moment_row && rotation_column) typical += moment;
-        if (std::abs(rows(i, j)) <= round_off * typical) rows(i, j) = 0;
-      }
-    return rows;
-  }
-
-  bool is_rotation(Eigen::Index row) const {
-    for (std::size_t b = 0; b < system_.bodies().size(); ++b)
-      for (int j = 3; j < 6; ++j)
-        if (assembled_.layout.row(b, j) == row) return true;
-    return false;
-  }
-
-  /// Wrench that element e exerts on its N side, ground axes, about the reference point of N.
-  WrenchRows wrench_on_n(std::size_t e) const {
-    const ElementMap& map = assembled_.elements[e];
-    const Matrix6 turn = spatial::both_blocks(model::end_in_ground(system_.bodies(), system_.elements()[e].n).rotation);
-    const double lever = longest_lever(e);
-    const auto on_n = [&](const Eigen::MatrixXd& matrix) -> Matrix6x {
-      return without_round_off(-(turn * matrix.topRows<6>() * map.ends), map, matrix, lever);
-    };
-    const Matrix6x stiffness = on_n(map.matrices.stiffness), damping = on_n(map.matrices.damping),
-                   mass = on_n(map.matrices.mass);
-    WrenchRows rows = no_wrench();
-    for (Eigen::Index j = 0; j < map.ends.cols() && !map.frequency_dependent(); ++j) {
-      const Eigen::Index row = map.rows[to_size(j)];
-      rows.on_displacement.col(row) += stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
-      rows.on_velocity.col(row) += damping.col(j);
-      rows.on_acceleration.col(row) += mass.col(j);
-    }
-    const auto of_ground = [&](const Eigen::MatrixXd& matrix) -> Matrix6x {
-      return -(turn * matrix.topRows<6>() * map.ground_ends);
-    };
-    const Matrix6x ground_stiffness = of_ground(map.matrices.stiffness),
-                   ground_damping = of_ground(map.matrices.damping), ground_mass = of_ground(map.matrices.mass);
-    for (Eigen::Index j = 0; j < map.ground_ends.cols() && !map.frequency_dependent(); ++j) {
-      const Eigen::Index row = map.ground_rows[to_size(j)];
-      rows.ground_displacement.col(row) += ground_stiffness.col(j) * std::complex<double>(1, map.matrices.loss_factor);
-      rows.ground_velocity.col(row) += ground_damping.col(j);
-      rows.ground_acceleration.col(row) += ground_mass.col(j);
-    }
-    if (!map.frequency_dependent()) {
-      const FollowedForces followed = followed_forces(map, assembled_.ground);
-      rows.ground_displacement.rightCols(assembled_.ground.followed()) =
-          -(turn * followed.stiffness.topRows<6>()) * std::complex<double>(1, map.matrices.loss_factor);
-      rows.ground_velocity.rightCols(assembled_.ground.followed()) = -(turn * followed.damping.topRows<6>());
-      rows.ground_acceleration.rightCols(assembled_.ground.followed()) = -(turn * followed.mass.topRows<6>());
-    }
-    if (map.frequency_dependent()) {
-      Eigen::Matrix<double, 6, 12> exact = Eigen::Matrix<double, 6, 12>::Zero();
-      exact.leftCols<6>() = -turn;
-      rows.dynamic.emplace_back(e, exact);
-    }
-    if (system_.description().gravity) rows.at_rest = turn * own_weight(e).head<6>();
-    if (const auto& preload = system_.elements()[e].law.preload) rows.at_rest -= turn * preload->head<6>();
-    return rows;
-  }
-
-  /// Gravity on the element's own mass as forces on its two ends.
-  spatial::Vector12 own_weight(std::size_t e) const {
-    const model::Element& element = system_.elements()[e];
-    spatial::Vector12 fall = spatial::Vector12::Zero();
-    fall.segment<3>(0) =
-        model::end_in_ground(system_.bodies(), element.n).rotation.transpose() * *system_.description().gravity;
-    fall.segment<3>(6) =
-        model::end_in_ground(system_.bodies(), element.k).rotation.transpose() * *system_.description().gravity;
-    return assembled_.elements[e].matrices.mass.topLeftCorner<12, 12>() * fall;
-  }
-
   std::vector<Channel> ground() const {
-    WrenchRows total = no_wrench();
+    WrenchRows total(assembled_);
     for (std::size_t e = 0; e < system_.elements().size(); ++e) {
       const model::End& n = system_.elements()[e].n;
       if (!n.body && !system_.elements()[e].is_foundation)
-        total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(e));
+        total.add(spatial::rigid_motion(n.at).transpose(), wrench_on_n(system_, assembled_, e));
     }
     return forces("ground", total);
   }
@@ -347,6 +260,9 @@ std::vector<std::string> channel_words(const model::Description& description) {
   }
   for (const auto& element : description.elements)
     for (const char* kind : {"", ".deflection", ".foot"}) words.push_back(element.name + kind);
+  for (const auto& motion : description.relative_motions) words.push_back(motion.name);
+  for (const auto& section : description.sections) words.push_back(section.name);
+  for (const auto& clearance : description.clearances) words.push_back(clearance.name);
   return words;
 }
 

@@ -39,9 +39,9 @@ struct Channel : numerics::CurveTerms {
 /// Channels for the names in a project file: "coordinates" (all free ones), BODY, BODY.POINT, ELEMENT, "ground", "base"
 /// (the rigid motion of the whole foundation), BODY.relative and BODY.POINT.relative (relative to that motion),
 /// ELEMENT.deflection (end K relative to N beyond a rigid motion, in the element's axes at N), ELEMENT.foot (motion of
-/// end N, ground axes), or one full channel name. A force is what the element exerts on its N side (the ground, or the
-/// body given by `from`), in ground axes, its moment about the reference point of that end; "ground" is the total on
-/// the ground about its origin.
+/// end N, ground axes), a relative motion, a section, a clearance, or one full channel name. A force is what the
+/// element exerts on its N side (the ground, or the body given by `from`), in ground axes, its moment about the
+/// reference point of that end; "ground" is the total on the ground about its origin.
 /// @throws foundation::InvalidInput for an unknown name
 [[nodiscard]] std::vector<Channel> channels(const model::System& system, const Assembled& assembled,
                                             const std::vector<std::string>& of, MotionQuantity quantity);

@@ -13,6 +13,8 @@ void check_guides(const Description& description, foundation::Problems& problems
 
 /// Warns of bodies on which no element ends, in a model that has elements.
 void check_loose_bodies(const Description& description, foundation::Problems& problems);
+/// Checks relative motions, sections and clearances, after directions of nodes are left out.
+void check_observations(const Description& description, foundation::Problems& problems);
 void check_element(const Description& description, const Element& element, foundation::Problems& problems);
 
 }  // namespace trivet::model

@@ -209,6 +209,7 @@ foundation::Expected<System> System::checked(Description description) {
   }
   for (const auto& element : description.elements) check_element(description, element, problems);
   if (!problems.has_errors()) settle_nodes(description, problems);
+  check_observations(description, problems);
   if (bodies.size() == description.bodies.size() || !problems.has_errors()) check_damping(description, problems);
   if (!problems.has_errors())
     check_preloads(description, problems), check_guides(description, problems),

@@ -11,6 +11,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
+#include "trivet/model/observations.h"
 #include "trivet/spatial/mass_properties.h"
 #include "trivet/spatial/types.h"
 
@@ -155,6 +156,9 @@ struct Description {
   std::vector<Excitation> excitations;
   std::vector<ConstantForce> constant_forces;
   std::optional<Eigen::Vector3d> gravity;  ///< [m/s²], ground frame
+  std::vector<RelativeMotion> relative_motions;
+  std::vector<Section> sections;
+  std::vector<Clearance> clearances;
 };
 
 /// A description that passed every check. Immutable.

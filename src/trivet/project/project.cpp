@@ -20,7 +20,9 @@
 #include "trivet/project/model_number.h"
 #include "trivet/project/mount_choices.h"
 #include "trivet/project/node_reader.h"
+#include "trivet/project/observations_reader.h"
 #include "trivet/project/questions.h"
+#include "trivet/project/rest_of_clearances.h"
 #include "trivet/project/settings.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
@@ -111,6 +113,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   read_foundations(root, description, in_file);
   read_system_damping(root, description, in_file);
   read_excitations(root, description, in_file);
+  read_observations(root, description, in_file);
   for (const auto& adjust : in_file.adjustments) adjust(description);
   Analyses analyses = read_analyses(root, in_file);
   analyses.choices = read_mount_choices(root, written);
@@ -157,8 +160,9 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), written, document};
 }
 
-/// Adds the suspicions of a case to its warnings, except those accepted.
-void judge(Case& variant, AcceptanceBook& book, foundation::Problems& problems) {
+/// Adds the suspicions of a case to its warnings, except those accepted, and the error of clearances without rest.
+void judge(Case& variant, const Questions& questions, AcceptanceBook& book, foundation::Problems& problems) {
+  if (is_requested("clearances", questions, variant.name)) problems.add(without_rest(variant));
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
   std::vector<std::pair<std::string, std::string>> kinds;
   for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
@@ -277,7 +281,7 @@ void read_cases(const Node& document, const Node& written, const Settings& setti
     std::string title;
     auto variant_case =
         read_case(variant, name, title, of_case, questions, project.cases.empty() ? nullptr : &project.base());
-    if (variant_case) judge(*variant_case, book, of_case);
+    if (variant_case) judge(*variant_case, questions, book, of_case);
     add_of_case(of_case, known, name, problems);
     if (!variant_case || project.cases.empty()) continue;
     variant_case->changes = change_lines(&change, settings, variant);
@@ -306,7 +310,7 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   foundation::Problems of_base;
   AcceptanceBook book;
   auto base = read_case(document, "", project.title, of_base, questions);
-  if (base) judge(*base, book, of_base);
+  if (base) judge(*base, questions, book, of_base);
   problems.add(of_base);
   if (base) base->changes = change_lines(nullptr, settings, document);
   if (base) project.cases.push_back(std::move(*base));

@@ -43,20 +43,6 @@ std::string question_of(const std::string& subject) {
   return subject.substr(from, subject.find('.', from) - from);
 }
 
-bool is_requested(const std::string& question, const Questions& questions, const std::string& of_case) {
-  if (question.empty()) return true;  // the model
-  if (questions.of_case && *questions.of_case != of_case) return false;
-  if (!questions.requested) return true;
-  const std::vector<std::string>& requested = *questions.requested;
-  if (std::find(requested.begin(), requested.end(), question) != requested.end()) return true;
-  const bool known =
-      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
-      std::any_of(question_readers().begin(), question_readers().end(),
-                  [&](const QuestionReader& one) { return one.name == question; });
-  // A misspelt name may be any question, so it concerns each of them.
-  return !known && !is_outside_analysis(question) && !requested.empty();
-}
-
 /// Names of the excitations that the questions use, and whether any question takes excitations.
 struct UsedExcitations {
   std::set<std::string> names;
@@ -77,9 +63,8 @@ class UsedExcitationCollector {
     for (const QuestionReader& reader : question_readers())
       if (const Question* question = a.find<Question>(reader.name)) add_question(*question, reader.drive);
     if (a.requirements) add_requirements(*a.requirements);
-    if (a.static_of)
-      for (const model::ConstantForce& force : variant_.system.description().constant_forces)
-        used_.names.insert(force.name);
+    if (!variant_.system.description().clearances.empty()) add_excitations_of_clearances();
+    if (a.static_of) add_constant_forces();
     if (a.map) add_excitations(a.map->excitations, harmonic);
     if (a.optimize && !a.optimize->minimize.empty()) add_excitations({}, harmonic);
   }
@@ -89,9 +74,20 @@ class UsedExcitationCollector {
     if (!required.limits.empty() || !required.no_peak.empty()) add_excitations(required.excitations, harmonic);
     if (!required.rms.empty()) add_excitations({}, random);
     if (!required.largest.empty()) add_excitations({}, in_time);
-    if (!required.statics.empty() || required.mount_load)
-      for (const model::ConstantForce& force : variant_.system.description().constant_forces)
-        used_.names.insert(force.name);
+    if (!required.statics.empty() || required.mount_load) add_constant_forces();
+  }
+
+  /// Those of the harmonic amplitudes and of the position of rest; a transient is an analysis of its own.
+  void add_excitations_of_clearances() {
+    const Analyses& a = variant_.analyses;
+    if (a.requirements && !a.requirements->excitations.empty()) add_excitations(a.requirements->excitations, harmonic);
+    else add_excitations(a.response ? a.response->selection.excitations : std::vector<std::string>(), harmonic);
+    add_constant_forces();
+  }
+
+  void add_constant_forces() {
+    for (const model::ConstantForce& force : variant_.system.description().constant_forces)
+      used_.names.insert(force.name);
   }
 
   void add_question(const Question& question, Drive drive) {
@@ -137,6 +133,20 @@ class UsedExcitationCollector {
 };
 
 }  // namespace
+
+bool is_requested(const std::string& question, const Questions& questions, const std::string& of_case) {
+  if (question.empty()) return true;  // the model
+  if (questions.of_case && *questions.of_case != of_case) return false;
+  if (!questions.requested) return true;
+  const std::vector<std::string>& requested = *questions.requested;
+  if (std::find(requested.begin(), requested.end(), question) != requested.end()) return true;
+  const bool known = question == "clearances" ||
+      std::any_of(removals().begin(), removals().end(), [&](const auto& one) { return one.first == question; }) ||
+      std::any_of(question_readers().begin(), question_readers().end(),
+                  [&](const QuestionReader& one) { return one.name == question; });
+  // A misspelt name may be any question, so it concerns each of them.
+  return !known && !is_outside_analysis(question) && !requested.empty();
+}
 
 Analyses counted_part(const Questions& questions, const Analyses& analyses) {
   Analyses counted;

@@ -19,6 +19,9 @@ struct Questions {
   int lowest_modes = 0;                     ///< of the command `modes`; 0: what the file says
 };
 
+/// True if errors of this question in this case concern the command.
+[[nodiscard]] bool is_requested(const std::string& question, const Questions& questions, const std::string& of_case);
+
 /// The part of the analyses of a file that a command for these questions takes, where the size of a model depends on
 /// it: `modes` takes only these, `response` only the response with its limits.
 [[nodiscard]] Analyses counted_part(const Questions& questions, const Analyses& analyses);

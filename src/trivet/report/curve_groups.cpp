@@ -15,14 +15,14 @@ std::vector<CurveGroup> curve_groups(const std::vector<CurveName>& curves) {
     const std::string& full = curves[c].name;
     const std::size_t dot = full.rfind('.');
     std::string name = full.substr(0, dot), component = full.substr(dot + 1);
-    bool lower = component.starts_with("r");
+    bool lower = curves[c].unit.starts_with("rad");
     const bool forces = curves[c].unit.starts_with("N");
     if (forces) {
       lower = name.ends_with(".moment");
       component = (lower ? "M" : "F") + component;
       name = name.substr(0, name.rfind('.'));
-    } else if (lower) {
-      component = "θ" + component.substr(1);
+    } else if (lower && component.size() == 2) {
+      component = "θ" + component.substr(1);  // rx, ry, rz
     }
     auto group = std::find_if(result.begin(), result.end(),
                               [&](const CurveGroup& g) { return g.name == name && g.forces == forces; });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_groups.h"
@@ -13,14 +14,26 @@
 namespace trivet::report {
 namespace {
 
-/// The six columns of one kind: translations and rotations, or forces and moments.
+/// The columns of one kind: translations and rotations, or forces and moments.
 struct Columns {
   const char* owner;
   std::array<const char*, 2> units;
-  std::array<const char*, 6> labels;
+  std::vector<std::string> labels;
 };
-constexpr Columns of_motions = {"body or point", {"m", "rad"}, {"x", "y", "z", "θx", "θy", "θz"}};
-constexpr Columns of_forces = {"forces of", {"N", "N m"}, {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}};
+
+const std::vector<Columns>& all_columns() {
+  static const std::vector<Columns> list = {
+      {"body or point", {"m", "rad"}, {"x", "y", "z", "θx", "θy", "θz"}},
+      {"relative motion", {"m", "rad"}, {model::relative_components.begin(), model::relative_components.end()}},
+      {"clearance", {"m", "rad"}, {model::approach_component}},
+      {"forces of", {"N", "N m"}, {"Fx", "Fy", "Fz", "Mx", "My", "Mz"}}};
+  return list;
+}
+
+bool belongs_to(const Columns& columns, const CurveGroup& group) {
+  const std::vector<GroupedCurve>& any = group.upper.empty() ? group.lower : group.upper;
+  return std::find(columns.labels.begin(), columns.labels.end(), any.front().label) != columns.labels.end();
+}
 
 std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
                          const Columns& columns) {
@@ -33,12 +46,12 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
   std::vector<UnitPrefix> prefixes;
   for (std::size_t kind = 0; kind < 2; ++kind) prefixes.push_back(unit_prefix(largest[kind], columns.units[kind]));
   std::vector<Cell> headings = {{columns.owner}};
-  for (std::size_t k = 0; k < 6; ++k)
+  for (std::size_t k = 0; k < columns.labels.size(); ++k)
     headings.push_back(right(fmt::format("{} [{}]", columns.labels[k], prefixes[k / 3].unit)));
   std::vector<Row> rows;
   for (const CurveGroup& g : groups) {
     rows.push_back({{{g.name}}, ""});
-    for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t k = 0; k < columns.labels.size(); ++k) {
       const std::vector<GroupedCurve>& kind = k < 3 ? g.upper : g.lower;
       const auto found =
           std::find_if(kind.begin(), kind.end(), [&](const GroupedCurve& c) { return c.label == columns.labels[k]; });
@@ -59,10 +72,15 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
 std::string static_tables(const project::Case&, const study::Answers& answers) {
   if (!answers.statics) return "";
   const std::vector<response::StaticValue>& values = answers.statics->values;
-  std::vector<CurveGroup> motions, forces;
-  for (const CurveGroup& group : curve_groups(curve_names(values))) (group.forces ? forces : motions).push_back(group);
-  return (motions.empty() ? "" : static_table(values, motions, of_motions) + "<p></p>") +
-      (forces.empty() ? "" : static_table(values, forces, of_forces)) +
+  const std::vector<CurveGroup> all = curve_groups(curve_names(values));
+  std::string html;
+  for (const Columns& columns : all_columns()) {
+    std::vector<CurveGroup> groups;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(groups),
+                 [&](const CurveGroup& group) { return belongs_to(columns, group); });
+    if (!groups.empty()) html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns);
+  }
+  return html +
       hint(fmt::format("Under gravity and the constant forces. Grey values are round-off. Backward error of the "
                        "solution: {:.3g}.",
                        answers.statics->backward_error));

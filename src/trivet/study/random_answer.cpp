@@ -13,13 +13,13 @@
 namespace trivet::study {
 namespace {
 
-/// 0 … 5 for a motion along x … about z, none for a force.
+/// 0 … 5 for a motion along x … about z, none for a force or a relative motion.
 std::optional<std::size_t> axis_of(const assembly::Channel& channel) {
   if (!channel.unit.starts_with("m") && !channel.unit.starts_with("rad")) return std::nullopt;
   const std::string component = channel.name.substr(channel.name.rfind('.') + 1);
-  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component) -
-      model::coordinate_names.begin();
-  return to_size(at);
+  const auto at = std::find(model::coordinate_names.begin(), model::coordinate_names.end(), component);
+  if (at == model::coordinate_names.end()) return std::nullopt;
+  return to_size(at - model::coordinate_names.begin());
 }
 
 /// Total values of every body or point with all three translations requested, with the requested rotations; none if one

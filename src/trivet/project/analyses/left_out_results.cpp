@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 
 namespace trivet::project {
@@ -37,18 +38,33 @@ bool names_left_out(const std::string& word, const model::Body& node) {
   return false;
 }
 
+/// True if the word names a component of a relative motion in a direction that is left out at one of its nodes.
+bool names_left_out(const std::string& word, const model::RelativeMotion& motion, const model::System& system) {
+  for (int j = 0; j < 6; ++j)
+    if (word == motion.name + "." + model::relative_components[to_size(j)] &&
+        model::is_left_out(system.bodies(), motion, j))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 void refuse_left_out_results(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (std::none_of(system.bodies().begin(), system.bodies().end(), [](const model::Body& b) { return b.is_node; }))
     return;
   for (const auto& [path, words] : requested(asked))
-    for (const std::string& word : words)
+    for (const std::string& word : words) {
+      for (const model::RelativeMotion& motion : system.description().relative_motions)
+        if (names_left_out(word, motion, system))
+          problems.error(path, foundation::quoted(word),
+                         "no element holds this direction at a node of the relative motion, so it is left out",
+                         "remove it, or add an element that holds it");
       for (const model::Body& node : system.bodies())
         if (names_left_out(word, node))
           problems.error(path, foundation::quoted(word),
                          "no element holds this direction of node \"" + node.name + "\", so it is left out",
                          "remove it, or add an element that holds it");
+    }
 }
 
 }  // namespace trivet::project

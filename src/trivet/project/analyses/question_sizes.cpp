@@ -31,8 +31,9 @@ bool is_component(const std::string& word) {
   const std::size_t dot = word.rfind('.');
   if (dot == std::string::npos) return false;
   const std::string last = word.substr(dot + 1);
-  return std::find(model::coordinate_names.begin(), model::coordinate_names.end(), last) !=
-      model::coordinate_names.end();
+  const auto is_one_of = [&](const auto& names) { return std::find(names.begin(), names.end(), last) != names.end(); };
+  return is_one_of(model::coordinate_names) || is_one_of(model::relative_components) ||
+      last == model::approach_component;
 }
 
 class Sizes {

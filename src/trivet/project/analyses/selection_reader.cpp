@@ -14,8 +14,13 @@
 
 namespace trivet::project {
 
-ResultNames::ResultNames(const NamesInFile& in_file) : forces_(in_file.elements), guided_(in_file.guided) {
+ResultNames::ResultNames(const NamesInFile& in_file)
+    : forces_(in_file.elements),
+      relatives_(in_file.relative_motions),
+      clearances_(in_file.clearances),
+      guided_(in_file.guided) {
   forces_.push_back("ground");
+  forces_.insert(forces_.end(), in_file.sections.begin(), in_file.sections.end());
   motions_ = in_file.bodies;
   motions_.insert(motions_.end(), in_file.nodes.begin(), in_file.nodes.end());
   motions_.insert(motions_.end(), in_file.points.begin(), in_file.points.end());
@@ -27,6 +32,7 @@ ResultNames::ResultNames(const NamesInFile& in_file) : forces_(in_file.elements)
   for (const std::string& element : in_file.elements)
     for (const char* end : {".deflection", ".foot"}) motions_.push_back(element + end);
   groups_.insert(groups_.end(), motions_.begin() + static_cast<std::ptrdiff_t>(places), motions_.end());
+  for (const auto* names : {&relatives_, &clearances_}) groups_.insert(groups_.end(), names->begin(), names->end());
 }
 
 bool ResultNames::is_group(const std::string& name) const {
@@ -50,6 +56,12 @@ std::optional<Quantity> ResultNames::component(const std::string& name, assembly
     for (std::size_t j = 0; j < 6; ++j)
       if (after(group) == model::coordinate_names[j])
         return (j < 3 ? translation : rotation)[static_cast<int>(quantity)];
+  for (const std::string& group : relatives_)
+    for (std::size_t j = 0; j < 6; ++j)
+      if (after(group) == model::relative_components[j])
+        return (j < 3 ? translation : rotation)[static_cast<int>(quantity)];
+  for (const std::string& group : clearances_)
+    if (after(group) == model::approach_component) return translation[static_cast<int>(quantity)];
   for (const std::string& group : forces_) {
     const std::string_view rest = after(group);
     if (rest == "force.x" || rest == "force.y" || rest == "force.z") return Quantity::force;
@@ -71,6 +83,9 @@ std::vector<std::string> ResultNames::components() const {
   for (const std::string& group : forces_)
     for (const char* component : {".force.x", ".force.y", ".force.z", ".moment.x", ".moment.y", ".moment.z"})
       names.push_back(group + component);
+  for (const std::string& group : relatives_)
+    for (const char* component : model::relative_components) names.push_back(group + "." + component);
+  for (const std::string& group : clearances_) names.push_back(group + "." + model::approach_component);
   std::erase_if(names, [&](const std::string& name) { return is_guided(name); });
   return names;
 }
@@ -78,10 +93,16 @@ std::vector<std::string> ResultNames::components() const {
 void ResultNames::refuse(TableReader& reader, const std::string& key, const std::string& name,
                          const std::string& known) const {
   std::vector<std::string> longer;
-  for (const std::string& component : components())
-    if (component.starts_with(name + ".")) longer.push_back("\"" + component + "\"");
+  bool two_directions = false;
+  for (const std::string& component : components()) {
+    const bool of_two = component.starts_with(name + "_");
+    if (of_two || component.starts_with(name + ".")) longer.push_back("\"" + component + "\"");
+    two_directions = two_directions || of_two;
+  }
   if (!longer.empty()) {
-    reader.error(key, foundation::quoted(name), "a result is one component of a force or moment",
+    reader.error(key, foundation::quoted(name),
+                 two_directions ? "a motion across the axis is an ellipse: its results are the two components"
+                                : "a result is one component of a force or moment",
                  fmt::format("name the component: {}", fmt::join(longer, ", ")));
     return;
   }
@@ -102,8 +123,8 @@ void read_of(TableReader& reader, const ResultNames& names, std::vector<std::str
     if (names.is_group(word) || names.component(word, assembly::MotionQuantity::displacement)) continue;
     names.refuse(reader, "of", word,
                  "coordinates, ground, base, a body, BODY.POINT, an element, one of these with .relative, .deflection "
-                 "or .foot, or one component (x … rz of a motion that is free, force.x … moment.z of an element or the "
-                 "ground)");
+                 "or .foot, a relative motion, a section, a clearance, or one component (x … rz of a motion that is "
+                 "free, force.x … moment.z of an element, a section or the ground)");
   }
   if (words->empty())
     reader.error("of", "an empty list", "at least one result is expected", "remove `of` for all coordinates");

@@ -36,7 +36,7 @@ class ResultNames {
   [[nodiscard]] bool is_guided(const std::string& name) const;
 
  private:
-  std::vector<std::string> motions_, forces_, groups_, guided_;
+  std::vector<std::string> motions_, forces_, relatives_, clearances_, groups_, guided_;
 };
 
 /// The names under `key`: each must name a result.

@@ -16,17 +16,25 @@ bool is_exclusive_table(const std::string& key) {
 }
 
 bool holds_named_parts(const std::string& path) {
-  return path == "bodies" || path == "nodes" || path == "elements" || path == "element_types" || path == "excitations";
+  return path == "bodies" || path == "nodes" || path == "elements" || path == "element_types" ||
+      path == "excitations" || path == "relative" || path == "sections" || path == "clearances";
+}
+
+/// A whole constant force: a load case may have forces of its own.
+bool is_constant_force(const std::string& path, const Node& change) {
+  const Node* type = path == "excitations" ? change.find("type") : nullptr;
+  return type && type->text == "constant" && change.find("on");
 }
 
 void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key,
                      foundation::Problems& problems) {
   const std::string guess = foundation::nearest_name(key, base.keys);
   problems
-      .error(
-          path + "." + key, "the model has no such key or part",
-          "cases and --set change what the model has; they add nothing",
-          guess.empty() ? "known here: " + foundation::comma_separated(base.keys) : "did you mean \"" + guess + "\"?")
+      .error(path + "." + key, "the model has no such key or part",
+             "cases and --set change what the model has; they add nothing",
+             !guess.empty()          ? "did you mean \"" + guess + "\"?"
+                 : base.keys.empty() ? "write it in the model, and change it here"
+                                     : "known here: " + foundation::comma_separated(base.keys))
       .origin = change.origin;
 }
 
@@ -75,7 +83,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
     }
     Node* old = base.find(key);
     if (!old) {
-      if (holds_named_parts(path)) {
+      if (holds_named_parts(path) && !is_constant_force(path, change)) {
         refuse_new_name(base, change, path, key, problems);
       } else if (is_zero_by_default(key) && change.kind == Node::Kind::table) {
         Node zero = change;
@@ -88,6 +96,13 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         change_components(zero, change, here, problems);
         base.keys.push_back(key);
         base.items.push_back(std::move(zero));
+      } else if (path.empty() && holds_named_parts(key) && change.kind == Node::Kind::table) {
+        Node none = change;  // the model has no part of this kind
+        none.keys.clear();
+        none.items.clear();
+        apply_changes(none, change, here, problems);
+        base.keys.push_back(key);
+        base.items.push_back(std::move(none));
       } else {
         base.keys.push_back(key);
         base.items.push_back(change);

@@ -14,7 +14,8 @@ namespace trivet::project {
 /// Names in the file, of readable and unreadable parts: a reference to an unreadable part is not a second problem.
 struct NamesInFile {
   bool bodies_unknown = false;  ///< there is no readable table of bodies, or of nodes
-  std::vector<std::string> bodies, nodes, points, elements, element_types, harmonic_excitations, constant_excitations;
+  std::vector<std::string> bodies, nodes, points, elements, element_types, relative_motions, sections, clearances,
+      harmonic_excitations, constant_excitations;
   std::vector<std::string> order_excitations, random_excitations,
       time_excitations;  ///< an unbalance drives harmonically and by orders
   struct FoundationReference {

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/assembly/wrench_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trivet/assembly/following.h"
+#include "trivet/foundation/index.h"
+#include "trivet/spatial/rigid_motion.h"
+
+namespace trivet::assembly {
+namespace {
+
+using spatial::Matrix6;
+
+/// Longest lever arm of the moments of an element [m].
+double longest_lever(const model::System& system, const model::Element& element) {
+  return std::max(
+      {element.n.at.norm(), element.k.at.norm(), model::span(system.bodies(), element.n, element.k).arm.norm()});
+}
+
+bool is_rotation(const model::System& system, const Assembled& assembled, Eigen::Index row) {
+  for (std::size_t b = 0; b < system.bodies().size(); ++b)
+    for (int j = 3; j < 6; ++j)
+      if (assembled.layout.row(b, j) == row) return true;
+  return false;
+}
+
+/// Gravity on the element's own mass as forces on its two ends.
+spatial::Vector12 own_weight(const model::System& system, const Assembled& assembled, std::size_t e) {
+  const model::Element& element = system.elements()[e];
+  const Eigen::Vector3d& gravity = *system.description().gravity;
+  spatial::Vector12 fall = spatial::Vector12::Zero();
+  fall.segment<3>(0) = model::end_in_ground(system.bodies(), element.n).rotation.transpose() * gravity;
+  fall.segment<3>(6) = model::end_in_ground(system.bodies(), element.k).rotation.transpose() * gravity;
+  return assembled.elements[e].matrices.mass.topLeftCorner<12, 12>() * fall;
+}
+
+/// The rows on N of one element.
+class EndRows {
+ public:
+  EndRows(const model::System& system, const Assembled& assembled, std::size_t e)
+      : system_(system),
+        assembled_(assembled),
+        map_(assembled.elements[e]),
+        turn_(spatial::both_blocks(model::end_in_ground(system.bodies(), system.elements()[e].n).rotation)),
+        lever_(longest_lever(system, system.elements()[e])) {}
+
+  [[nodiscard]] const Matrix6& turn() const { return turn_; }
+
+  /// Sets the round-off (1e-17) of products of rotation matrices to zero: a strut has no moment, a turned spring no
+  /// transverse force.
+  [[nodiscard]] WrenchRows::Real on_coordinates(const Eigen::MatrixXd& matrix) const {
+    constexpr double round_off = 64 * std::numeric_limits<double>::epsilon();
+    WrenchRows::Real rows = -(turn_ * matrix.topRows<6>() * map_.ends);
+    double force = 0, moment = 0;
+    for (int i = 0; i < 12; ++i)
+      (i % 6 < 3 ? force : moment) = std::max(i % 6 < 3 ? force : moment, std::abs(matrix(i, i)));
+    for (Eigen::Index j = 0; j < map_.end_columns; ++j)
+      for (int i = 0; i < 6; ++i) {
+        const bool moment_row = i >= 3, rotation_column = is_rotation(system_, assembled_, map_.rows[to_size(j)]);
+        double typical = force * (moment_row ? lever_ : 1) * (rotation_column ? lever_ : 1);
+        if (moment_row && rotation_column) typical += moment;
+        if (std::abs(rows(i, j)) <= round_off * typical) rows(i, j) = 0;
+      }
+    return rows;
+  }
+
+  [[nodiscard]] WrenchRows::Real on_ground(const Eigen::MatrixXd& matrix) const {
+    return -(turn_ * matrix.topRows<6>() * map_.ground_ends);
+  }
+
+ private:
+  const model::System& system_;
+  const Assembled& assembled_;
+  const ElementMap& map_;
+  Matrix6 turn_;
+  double lever_;
+};
+
+/// Sets the terms of an element with constant matrices.
+void set_constant_terms(const ElementMap& map, const EndRows& end, const Ground& ground, WrenchRows& rows) {
+  const std::complex<double> lossy(1, map.matrices.loss_factor);
+  const WrenchRows::Real stiffness = end.on_coordinates(map.matrices.stiffness),
+                         damping = end.on_coordinates(map.matrices.damping),
+                         mass = end.on_coordinates(map.matrices.mass);
+  for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
+    const Eigen::Index row = map.rows[to_size(j)];
+    rows.on_displacement.col(row) += stiffness.col(j) * lossy;
+    rows.on_velocity.col(row) += damping.col(j);
+    rows.on_acceleration.col(row) += mass.col(j);
+  }
+  const WrenchRows::Real ground_stiffness = end.on_ground(map.matrices.stiffness),
+                         ground_damping = end.on_ground(map.matrices.damping),
+                         ground_mass = end.on_ground(map.matrices.mass);
+  for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j) {
+    const Eigen::Index row = map.ground_rows[to_size(j)];
+    rows.ground_displacement.col(row) += ground_stiffness.col(j) * lossy;
+    rows.ground_velocity.col(row) += ground_damping.col(j);
+    rows.ground_acceleration.col(row) += ground_mass.col(j);
+  }
+  const FollowedForces followed = followed_forces(map, ground);
+  rows.ground_displacement.rightCols(ground.followed()) = -(end.turn() * followed.stiffness.topRows<6>()) * lossy;
+  rows.ground_velocity.rightCols(ground.followed()) = -(end.turn() * followed.damping.topRows<6>());
+  rows.ground_acceleration.rightCols(ground.followed()) = -(end.turn() * followed.mass.topRows<6>());
+}
+
+}  // namespace
+
+WrenchRows::WrenchRows(const Assembled& assembled) {
+  const Eigen::Index n = assembled.layout.size(), g = assembled.ground.size();
+  on_displacement = Complex::Zero(6, n);
+  ground_displacement = Complex::Zero(6, g);
+  for (Real* rows : {&on_velocity, &on_acceleration}) *rows = Real::Zero(6, n);
+  for (Real* rows : {&ground_velocity, &ground_acceleration}) *rows = Real::Zero(6, g);
+}
+
+void WrenchRows::add(const Matrix6& carry, const WrenchRows& other) {
+  on_displacement += carry * other.on_displacement;
+  on_velocity += carry * other.on_velocity;
+  on_acceleration += carry * other.on_acceleration;
+  ground_displacement += carry * other.ground_displacement;
+  ground_velocity += carry * other.ground_velocity;
+  ground_acceleration += carry * other.ground_acceleration;
+  for (const auto& [element, rows] : other.dynamic) dynamic.emplace_back(element, carry * rows);
+  at_rest += carry * other.at_rest;
+}
+
+WrenchRows wrench_on_n(const model::System& system, const Assembled& assembled, std::size_t e) {
+  const ElementMap& map = assembled.elements[e];
+  const EndRows end(system, assembled, e);
+  WrenchRows rows(assembled);
+  if (map.frequency_dependent()) {
+    Eigen::Matrix<double, 6, 12> exact = Eigen::Matrix<double, 6, 12>::Zero();
+    exact.leftCols<6>() = -end.turn();
+    rows.dynamic.emplace_back(e, exact);
+  } else {
+    set_constant_terms(map, end, assembled.ground, rows);
+  }
+  if (system.description().gravity) rows.at_rest = end.turn() * own_weight(system, assembled, e).head<6>();
+  if (const auto& preload = system.elements()[e].law.preload) rows.at_rest -= end.turn() * preload->head<6>();
+  return rows;
+}
+
+WrenchRows section_wrench(const model::System& system, const Assembled& assembled, const model::Section& section) {
+  WrenchRows sum(assembled);
+  const Matrix6 turn = spatial::both_blocks(section.axes).transpose();
+  for (const std::size_t e : section.elements) {
+    const Eigen::Vector3d at = model::end_in_ground(system.bodies(), system.elements()[e].n).position;
+    sum.add(turn * spatial::rigid_motion(at - section.at).transpose(), wrench_on_n(system, assembled, e));
+  }
+  return sum;
+}
+
+}  // namespace trivet::assembly

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/rest_of_clearances.h"
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/static_response.h"
+
+namespace trivet::project {
+
+foundation::Problems without_rest(const Case& variant) {
+  foundation::Problems problems;
+  if (variant.system.description().clearances.empty()) return problems;
+  try {
+    static_cast<void>(response::static_response(variant.system, assembly::assemble(variant.system), {}));
+  } catch (const foundation::NotComputable& reason) {
+    problems
+        .error("clearances", reason.what(),
+               "a clearance is judged at rest and in motion, so every case needs a position of rest",
+               "give the load or the support that is missing, or remove [clearances]")
+        .origin = deepest(variant.document, "clearances").origin;
+  }
+  return problems;
+}
+
+}  // namespace trivet::project
