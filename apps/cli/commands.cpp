@@ -20,6 +20,7 @@
 #include "trivet/results/text_table.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/asked_questions.h"
+#include "trivet/study/explanation.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::cli {
@@ -121,11 +122,21 @@ std::string checks_text(const std::vector<study::CheckLine>& lines) {
   return table.text();
 }
 
+std::string mounts_text(const std::vector<study::MountAtRest>& mounts) {
+  if (mounts.empty()) return "";
+  results::TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
+  for (const study::MountAtRest& mount : mounts)
+    table.add({mount.name, study::value_words(mount.compression, "N"), study::value_words(mount.across, "N"),
+               study::value_words(mount.deflection, "m")});
+  return table.text();
+}
+
 std::string case_check_text(const study::CaseCheck& found) {
   std::string text = found.case_name.empty()
       ? "Base model\n"
       : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
   if (!found.lines.empty()) text += checks_text(found.lines);
+  text += mounts_text(found.mounts);
   for (const auto* notes : {&found.free_motions, &found.notes})
     for (const std::string& note : *notes) text += "  note: " + note + "\n";
   if (found.deep)
@@ -187,6 +198,15 @@ std::optional<project::Project> read_or_complain(const Options& options, const p
   return std::nullopt;
 }
 
+/// What `check` leaves to `verdict`; empty if the file has nothing to judge.
+std::string judged_by_verdict(const project::Project& project, const std::string& file) {
+  const project::Analyses& asked = project.base().analyses;
+  const bool clearances = !project.base().system.description().clearances.empty();
+  if (!asked.requirements && !clearances && asked.limits.empty() && asked.limit_lines.empty()) return "";
+  return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
+                     clearances ? ", clearances" : "", file);
+}
+
 int check_command(const Options& options) {
   const auto project = read_or_complain(options);
   if (!project) return wrong_input;
@@ -201,7 +221,7 @@ int check_command(const Options& options) {
     for (const study::CaseCheck& one : cases) text += case_check_text(one);
     write_problems(warnings);
     write_output(
-        text +
+        text + judged_by_verdict(*project, options.project) +
         fmt::format("{}: no errors{}\n", options.project, warnings.list().empty() ? "" : ", but there are warnings"));
   }
   const bool agrees = std::all_of(cases.begin(), cases.end(),

@@ -10,8 +10,8 @@ namespace trivet::cli {
 int optimize_command(const Options& options) {
   const auto project =
       read_or_complain(options,
-                       {std::vector<std::string>{"optimize", "parameters", "requirements", "limits", "limit_lines",
-                                                 "response", "peaks", "random", "transient"}});
+                       {std::vector<std::string>{"optimize", "parameters", "requirements", "clearances", "limits",
+                                                 "limit_lines", "response", "peaks", "random", "transient"}});
   if (!project) return wrong_input;
   study::Optimization found;
   try {

@@ -14,6 +14,7 @@
 #include "trivet/report/report_page.h"
 #include "trivet/results/project_json.h"
 #include "trivet/results/result_folder.h"
+#include "trivet/results/verdict_results.h"
 #include "trivet/results/verdict_words.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/whole_study.h"
@@ -75,10 +76,13 @@ int run_command(const Options& options) {
         if (answers.verdict) verdicts += results::verdict_summary(*answers.verdict);
         text += case_text(project->cases[i], answers);
       });
+  const study::Envelope envelope = study::envelope_of(all);
+  if (!envelope.rows.empty()) folder.write("envelope.csv", results::envelope_csv(envelope));
   folder.write("results.json", results::results_json(*project, all));
   folder.write("report.html", report::report_page(*project, all, results::page_json(*project, all)));
   report("done", 1);
   for (const std::string& note : folder.publish()) write_error("warning: " + foundation::on_one_line(note) + "\n");
+  if (all.front().verdict) verdicts += (envelope.rows.empty() ? "" : "\n") + results::envelope_text(envelope);
   if (!verdicts.empty()) verdicts += "\n";
   write_output(verdicts + text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;

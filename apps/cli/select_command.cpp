@@ -8,9 +8,10 @@
 namespace trivet::cli {
 
 int select_command(const Options& options) {
-  const auto project = read_or_complain(options,
-                                        {std::vector<std::string>{"parameters", "requirements", "limits", "limit_lines",
-                                                                  "response", "peaks", "random", "transient"}});
+  const auto project =
+      read_or_complain(options,
+                       {std::vector<std::string>{"parameters", "requirements", "clearances", "limits", "limit_lines",
+                                                 "response", "peaks", "random", "transient"}});
   if (!project) return wrong_input;
   study::MountSelection found;
   try {

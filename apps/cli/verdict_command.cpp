@@ -11,9 +11,9 @@
 namespace trivet::cli {
 
 int verdict_command(const Options& options) {
-  const auto project = read_or_complain(
-      options,
-      {std::vector<std::string>{"requirements", "limits", "limit_lines", "response", "peaks", "random", "transient"}});
+  const auto project = read_or_complain(options,
+                                        {std::vector<std::string>{"requirements", "clearances", "limits", "limit_lines",
+                                                                  "response", "peaks", "random", "transient"}});
   if (!project) return wrong_input;
   study::Verdict verdict;
   try {

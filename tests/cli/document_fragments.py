@@ -97,6 +97,7 @@ KEYS = "docs/project-file.md"
 
 POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
 MOUNTS = (SOURCE / "examples/genset/mounts.toml").read_text()
+OBSERVED = (SOURCE / "examples/genset/load_cases.toml").read_text().split("[relative")[0]
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
 
 BASES = {
@@ -112,6 +113,10 @@ axis = "z"
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."
     + REQUIRED[1].partition("[cases.")[2],
+    ("docs/design.md", "Clearances"): OBSERVED,
+    ("docs/design.md", "Load cases"): OBSERVED,
+    ("docs/answers.md", "Relative motion"): OBSERVED,
+    ("docs/answers.md", "Section forces"): OBSERVED,
     ("docs/design.md", "Parameters"): POWERTRAIN.split("[parameters")[0] + "[requirements]\ndamping_ratio = 0.01\n",
     ("docs/design.md", "Choices of mounts"): MOUNTS,
     ("docs/design.md", "trivet select"): MOUNTS,

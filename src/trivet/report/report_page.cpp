@@ -98,7 +98,9 @@ std::string report_page(const project::Project& project, const std::vector<study
   replace(page, "{{heads}}", case_blocks(cases, [&](const ShownCase& c) { return above_pictures(c, cases.size()); }));
   replace(page, "{{cases}}", case_options(cases));
   replace(page, "{{overview}}", overview(title, answers).svg);
-  replace(page, "{{glance}}", section("glance", "At a glance", glance_table(cases)));
+  replace(page, "{{glance}}",
+          section("glance", "At a glance", glance_table(cases)) +
+              section("envelope", "Load cases", envelope_table(study::envelope_of(answers))));
   replace(page, "{{notices}}", page_notices(cases));
   replace(page, "{{sha256}}", escaped(project.sha256));
   replace(page, "{{input}}", escaped(std::filesystem::path(project.source).filename().string()));

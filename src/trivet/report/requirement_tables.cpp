@@ -21,4 +21,22 @@ std::string requirements_table(const study::Answers& answers) {
   return html + hint("Margin: limit over value, or value over limit where more is better; 1 on the limit.");
 }
 
+std::string envelope_table(const study::Envelope& envelope) {
+  if (envelope.rows.empty()) return "";
+  std::vector<Row> rows;
+  for (const study::EnvelopeRow& row : envelope.rows)
+    rows.push_back({{{row.name},
+                     quantity_cell(row.least, row.unit),
+                     {results::case_of_envelope(row.least_in)},
+                     quantity_cell(row.largest, row.unit),
+                     {results::case_of_envelope(row.largest_in)}},
+                    ""});
+  std::string html = html_table({{"at rest"}, right("least"), {"in"}, right("largest"), {"in"}}, rows);
+  for (const auto& [name, reason] : envelope.left_out)
+    html += hint("Without " + results::case_of_envelope(name) + ": " + reason);
+  return html +
+      hint("Every case under its own gravity and constant forces. Compression of a mount is along its axis; "
+           "the gap left is after the largest dynamic motion.");
+}
+
 }  // namespace trivet::report

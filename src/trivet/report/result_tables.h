@@ -20,6 +20,9 @@ namespace trivet::report {
 /// Every requirement with its margin, the least first.
 [[nodiscard]] std::string requirements_table(const study::Answers& answers);
 
+/// Least and largest static values over all cases.
+[[nodiscard]] std::string envelope_table(const study::Envelope& envelope);
+
 [[nodiscard]] std::string limits_table(const project::Case& variant, const study::Answers& answers);
 
 /// A response at a few given frequencies; empty for longer ones, which are only drawn.

@@ -71,5 +71,7 @@ Json rows(const Matrix& matrix) {
 [[nodiscard]] Json limit_lines(const study::Answers& answers);
 [[nodiscard]] Json design_map(const study::DesignMap& map);
 [[nodiscard]] Json verdict(const study::CaseVerdict& judged);
+/// Least and largest static values over all cases.
+[[nodiscard]] Json envelope(const study::Envelope& envelope);
 
 }  // namespace trivet::results::json

@@ -174,6 +174,8 @@ std::string results_json(const project::Project& project, const std::vector<stud
       {"title", project.title},
       {"cases", Json::array()}};
   for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
+  if (const study::Envelope envelope = study::envelope_of(answers); !envelope.rows.empty())
+    result["envelope"] = json::envelope(envelope);
   return json::text(result) + "\n";
 }
 
@@ -201,6 +203,13 @@ std::string problems_json(const foundation::Problems& problems, const std::vecto
               {"not_listed", problems.list().size() - first.list().size()},
               {"free_motions", free_motions},
               {"warnings", json::warnings(problems)}};
+  for (const study::CaseCheck& one : cases)
+    for (const study::MountAtRest& mount : one.mounts)
+      result["mounts"].push_back({{"case", one.case_name},
+                                  {"element", mount.name},
+                                  {"compression", mount.compression},
+                                  {"across", mount.across},
+                                  {"deflection", mount.deflection}});
   for (const study::CaseCheck& one : cases) {
     if (!one.deep) continue;
     const response::DeepCheck& check = *one.deep;

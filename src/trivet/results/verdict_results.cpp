@@ -9,6 +9,7 @@
 #include "trivet/results/json_parts.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
+#include "trivet/study/explanation.h"
 
 namespace trivet::results {
 namespace {
@@ -27,11 +28,32 @@ std::string table_text(const CaseVerdict& judged) {
 
 }  // namespace
 
+std::string envelope_text(const study::Envelope& envelope) {
+  if (envelope.rows.empty()) return "";
+  TextTable table({"at rest, over all cases", "least", "in", "largest", "in"});
+  for (const study::EnvelopeRow& row : envelope.rows)
+    table.add({row.name, study::value_words(row.least, row.unit), case_of_envelope(row.least_in),
+               study::value_words(row.largest, row.unit), case_of_envelope(row.largest_in)});
+  std::string text = table.text();
+  for (const auto& [name, reason] : envelope.left_out)
+    text += "  without " + case_of_envelope(name) + ": " + reason + "\n";
+  return text;
+}
+
+std::string envelope_csv(const study::Envelope& envelope) {
+  std::string text = "quantity,unit,least,in case,largest,in case\n";
+  for (const study::EnvelopeRow& row : envelope.rows)
+    text += fmt::format("{},{},{},{},{},{}\n", csv_field(row.name), row.unit, row.least, csv_field(row.least_in),
+                        row.largest, csv_field(row.largest_in));
+  return text;
+}
+
 std::string verdict_text(const study::Verdict& verdict) {
   std::string text;
   for (const CaseVerdict& judged : verdict.cases)
     text += (text.empty() ? "" : "\n") + verdict_summary(judged) + table_text(judged);
-  return text;
+  const std::string envelope = envelope_text(verdict.envelope);
+  return text + (envelope.empty() ? "" : "\n" + envelope);
 }
 
 std::string verdict_csv(const study::Verdict& verdict) {
@@ -73,6 +95,19 @@ json::Json json::verdict(const CaseVerdict& judged) {
           {"requirements", std::move(results)}};
 }
 
+json::Json json::envelope(const study::Envelope& envelope) {
+  Json rows = Json::array(), left_out = Json::array();
+  for (const study::EnvelopeRow& row : envelope.rows)
+    rows.push_back({{"name", row.name},
+                    {"unit", row.unit},
+                    {"least", number(row.least)},
+                    {"least_in", row.least_in},
+                    {"largest", number(row.largest)},
+                    {"largest_in", row.largest_in}});
+  for (const auto& [name, reason] : envelope.left_out) left_out.push_back({{"case", name}, {"reason", reason}});
+  return {{"quantities", std::move(rows)}, {"left_out", std::move(left_out)}};
+}
+
 std::string verdict_json(const study::Verdict& verdict) {
   using json::Json;
   Json cases = Json::array();
@@ -82,7 +117,9 @@ std::string verdict_json(const study::Verdict& verdict) {
     one["warnings"] = json::warnings(judged.warnings);
     cases.push_back(std::move(one));
   }
-  return json::text({{"met", verdict.met()}, {"cases", std::move(cases)}}, 1) + "\n";
+  return json::text(
+             {{"met", verdict.met()}, {"cases", std::move(cases)}, {"envelope", json::envelope(verdict.envelope)}}, 1) +
+      "\n";
 }
 
 }  // namespace trivet::results

@@ -13,4 +13,9 @@ namespace trivet::results {
 [[nodiscard]] std::string verdict_csv(const study::Verdict& verdict);
 [[nodiscard]] std::string verdict_json(const study::Verdict& verdict);
 
+/// Least and largest static values over all cases; empty if they do not differ.
+[[nodiscard]] std::string envelope_text(const study::Envelope& envelope);
+/// One line per quantity, SI.
+[[nodiscard]] std::string envelope_csv(const study::Envelope& envelope);
+
 }  // namespace trivet::results

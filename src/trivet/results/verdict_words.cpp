@@ -93,6 +93,8 @@ std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   return rows;
 }
 
+std::string case_of_envelope(const std::string& name) { return name.empty() ? "base model" : name; }
+
 std::vector<std::string> reasons_words(const CaseVerdict& judged) {
   std::vector<std::string> reasons;
   for (const RequirementResult& r : judged.results)

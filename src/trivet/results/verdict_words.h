@@ -23,4 +23,7 @@ struct RequirementRow {
 /// Why requirements could not be judged, each reason once.
 [[nodiscard]] std::vector<std::string> reasons_words(const study::CaseVerdict& judged);
 
+/// A case of an envelope: its name, or "base model".
+[[nodiscard]] std::string case_of_envelope(const std::string& name);
+
 }  // namespace trivet::results

@@ -19,6 +19,7 @@
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/design_map.h"
+#include "trivet/study/load_case.h"
 #include "trivet/study/verdict.h"
 
 namespace trivet::study {
@@ -75,6 +76,7 @@ struct Answers {
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
   std::optional<CaseVerdict> verdict;  ///< on the requirements of the file, if a run judges them
+  std::optional<LoadCase> load_case;   ///< for the envelope of a run with several cases
   std::optional<DesignMap> map;        ///< map of the base model, if a run computes it
   std::vector<std::string> failures;   ///< requests that could not be computed, with the reason
   std::map<std::string, std::any>

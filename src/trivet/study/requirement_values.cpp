@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/requirement_values.h"
 
+#include "trivet/study/clearance_results.h"
 #include "trivet/study/curve_requirements.h"
 #include "trivet/study/frequency_requirements.h"
 #include "trivet/study/motion_requirements.h"
@@ -20,6 +21,7 @@ std::vector<RequirementResult> requirement_values(const CaseContext& context, co
   add_motion_requirements(context, analyses, warnings, list);
   if (required.mount_load) list.append(mount_loads(context));
   list.append(mount_sums(context.system, required));
+  list.append(clearance_results(context, analyses, warnings));
   return list.release();
 }
 

@@ -27,12 +27,15 @@ std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& re
 
 /// What causes a governing amplitude or peak, in words; empty if it is no peak.
 std::string cause_of(const project::Case& variant, const RequirementResult& result) {
-  const bool explained = result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
+  const bool clearance = result.kind == RequirementKind::clearance,
+             explained =
+                 clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
   if (!explained || !result.angular_frequency) return "";
   constexpr double same = 1e-6;
   constexpr int all = 1000;
   try {
-    const Explanation found = explanation(variant, {.of = {result.subject}, .most = all});
+    const Explanation found = explanation(
+        variant, {.of = {clearance ? result.subject + "." + model::approach_component : result.subject}, .most = all});
     for (const ExplainedPeak& peak : found.peaks)
       if (std::abs(peak.peak.angular_frequency - *result.angular_frequency) <= same * *result.angular_frequency)
         return peak.sentence;
@@ -52,6 +55,10 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
+  for (const RequirementResult& one : result.results)
+    if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))
+      result.load_case.values.push_back({one.subject + ", gap left", "m", one.allowed - *one.value});
   result.governing = least_margin(result.results);
   if (result.governing && std::isfinite(result.results[*result.governing].margin))
     result.cause = cause_of(variant, result.results[*result.governing]);
@@ -60,8 +67,8 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
 
 const char* name(RequirementKind kind) {
   static constexpr std::array names = {
-      "amplitude", "no_peak", "limit_line", "avoided_frequencies", "separation",       "damping_ratio", "decoupling",
-      "rms",       "largest", "static",     "mount_load",          "mount_deflection", "price",         "mount_mass"};
+      "amplitude", "no_peak", "limit_line", "avoided_frequencies", "separation", "damping_ratio", "decoupling", "rms",
+      "largest",   "static",  "mount_load", "mount_deflection",    "price",      "mount_mass",    "clearance"};
   return names[static_cast<std::size_t>(kind)];
 }
 
@@ -87,9 +94,11 @@ std::optional<std::size_t> Verdict::governing_case() const {
 
 Verdict verdict(const project::Project& project, const foundation::Progress& progress) {
   const project::Analyses& asked = project.base().analyses;
-  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty())
+  if (!asked.requirements && asked.limits.empty() && asked.limit_lines.empty() &&
+      project.base().system.description().clearances.empty())
     throw foundation::InvalidInput(
-        "verdict: neither requirements nor limits; add [requirements] with limits = {\"BODY.x\" = \"1 mm\"}, no_peak = "
+        "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
+        "mm\"}, no_peak = "
         "\"coordinates\", damping_ratio = 0.03 …");
   const std::vector<std::string> hold_in =
       asked.requirements ? asked.requirements->hold_in : project::Requirements().hold_in;
@@ -103,6 +112,9 @@ Verdict verdict(const project::Project& project, const foundation::Progress& pro
     };
     result.cases.push_back(case_verdict(variant, hold_in, step));
   }
+  std::vector<const LoadCase*> load_cases;
+  for (const CaseVerdict& judged : result.cases) load_cases.push_back(&judged.load_case);
+  result.envelope = envelope(load_cases);
   return result;
 }
 

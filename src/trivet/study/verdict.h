@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
+#include "trivet/study/load_case.h"
 
 /// Does a machine meet its requirements, which one governs, and by what margin? Formulas: docs/design.md.
 namespace trivet::study {
@@ -25,7 +26,8 @@ enum class RequirementKind {
   mount_load,
   mount_deflection,
   price,
-  mount_mass
+  mount_mass,
+  clearance
 };
 [[nodiscard]] const char* name(RequirementKind kind);  ///< "amplitude", "no_peak" …
 
@@ -66,6 +68,7 @@ struct CaseVerdict {
   std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
   std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it
   foundation::Problems warnings;
+  LoadCase load_case;  ///< what it contributes to the envelope
 
   [[nodiscard]] std::size_t not_judged() const;
   [[nodiscard]] bool met() const;  ///< every requirement is judged and met
@@ -73,6 +76,7 @@ struct CaseVerdict {
 
 struct Verdict {
   std::vector<CaseVerdict> cases;  ///< base model first
+  Envelope envelope;               ///< of the static results over all cases
 
   /// Every requirement is met in every case in which the design has to hold.
   [[nodiscard]] bool met() const;
@@ -85,7 +89,7 @@ struct Verdict {
                                        const foundation::Progress& progress = {});
 
 /// Judges the base model and all cases. Requirements that cannot be judged have the reason.
-/// @throws foundation::InvalidInput if the file has neither requirements nor limits
+/// @throws foundation::InvalidInput if the file has neither requirements nor limits nor clearances
 [[nodiscard]] Verdict verdict(const project::Project& project, const foundation::Progress& progress = {});
 
 }  // namespace trivet::study

@@ -33,6 +33,25 @@ void add_map(const project::Project& project, const project::Case& variant, cons
   }
 }
 
+/// Mounts at rest, if that takes no time.
+std::vector<MountAtRest> quick_mounts(const model::System& system, const assembly::Assembled& assembled) {
+  constexpr Eigen::Index quick = 300;  // coordinates, whose position of rest takes some hundredths of a second
+  const model::Description& d = system.description();
+  if (assembled.matrices.size() > quick || (!d.gravity && d.constant_forces.empty())) return {};
+  try {
+    return mounts_at_rest(system, assembled);
+  } catch (const foundation::NotComputable&) {  // the check names rigid-body modes itself
+    return {};
+  }
+}
+
+/// What a case contributes to the envelope of a run: nothing without a verdict or static results.
+LoadCase load_case_of(const project::Case& variant, const Answers& answers) {
+  if (answers.verdict) return answers.verdict->load_case;
+  if (!variant.analyses.static_of) return {variant.name, {}, ""};
+  return load_case(variant.name, variant.system, assembly::assemble(variant.system), variant.analyses);
+}
+
 /// @param lowest  lowest scaled eigenvalue; negative if the element generates energy
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v,
                       double lowest, bool symmetric, std::vector<CheckLine>& lines) {
@@ -62,12 +81,21 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(answers(variant, variant.analyses, step));
-    if (const auto& requirements = project.base().analyses.requirements)
-      all.back().verdict = case_verdict(variant, requirements->hold_in, step);
+    const auto& requirements = project.base().analyses.requirements;
+    if (requirements || !project.base().system.description().clearances.empty())
+      all.back().verdict = case_verdict(variant, requirements.value_or(project::Requirements()).hold_in, step);
+    if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (done) done(i, all.back());
   }
   return all;
+}
+
+Envelope envelope_of(const std::vector<Answers>& answers) {
+  std::vector<const LoadCase*> cases;
+  for (const Answers& one : answers)
+    if (one.load_case) cases.push_back(&*one.load_case);
+  return envelope(cases);
 }
 
 std::vector<CheckLine> check_lines(const project::Case& variant) {
@@ -101,6 +129,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
 
 std::vector<CaseCheck> check(const project::Project& project, bool deep) {
   std::vector<CaseCheck> cases;
+  std::vector<MountAtRest> of_base;
   for (const project::Case& variant : project.cases) {
     CaseCheck found;
     found.case_name = variant.name;
@@ -118,6 +147,9 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
       std::erase_if(found.lines, [&](const CheckLine& line) {
         return std::find(cases.front().lines.begin(), cases.front().lines.end(), line) != cases.front().lines.end();
       });
+    found.mounts = quick_mounts(variant.system, assembled);
+    if (!cases.empty() && found.mounts == of_base) found.mounts.clear();
+    if (cases.empty()) of_base = found.mounts;
     found.free_motions = modal::free_motions(variant.system, assembled, modes);
     found.notes = model::left_out_notes(variant.system.description());
     if (cases.empty())

@@ -15,6 +15,9 @@ namespace trivet::study {
 [[nodiscard]] std::vector<Answers> run(const project::Project& project, const foundation::Progress& progress = {},
                                        const std::function<void(std::size_t index, const Answers&)>& done = {});
 
+/// The envelope of the static results of a run over all its cases.
+[[nodiscard]] Envelope envelope_of(const std::vector<Answers>& answers);
+
 /// One check that the data passed or failed, as text.
 struct CheckLine {
   std::string subject;
@@ -32,6 +35,8 @@ struct CaseCheck {
   std::string case_name;
   foundation::Problems warnings;  ///< of the data, the modes and the roots
   std::vector<CheckLine> lines;   ///< for cases other than the base model: only those that differ from it
+  std::vector<MountAtRest>
+      mounts;  ///< empty without a static answer; for other cases only if they differ from the base
   std::vector<std::string> free_motions;
   std::vector<std::string> notes;  ///< left-out directions of nodes; for the base model: bodies that gravity tilts
   std::optional<response::DeepCheck> deep;  ///< comparison of two solvers, if requested
