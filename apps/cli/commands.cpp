@@ -193,8 +193,7 @@ std::optional<project::Project> read_or_complain(const Options& options, const p
   foundation::remove_abandoned_folders();
   auto project = project::read_project_for(questions, options.project, options.settings);
   if (project) return std::move(*project);
-  if (options.json) write_output(results::problems_json(project.error(), {}));
-  write_problems(project.error());
+  complain(options, project.error());
   return std::nullopt;
 }
 
@@ -205,6 +204,12 @@ std::string judged_by_verdict(const project::Project& project, const std::string
   if (!asked.requirements && !clearances && asked.limits.empty() && asked.limit_lines.empty()) return "";
   return fmt::format("Not judged here: requirements{} and limits, in all cases. Judge them by: trivet verdict {}\n",
                      clearances ? ", clearances" : "", file);
+}
+
+int complain(const Options& options, const foundation::Problems& problems) {
+  if (options.json) write_output(results::problems_json(problems, {}));
+  write_problems(problems);
+  return wrong_input;
 }
 
 int check_command(const Options& options) {

@@ -35,6 +35,7 @@ struct Options {
   std::string torque;
   std::string excitations;
   std::string points;
+  std::string write;  ///< project file with the best design
 };
 
 /// Each returns the exit code.
@@ -67,6 +68,9 @@ struct BadArgument : std::runtime_error {
 /// The project; empty if it has errors, which are then printed. Errors in questions that are not requested are ignored.
 [[nodiscard]] std::optional<project::Project> read_or_complain(const Options& options,
                                                                const project::Questions& questions = {});
+
+/// Shows problems, on the screen and with --json as JSON; returns the exit code.
+int complain(const Options& options, const foundation::Problems& problems);
 
 /// The questions of a command on one case.
 [[nodiscard]] project::Questions questions_of(const Options& options, std::vector<std::string> names);

@@ -68,6 +68,13 @@ void add_picture(CLI::App& command, const std::string& drawn, Options& options) 
   command.add_option("--picture", options.picture, "draw the " + drawn + " to this SVG file")->check(is_svg);
 }
 
+void add_write(CLI::App& command, const std::string& best, Options& options) {
+  command
+      .add_option("--write", options.write,
+                  "write the project file with the " + best + " to this file; comments, order and format stay")
+      ->check(not_empty);
+}
+
 /// Reports a word that is not a command.
 void refuse_command(CLI::App& app, const std::string& word) {
   std::vector<std::string> commands;
@@ -175,6 +182,7 @@ void add_optimize(CLI::App& app, Options& options) {
   CLI::App* optimize = add_command(
       app, "optimize", "the values of [parameters] with the largest least margin, or the smallest amplitudes", options);
   optimize->add_flag("--json", options.json, "JSON");
+  add_write(*optimize, "optimum", options);
   add_strict(optimize, options);
 }
 
@@ -185,6 +193,7 @@ void add_select(CLI::App& app, Options& options) {
       ->capture_default_str()
       ->check(at_least_one);
   select->add_flag("--json", options.json, "JSON, SI");
+  add_write(*select, "best mounts", options);
   add_strict(select, options);
 }
 

@@ -200,4 +200,11 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   return result;
 }
 
+std::vector<project::Node> selection_changes(const MountSelection& found) {
+  std::vector<project::Node> changes;
+  for (std::size_t c = 0; c < found.choices.size(); ++c)
+    changes.push_back(project::change_of(found.choices[c], found.best.front().mounts[c]));
+  return changes;
+}
+
 }  // namespace trivet::study

@@ -56,4 +56,7 @@ struct MountSelection {
 [[nodiscard]] MountSelection mount_selection(const project::Project& project, std::size_t most,
                                              const foundation::Progress& progress = {});
 
+/// The changes of the file that set the best combination.
+[[nodiscard]] std::vector<project::Node> selection_changes(const MountSelection& found);
+
 }  // namespace trivet::study

@@ -253,4 +253,11 @@ Optimization optimization(const project::Project& project, const foundation::Pro
   return result;
 }
 
+std::vector<project::Node> optimum_changes(const Optimization& found) {
+  std::vector<project::Node> changes;
+  for (const OptimizedParameter& parameter : found.parameters)
+    changes.push_back(project::ModelNumber(parameter.axis).change(parameter.best));
+  return changes;
+}
+
 }  // namespace trivet::study

@@ -94,4 +94,7 @@ struct Optimization {
 /// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged
 [[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {});
 
+/// The changes of the file that set the optimum.
+[[nodiscard]] std::vector<project::Node> optimum_changes(const Optimization& found);
+
 }  // namespace trivet::study

@@ -1,9 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/text/file_name.h"
 
+#include <algorithm>
+#include <array>
+#include <cassert>
+
 namespace trivet::project {
 
+bool is_file_key(const std::string& key) {
+  static constexpr std::array<const char*, 5> keys = {"file", "catalogue", "step", "load_cases", "loops"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
 std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key) {
+  assert(is_file_key(key));
   namespace fs = std::filesystem;
   if (!reader.has(key)) reader.missing(key, "name the file, relative to the project file: " + key + " = \"…\"");
   const auto name = reader.text(key);

@@ -82,6 +82,12 @@ std::optional<WrittenNumber> written_number(const Node& node) {
   return WrittenNumber{value, unit};
 }
 
+bool is_known_unit(const std::string& unit) {
+  for (int q = static_cast<int>(Quantity::pure); q <= static_cast<int>(Quantity::mass_length); ++q)
+    if (si_factor(unit, static_cast<Quantity>(q))) return true;
+  return false;
+}
+
 std::optional<double> in_unit(const WrittenNumber& number, const std::string& unit) {
   if (number.unit == unit) return number.value;
   for (int q = static_cast<int>(Quantity::pure); q <= static_cast<int>(Quantity::mass_length); ++q) {

@@ -32,6 +32,9 @@ struct WrittenNumber {
 };
 [[nodiscard]] std::optional<WrittenNumber> written_number(const Node& node);
 
+/// True for a unit of any quantity, and for "" of a bare number.
+[[nodiscard]] bool is_known_unit(const std::string& unit);
+
 /// The number converted to another unit; an empty unit is SI. None if the units measure different quantities.
 [[nodiscard]] std::optional<double> in_unit(const WrittenNumber& number, const std::string& unit);
 

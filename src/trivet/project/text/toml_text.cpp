@@ -8,27 +8,13 @@
 #include <numeric>
 #include <sstream>
 
+#include "trivet/project/text/toml_layout.h"
 #include "trivet/project/text/written_names.h"
 
 namespace trivet::project {
 namespace {
 
 constexpr int deepest_nesting = 64;
-
-/// Position after the comment or string that starts at `at`; `at` itself if neither starts there.
-std::size_t after_comment_or_string(std::string_view text, std::size_t at) {
-  const char c = text[at];
-  if (c == '#') return std::min(text.find('\n', at), text.size());
-  if (c != '"' && c != '\'') return at;
-  const std::string_view triple = c == '"' ? "\"\"\"" : "\'\'\'";
-  const bool multi_line = text.substr(at).starts_with(triple);
-  for (std::size_t i = at + (multi_line ? 3 : 1); i < text.size(); ++i) {
-    if (c == '"' && text[i] == '\\') ++i;
-    else if (multi_line ? text.substr(i).starts_with(triple) : text[i] == c) return i + (multi_line ? 3 : 1);
-    else if (!multi_line && text[i] == '\n') return i;
-  }
-  return text.size();
-}
 
 /// Line with too many brackets or dots, or 0. The parser needs one level of stack for each, so they are counted first.
 int line_of_excessive_nesting(std::string_view text) {

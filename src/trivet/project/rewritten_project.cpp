@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/rewritten_project.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/settings.h"
+#include "trivet/project/text/changes.h"
+#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/part_tables.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/project/text/text_changes.h"
+#include "trivet/project/text/toml_text.h"
+
+namespace trivet::project {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Reports changes of numbers that a table file holds.
+void refuse_numbers_of_tables(const Project& project, const Node& change, const Node& at, const std::string& path,
+                              foundation::Problems& problems) {
+  for (std::size_t i = 0; i < change.keys.size(); ++i) {
+    const std::string here = (path.empty() ? "" : path + ".") + foundation::path_key(change.keys[i]);
+    const Node* next = at.kind == Node::Kind::table ? at.find(change.keys[i]) : nullptr;
+    if (next && change.items[i].kind == Node::Kind::table) {
+      refuse_numbers_of_tables(project, change.items[i], *next, here, problems);
+      continue;
+    }
+    const std::string& source = (next ? *next : at).origin.source;
+    if (source.empty() || source == project.source || source.starts_with("--set ")) continue;
+    problems
+        .error(here, "it is in the table " + source, "--write changes the project file and no other file",
+               "write the row into the project file: rows = [{…}] of [tables.…], or change the table by hand")
+        .origin = (next ? *next : at).origin;
+  }
+}
+
+/// Reports names of files that would lead elsewhere from the folder of the target.
+void refuse_lost_files(const Node& node, const std::string& path, const fs::path& folder,
+                       foundation::Problems& problems) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Node& item = node.items[i];
+    const bool table = node.kind == Node::Kind::table;
+    const std::string here =
+        table ? (path.empty() ? "" : path + ".") + foundation::path_key(node.keys[i]) : fmt::format("{}[{}]", path, i);
+    std::error_code error;
+    const fs::path name = item.text;
+    if (table && item.kind == Node::Kind::text && is_file_key(node.keys[i]) && name.is_relative() &&
+        fs::is_regular_file(folder / name, error))
+      problems
+          .error(
+              here, foundation::quoted(item.text),
+              "names of files are relative to the folder of the project file, and the file to write is in another",
+              fmt::format("write it to a file in {}", folder.empty() ? "the folder of the project" : folder.string()))
+          .origin = item.origin;
+    refuse_lost_files(item, here, folder, problems);
+  }
+}
+
+bool in_one_folder(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  const auto folder = [](const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); };
+  return fs::equivalent(folder(a), folder(b), error) && !error;
+}
+
+/// The base model of a text, with its tables.
+foundation::Expected<Node> model_of(const std::string& text, const std::string& source) {
+  foundation::Expected<Node> document = parse_toml(text, source);
+  if (!document) return document;
+  foundation::Problems problems;
+  put_tables_in_place(*document, problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return document;
+}
+
+Node changed(Node document, const std::vector<Node>& changes) {
+  foundation::Problems reported_when_read;
+  for (const Node& change : changes) apply_changes(document, change, "", reported_when_read);
+  return document;
+}
+
+/// Settings override cases, and a case overrides the file.
+void refuse_overridden_settings(const Project& project, const Node& model, const std::vector<Node>& settings,
+                                const std::vector<Node>& changes, foundation::Problems& problems) {
+  if (settings.empty()) return;
+  const Node* cases = model.find("cases");
+  for (const Case& variant : project.cases) {
+    const Node* of_case = cases ? cases->find(variant.name) : nullptr;
+    if (!of_case || same_numbers(changed(variant.written, changes), changed(model, {*of_case}))) continue;
+    problems
+        .error("cases." + foundation::path_key(variant.name), "it changes what --set or a parameter changes",
+               "--set overrides a case, and the written file cannot", "remove it there, or leave --set out")
+        .origin = of_case->origin;
+  }
+}
+
+foundation::Problem cannot_be_written(const Project& project) {
+  return {.origin = {project.source, 0, 0},
+          .finding = "the changed numbers cannot be written into its text",
+          .rule = "the written file must have these changes and no others",
+          .remedy = "change it by hand, with the settings that are printed without --write"};
+}
+
+}  // namespace
+
+bool is_project_file(const fs::path& path) {
+  const auto text = read_source(path);
+  const auto document = text ? parse_toml(*text, path.string()) : tl::make_unexpected(text.error());
+  return document && document->find("trivet");
+}
+
+foundation::Expected<std::string> rewritten_project(const Project& project, const std::vector<std::string>& settings,
+                                                    const std::vector<Node>& changes, const fs::path& target) {
+  const auto text = read_source(project.source);
+  if (!text) return tl::make_unexpected(text.error());
+  std::string hashed = *text;
+  for (const std::string& setting : settings) hashed += "\n" + setting;
+  if (sha256(hashed) != project.sha256)
+    return foundation::failure({.origin = {project.source, 0, 0},
+                                .finding = "the file was changed meanwhile",
+                                .rule = "the numbers were computed for its earlier content",
+                                .remedy = "start again"});
+  foundation::Problems problems;
+  std::vector<Node> all = read_settings(settings, problems).changes;
+  const std::vector<Node> of_settings = all;
+  all.insert(all.end(), changes.begin(), changes.end());
+  for (const Node& change : all) refuse_numbers_of_tables(project, change, project.base().written, "", problems);
+  if (const auto given = parse_toml(*text, project.source); given && !in_one_folder(project.source, target))
+    refuse_lost_files(*given, "", fs::path(project.source).parent_path(), problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+
+  std::string result = text_with_changes(*text, all);
+  const auto before = model_of(*text, project.source), after = model_of(result, project.source);
+  if (!before || !after || !same_numbers(changed(*before, all), *after))
+    return foundation::failure(cannot_be_written(project));
+  refuse_overridden_settings(project, *after, of_settings, changes, problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return result;
+}
+
+}  // namespace trivet::project
