@@ -98,6 +98,8 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
   constexpr int most_evaluations = 150, most_rounds = 4;
   const Eigen::Index n = problem.variables;
   const auto m = static_cast<unsigned>(problem.is_objective.size());
+  constexpr double narrower = 0.2;  // of the reach of a climb whose first steps led to nothing better
+  double reach = 1;
   MaxMinPoint best = point_at(problem, start);
   for (int round = 0; round < most_rounds; ++round) {
     const Optimizer library = optimizer(n + 1);
@@ -105,6 +107,8 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
     Eigen::VectorXd x(n + 1), low = Eigen::VectorXd::Zero(n + 1), high = Eigen::VectorXd::Ones(n + 1);
     x << best.x, best.objective;
     constexpr double far = 1e3;
+    low.head(n) = (best.x.array() - reach).cwiseMax(0.0);
+    high.head(n) = (best.x.array() + reach).cwiseMin(1.0);
     low(n) = -far;
     high(n) = far;
     const std::vector<double> tolerances(m, slack_tolerance);
@@ -121,7 +125,12 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
     const bool better = is_better(found, best, 10 * slack_tolerance);
     const bool worth = found.objective > best.objective + gain || found.constraint > best.constraint + gain;
     if (better) best = found;
-    if (!better || !worth) break;
+    if (better && worth) {
+      reach = 1;
+      continue;
+    }
+    if (best.x != start) break;
+    reach *= narrower;  // the first steps are as long as the box, and may end where nothing has a slope
   }
   return best;
 }

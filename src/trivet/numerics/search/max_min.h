@@ -25,7 +25,7 @@ struct MaxMinPoint {
 [[nodiscard]] MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x);
 
 /// The largest t near a start, by sequential quadratic programming (NLopt's SLSQP), started again from its own end
-/// until it gains nothing.
+/// until it gains nothing. If the first steps lead to nothing better, shorter ones are tried.
 [[nodiscard]] MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start);
 
 /// Multipliers λ ≥ 0 of the values with Σλ = 1 over the objectives: the least t grows by λ_i if value i is raised by 1.
