@@ -12,12 +12,17 @@
 namespace trivet::cli {
 namespace {
 
-/// Changes of the numbers that the search sets, to the middle of their ranges.
+/// Changes that the search may make: numbers to the middle of their ranges, the first mount of each choice.
 std::vector<project::Node> trial_changes(const project::Analyses& asked) {
   const std::vector<std::string> names = asked.optimize ? asked.optimize->parameters : std::vector<std::string>();
+  const auto takes_part = [&](const std::string& name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+  };
   std::vector<project::Node> changes;
+  for (const project::MountChoice& choice : asked.choices)
+    if (takes_part(choice.name) && !choice.mounts.empty()) changes.push_back(project::change_of(choice, 0));
   for (const project::DesignAxis& axis : asked.parameters)
-    if (constexpr double middle = 0.5; names.empty() || std::find(names.begin(), names.end(), axis.name) != names.end())
+    if (constexpr double middle = 0.5; takes_part(axis.name))
       changes.push_back(project::ModelNumber(axis).change(axis.at(middle)));
   return changes;
 }

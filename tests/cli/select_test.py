@@ -238,14 +238,20 @@ to = 1.1
         project = self.file(numbers_only)
         found = {}
         for ahead, behind in itertools.product(NAMES, NAMES):
-            one = answer("optimize", project, "--set", f'elements.front.type = "catalogue:{ahead}"', "--set",
-                         f'elements.rear.type = "catalogue:{behind}"')
+            one = answer(
+                "optimize",
+                project,
+                "--set",
+                f'elements.front.type = "catalogue:{ahead}"',
+                "--set",
+                f'elements.rear.type = "catalogue:{behind}"',
+            )
             found[ahead, behind] = one
         return found
 
     def test_margin(self):
         text = MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH
-        numbers_only = text.replace(text[text.index("[parameters.ahead]"):text.index("[parameters.\"place")], "")
+        numbers_only = text.replace(text[text.index("[parameters.ahead]") : text.index("[parameters.\"place")], "")
         found = answer("optimize", self.file(text))
         each = self.optimum_of_each(numbers_only)
         best = max(each, key=lambda mounts: each[mounts]["after"])
@@ -259,9 +265,10 @@ to = 1.1
     def test_smallest_force(self):
         text = MACHINE + self.PLACE + REQUIREMENTS.replace('"60 EUR"', '"75 EUR"')
         text = text.replace('limits = {"m.z" = "0.6 mm"}', 'limits = {"m.z" = "2 mm"}').replace(
-            '["7.5 Hz", "8.5 Hz"]', '["0.1 Hz", "0.2 Hz"]')
+            '["7.5 Hz", "8.5 Hz"]', '["0.1 Hz", "0.2 Hz"]'
+        )
         text += '[analyses.optimize]\nstarts = 2\nminimize = ["ground.force.z"]\n'
-        numbers_only = text.replace(text[text.index("[parameters.ahead]"):text.index("[parameters.\"place")], "")
+        numbers_only = text.replace(text[text.index("[parameters.ahead]") : text.index("[parameters.\"place")], "")
         found = answer("optimize", self.file(text))
         each = {mounts: one for mounts, one in self.optimum_of_each(numbers_only).items() if one["feasible"]}
         self.assertGreater(len(each), 1)
@@ -275,10 +282,19 @@ to = 1.1
         self.assertEqual(text.returncode, 0, text.stderr)
         self.assertIn("Best found of 16 combinations of mounts", text.stdout)
         lines = [line.strip() for line in text.stdout.splitlines() if line.startswith("--set '")]
-        settings = [word for line in lines for word in ("--set", line[len("--set '"):-1])]
+        settings = [word for line in lines for word in ("--set", line[len("--set '") : -1])]
         judged = answer("verdict", project, *settings)
         margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
         self.assertAlmostEqual(answer("optimize", project)["after"] / margin, 1, 8)
+
+    def test_written_file_has_the_margin(self):
+        project = self.file(MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH)
+        written = self.folder / "best.toml"
+        found = answer("optimize", project, "--write", written)
+        judged = answer("verdict", written)
+        margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
+        self.assertAlmostEqual(found["after"] / margin, 1, 8)
+        self.assertIn('type = "catalogue:' + found["mounts"]["chosen"]["behind"], written.read_text())
 
     def test_one_choice_of_two_may_take_part(self):
         text = MACHINE + self.PLACE + REQUIREMENTS

@@ -124,7 +124,7 @@ foundation::Expected<std::string> rewritten_project(const Project& project, cons
                                 .rule = "the numbers were computed for its earlier content",
                                 .remedy = "start again"});
   foundation::Problems problems;
-  std::vector<Node> all = read_settings(settings, problems).changes;
+  std::vector<Node> all = read_settings(settings, project.source, problems).changes;
   const std::vector<Node> of_settings = all;
   all.insert(all.end(), changes.begin(), changes.end());
   for (const Node& change : all) refuse_numbers_of_tables(project, change, project.base().written, "", problems);

@@ -255,6 +255,8 @@ Optimization optimization(const project::Project& project, const foundation::Pro
 
 std::vector<project::Node> optimum_changes(const Optimization& found) {
   std::vector<project::Node> changes;
+  for (std::size_t c = 0; found.mounts && c < found.mounts->choices.size(); ++c)
+    changes.push_back(project::change_of(found.mounts->choices[c], found.mounts->chosen[c]));
   for (const OptimizedParameter& parameter : found.parameters)
     changes.push_back(project::ModelNumber(parameter.axis).change(parameter.best));
   return changes;
