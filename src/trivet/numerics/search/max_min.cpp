@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -24,10 +25,33 @@ Optimizer optimizer(Eigen::Index variables) {
   return result;
 }
 
-/// The problem with its bound t as last variable, for the callbacks of NLopt.
+/// Constraints that are met, or less violated, come first.
+bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
+  const double violation_a = std::min(0.0, a.constraint + tolerance),
+               violation_b = std::min(0.0, b.constraint + tolerance);
+  return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
+}
+
+MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& values) {
+  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
+    least = std::min(least, values(i));
+  }
+  return point;
+}
+
+constexpr double slack_tolerance = 1e-11;
+
+/// The problem with its bound t as last variable, for the callbacks of NLopt. The values do not depend on t, with which
+/// a line search ends: they are kept.
 class Bounded {
  public:
-  Bounded(const MaxMinProblem& problem, nlopt_opt optimizer) : problem_(problem), optimizer_(optimizer) {}
+  Bounded(const MaxMinProblem& problem, nlopt_opt optimizer, MaxMinPoint start)
+      : problem_(problem), optimizer_(optimizer), best_(std::move(start)) {}
+
+  /// The best point that was evaluated: NLopt's own result lacks a point whose t exceeds a value by round-off.
+  [[nodiscard]] const MaxMinPoint& best() const { return best_; }
 
   static double bound(unsigned n, const double* x, double* slope, void*) {
     if (slope) {
@@ -55,15 +79,24 @@ class Bounded {
   }
 
  private:
-  void set_slack(unsigned m, double* result, unsigned n, const double* x, double* slope) const {
-    Eigen::VectorXd values;
-    Eigen::MatrixXd slopes;
-    problem_.evaluate(Eigen::Map<const Eigen::VectorXd>(x, n - 1), values, slope ? &slopes : nullptr);
+  void evaluate(const Eigen::VectorXd& x, bool slopes) {
+    if (x.size() == x_.size() && x == x_ && (!slopes || slopes_.size() > 0)) return;
+    x_.resize(0);
+    slopes_.resize(0, 0);
+    problem_.evaluate(x, values_, slopes ? &slopes_ : nullptr);
+    x_ = x;
+    const bool inside = (x.array() >= 0).all() && (x.array() <= 1).all();
+    const MaxMinPoint here = point_with(problem_, x, values_);
+    if (inside && is_better(here, best_, 10 * slack_tolerance)) best_ = here;
+  }
+
+  void set_slack(unsigned m, double* result, unsigned n, const double* x, double* slope) {
+    evaluate(Eigen::Map<const Eigen::VectorXd>(x, n - 1), slope != nullptr);
     for (unsigned i = 0; i < m; ++i) {
       const bool objective = problem_.is_objective[i];
-      result[i] = (objective ? x[n - 1] : 0) - values(i);
+      result[i] = (objective ? x[n - 1] : 0) - values_(i);
       if (!slope) continue;
-      for (unsigned j = 0; j + 1 < n; ++j) slope[i * n + j] = -slopes(i, j);
+      for (unsigned j = 0; j + 1 < n; ++j) slope[i * n + j] = -slopes_(i, j);
       slope[i * n + n - 1] = objective ? 1 : 0;
     }
   }
@@ -71,30 +104,21 @@ class Bounded {
   const MaxMinProblem& problem_;
   nlopt_opt optimizer_;
   std::exception_ptr failure_;
+  MaxMinPoint best_;
+  Eigen::VectorXd x_, values_;  ///< evaluated last
+  Eigen::MatrixXd slopes_;      ///< there, or empty
 };
-
-/// Constraints that are met, or less violated, come first.
-bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
-  const double violation_a = std::min(0.0, a.constraint + tolerance),
-               violation_b = std::min(0.0, b.constraint + tolerance);
-  return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
-}
 
 }  // namespace
 
 MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
-  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
   Eigen::VectorXd values;
   problem.evaluate(x, values, nullptr);
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
-    least = std::min(least, values(i));
-  }
-  return point;
+  return point_with(problem, x, values);
 }
 
 MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) {
-  constexpr double slack_tolerance = 1e-11, step_tolerance = 1e-10, gain = 1e-9;
+  constexpr double step_tolerance = 1e-10, gain = 1e-9;
   constexpr int most_evaluations = 150, most_rounds = 4;
   const Eigen::Index n = problem.variables;
   const auto m = static_cast<unsigned>(problem.is_objective.size());
@@ -103,8 +127,8 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
   MaxMinPoint best = point_at(problem, start);
   for (int round = 0; round < most_rounds; ++round) {
     const Optimizer library = optimizer(n + 1);
-    Bounded bounded(problem, library.get());
-    Eigen::VectorXd x(n + 1), low = Eigen::VectorXd::Zero(n + 1), high = Eigen::VectorXd::Ones(n + 1);
+    Bounded bounded(problem, library.get(), best);
+    Eigen::VectorXd x(n + 1), low(n + 1), high(n + 1);
     x << best.x, best.objective;
     constexpr double far = 1e3;
     low.head(n) = (best.x.array() - reach).cwiseMax(0.0);
@@ -121,11 +145,10 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
     double t = 0;
     nlopt_optimize(library.get(), x.data(), &t);
     bounded.rethrow();
-    const MaxMinPoint found = point_at(problem, x.head(n).cwiseMax(0.0).cwiseMin(1.0));
-    const bool better = is_better(found, best, 10 * slack_tolerance);
+    const MaxMinPoint& found = bounded.best();
     const bool worth = found.objective > best.objective + gain || found.constraint > best.constraint + gain;
-    if (better) best = found;
-    if (better && worth) {
+    best = found;
+    if (worth) {
       reach = 1;
       continue;
     }
