@@ -137,6 +137,24 @@ class Optimize(InTemporaryFolder):
         self.assertAlmostEqual(multipliers["at rest m.z ≤ 5 mm"], 1 / 3, delta=PLACE)
         self.assertAlmostEqual(multipliers["no natural frequency in 12 … 80 Hz"], 2 / 3, delta=PLACE)
         self.assertEqual(found["conflicts"], [])
+        self.assertEqual(found["differenced"], [])
+        self.assertEqual(found["looked_at"], 100000)
+        self.assertRegex(
+            found["families"][0], r"^a sum of \d+ terms from \d+ assembled designs, compared with 24 others"
+        )
+        self.assertEqual(found["no_families"], [])
+
+    def test_cases_without_a_family_are_named(self):
+        laws = OSCILLATOR.replace(
+            "damping = {translation = [1e-3, 1e-3, 400]}", "damping = {maxwell = {ratios = [0.4], times = [0.005]}}"
+        )
+        found, _ = self.optimum(
+            laws
+            + f'[requirements]\nstatic = {{"m.z" = {self.SAG}}}\nnatural_frequencies = {{avoid = [["12 Hz", "80 Hz"]]}}\n'
+        )
+        self.assertEqual(found["families"], [])
+        self.assertEqual(found["no_families"], ["coordinates without mass"])
+        self.assertEqual(found["looked_at"], 0)
         self.assertEqual(found["differenced"], ["static"])
 
     def test_requirements_that_contradict_each_other(self):

@@ -164,6 +164,10 @@ std::string search_text(const Optimization& found) {
   }
   if (!found.differenced.empty())
     text += "Slopes by differences of values: " + foundation::comma_separated(found.differenced) + ".\n";
+  if (found.looked_at > 0)
+    text += fmt::format("{} designs looked at before the search, without their models.\n", found.looked_at);
+  for (const std::string& family : found.families) text += "Designs as " + family + ".\n";
+  for (const std::string& reason : found.no_families) text += "Designs one by one: " + reason + ".\n";
   return text + "A search finds the best of where it looked; it proves no global optimum.\n";
 }
 
@@ -220,7 +224,10 @@ std::string optimization_json(const Optimization& found) {
                  {"others", Json::array()},
                  {"designs", found.evaluations},
                  {"failed", found.failed},
-                 {"differenced", found.differenced}};
+                 {"differenced", found.differenced},
+                 {"looked_at", found.looked_at},
+                 {"families", found.families},
+                 {"no_families", found.no_families}};
   if (found.mounts) {
     const study::OptimizedMounts& mounts = *found.mounts;
     Json others = Json::array();

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_neighbours.h"
+#include "trivet/study/packed_slopes.h"
 #include "trivet/study/requirement_values.h"
 
 namespace trivet::study {
@@ -46,15 +48,25 @@ std::vector<RequirementResult::Candidate> nearest(const RequirementResult& resul
   return candidates;
 }
 
+/// Sums over the chosen mounts: no parameter of a search moves them.
+bool is_constant(RequirementKind kind) { return kind == RequirementKind::price || kind == RequirementKind::mount_mass; }
+
 /// Requirements without those that have exact slopes.
-project::Analyses without_exact(project::Analyses analyses) {
+/// @param covered  kinds that a family judges
+project::Analyses without_exact(project::Analyses analyses, const std::set<RequirementKind>& covered) {
   analyses.limits.clear();
-  if (analyses.requirements) {
-    analyses.requirements->limits.clear();
-    analyses.requirements->no_peak.clear();
-    analyses.requirements->avoided.clear();
-    analyses.requirements->separation = 0;
-  }
+  if (!analyses.requirements) return analyses;
+  project::Requirements& required = *analyses.requirements;
+  required.limits.clear();
+  required.no_peak.clear();
+  required.avoided.clear();
+  required.separation = 0;
+  required.price.reset();
+  required.mass = 0;
+  if (covered.contains(RequirementKind::decoupling)) required.decoupling.clear();
+  if (covered.contains(RequirementKind::static_value)) required.statics.clear();
+  if (covered.contains(RequirementKind::mount_load) || covered.contains(RequirementKind::mount_deflection))
+    required.mount_load = false;
   return analyses;
 }
 
@@ -93,7 +105,6 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   for (const project::Case* variant : cases_) {
     asked_.push_back(variant->analyses);
     add_objectives(asked_.back(), request);
-    differenced_requirements_.push_back(without_exact(asked_.back()));
   }
   for (std::size_t c = 0; c < cases_.size(); ++c) {
     const std::vector<RequirementResult>& given = given_.emplace_back(results(c, cases_[c]->system));
@@ -106,16 +117,31 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
         places_.push_back({c, r});
         is_objective_.push_back(!minimizes_ || is_objective(r));
       }
-      const std::string kind = name(given[r].kind);
-      if (!is_exact(given[r].kind) && std::find(differenced_.begin(), differenced_.end(), kind) == differenced_.end())
-        differenced_.push_back(kind);
     }
+    families_.emplace_back(space_, *cases_[c], asked_[c], given);
+    plan_slopes(c);
   }
   if (places_.empty())
     throw foundation::InvalidInput(
         "optimize: neither requirements nor limits nor anything to minimise; add [requirements], or minimize = "
         "[\"BODY.x\"] in [analyses.optimize]");
   refuse_mixed_objectives();
+}
+
+bool DesignObjective::is_differenced(std::size_t c, std::size_t r) const {
+  const RequirementKind kind = given_[c][r].kind;
+  return !is_exact(kind) && !is_constant(kind) && !families_[c].covers(r);
+}
+
+void DesignObjective::plan_slopes(std::size_t c) {
+  std::set<RequirementKind> covered;
+  for (std::size_t r = 0; r < given_[c].size(); ++r) {
+    if (families_[c].covers(r)) covered.insert(given_[c][r].kind);
+    const std::string kind = name(given_[c][r].kind);
+    if (is_differenced(c, r) && std::find(differenced_.begin(), differenced_.end(), kind) == differenced_.end())
+      differenced_.push_back(kind);
+  }
+  differenced_requirements_.push_back(without_exact(asked_[c], covered));
 }
 
 void DesignObjective::refuse_mixed_objectives() const {
@@ -214,15 +240,30 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   for (Eigen::Index i = first; i < place; ++i)
     if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
   for (Smooth& one : smooth) one.keep_near(values, is_objective_, least_objective);
-  const DesignNeighbours neighbours(space_, *cases_[c], design);
-  for (std::size_t r = 0; r < found.size(); ++r) {
-    if (!is_exact(found[r].kind) || smooth[r].candidates.empty()) continue;
-    const Eigen::MatrixXd exact = neighbours.slopes(context, found[r], smooth[r].candidates);
-    for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes->row(smooth[r].rows[i]) = exact.row(to_index(i));
-  }
-  add_differences(c, found, smooth, neighbours, *slopes);
+  set_slopes(c, context, design, found, smooth, *slopes);
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
+}
+
+void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
+                                 const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
+                                 Eigen::MatrixXd& slopes) const {
+  std::optional<PackedSlopes> of_family;
+  std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
+  bool differenced = false;
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    if (smooth[r].candidates.empty() || is_constant(found[r].kind)) continue;
+    const bool covered = families_[c].covers(r);
+    if (covered && !of_family)
+      of_family.emplace(families_[c].packed(), families_[c].family().at(design), families_[c].family().slopes(design));
+    if (!covered && !neighbours) neighbours.emplace(space_, *cases_[c], design);
+    differenced = differenced || is_differenced(c, r);
+    if (is_differenced(c, r)) continue;
+    const Eigen::MatrixXd exact = covered ? of_family->slopes(r, found[r], smooth[r].candidates)
+                                          : neighbours->slopes(context, found[r], smooth[r].candidates);
+    for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = exact.row(to_index(i));
+  }
+  if (differenced) add_differences(c, found, smooth, *neighbours, slopes);
 }
 
 void DesignObjective::Smooth::keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective,
@@ -257,8 +298,7 @@ void DesignObjective::add_differences(std::size_t c, const std::vector<Requireme
                                       Eigen::MatrixXd& slopes) const {
   std::vector<std::size_t> differenced;
   for (std::size_t r = 0; r < found.size(); ++r)
-    if (!is_exact(found[r].kind)) differenced.push_back(r);
-  if (differenced.empty()) return;
+    if (is_differenced(c, r)) differenced.push_back(r);
   const foundation::Progress silent;
   foundation::Problems warnings;
   for (std::size_t j = 0; j < space_.size(); ++j)

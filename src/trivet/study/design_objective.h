@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/numerics/search/max_min.h"
+#include "trivet/study/case_family.h"
 #include "trivet/study/design_neighbours.h"
 #include "trivet/study/design_space.h"
 #include "trivet/study/verdict.h"
@@ -52,6 +53,9 @@ class DesignObjective {
   /// "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
   [[nodiscard]] std::string words(const Place& place) const;
 
+  /// The cases as families, in which many designs are judged without their models.
+  [[nodiscard]] const std::vector<CaseFamily>& families() const { return families_; }
+
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
   [[nodiscard]] std::string first_failure() const { return first_failure_; }
@@ -68,6 +72,13 @@ class DesignObjective {
     void keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective, double least_objective);
   };
   static Smooth set_values(const RequirementResult& result, Eigen::Index place, Eigen::VectorXd& values);
+  /// True if the slopes of a requirement are differences of its values in neighbouring designs.
+  [[nodiscard]] bool is_differenced(std::size_t c, std::size_t r) const;
+  void plan_slopes(std::size_t c);
+  /// Slopes of what is near deciding, per unit of the axes.
+  void set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
+                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
+                  Eigen::MatrixXd& slopes) const;
   void add_differences(std::size_t c, const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
                        const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes) const;
   void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
@@ -76,7 +87,7 @@ class DesignObjective {
   DesignSpace space_;
   std::vector<const project::Case*> cases_;
   std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
-  std::vector<project::Analyses> differenced_requirements_;  ///< those without candidates
+  std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
   std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
   bool minimizes_ = false;
   std::size_t limited_ = 0;  ///< minimised amplitudes with a limit
@@ -85,6 +96,7 @@ class DesignObjective {
   std::vector<Place> places_;
   std::vector<bool> is_objective_;
   std::vector<std::string> differenced_;
+  std::vector<CaseFamily> families_;
   mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;

@@ -2,7 +2,6 @@
 #include "trivet/study/design_search.h"
 
 #include <algorithm>
-#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <iterator>
 
@@ -10,6 +9,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/study/design_looks.h"
 
 namespace trivet::study {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 using numerics::MaxMinPoint;
 using numerics::MaxMinProblem;
 
-/// Looks before climbing: so many points of Sobol's sequence per start, within these bounds.
+/// Designs that are judged completely before climbing: so many per start, within these bounds.
 constexpr int looks_per_start = 8, fewest_looks = 64, most_looks = 4096;
 using Place = DesignObjective::Place;
 
@@ -30,18 +30,6 @@ MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<P
 }
 
 constexpr double met_within = -1e-9;  // ln of a margin
-
-std::vector<Eigen::VectorXd> sobol_points(Eigen::Index dimensions, int count) {
-  boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
-  const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
-  std::vector<Eigen::VectorXd> points;
-  for (int i = 0; i < count; ++i) {
-    Eigen::VectorXd point(dimensions);
-    for (double& share : point) share = static_cast<double>(sequence()) / whole;
-    points.push_back(std::move(point));
-  }
-  return points;
-}
 
 /// The best looks that lie apart, at most `starts`.
 std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
@@ -106,7 +94,9 @@ class Search {
 
   std::vector<MaxMinPoint> starts() {
     const int looks = std::clamp(looks_per_start * wanted_, fewest_looks, most_looks);
-    std::vector<Eigen::VectorXd> points = sobol_points(result_.problem.variables, looks);
+    const DesignLooks found = design_looks(objective_, to_size(looks), progress_);
+    const std::vector<Eigen::VectorXd>& points = found.points;
+    result_.looked_at = found.judged;
     Eigen::VectorXd given(result_.problem.variables);
     bool inside = true;
     for (std::size_t j = 0; j < objective_.space().size(); ++j) {
@@ -191,10 +181,7 @@ MaxMinProblem problem_of_requirements(const DesignObjective& objective, const st
   return problem;
 }
 
-double rank(const MaxMinPoint& point) {
-  constexpr double below_all = -1e3;
-  return point.constraint >= met_within ? point.objective : below_all + point.constraint;
-}
+double rank(const MaxMinPoint& point) { return rank(point.objective, point.constraint); }
 
 DesignSearch design_search(const DesignObjective& objective, int starts, const foundation::Progress& progress) {
   return Search(objective, starts, progress).run();

@@ -16,7 +16,8 @@ struct DesignSearch {
   numerics::MaxMinPoint best;       ///< of equally good ends the nearest one to the given design
   std::vector<numerics::MaxMinPoint> ends;
   int starts = 0;
-  bool falls_short = false;  ///< no end met the requirements: `problem` is their largest least margin
+  std::size_t looked_at = 0;  ///< designs judged by kernels before, see design_looks.h
+  bool falls_short = false;   ///< no end met the requirements: `problem` is their largest least margin
 };
 
 /// @param objective  used by the result

@@ -72,7 +72,7 @@ void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const
                 std::vector<Mount>& mounts, double& price, double& mass) {
   for (const model::Element& element : context.system.elements()) {
     if (!element.rating || !selected(element.name)) continue;
-    MountRows rows = mount_rows(context, element);
+    MountRows rows = mount_rows(context.system, context.assembled, element);
     rows.compression = rows.compression * shapes;
     rows.deflection = rows.deflection * shapes;
     mounts.push_back({*element.rating, std::move(rows)});

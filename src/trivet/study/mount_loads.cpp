@@ -78,13 +78,12 @@ double margin_in_range(double compression, const Eigen::Vector2d& range) {
   return low > 0 ? std::min(upper, margin_of_least(low, compression)) : upper;
 }
 
-MountRows mount_rows(const CaseContext& context, const model::Element& element) {
-  const std::vector<assembly::Channel> channels =
-      assembly::channels(context.system, context.assembled, {element.name, element.name + ".deflection"},
-                         assembly::MotionQuantity::displacement);
-  const Eigen::Vector3d axis = axis_of(context.system, element);
+MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled, const model::Element& element) {
+  const std::vector<assembly::Channel> channels = assembly::channels(
+      system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+  const Eigen::Vector3d axis = axis_of(system, element);
   MountRows rows;
-  rows.compression = Eigen::RowVectorXd::Zero(context.assembled.matrices.size());
+  rows.compression = Eigen::RowVectorXd::Zero(assembled.matrices.size());
   for (std::size_t j = 0; j < 3; ++j) {
     rows.compression -= axis(to_index(j)) * channels[j].on_displacement.real().transpose();
     rows.compression_at_rest -= axis(to_index(j)) * channels[j].at_rest;

@@ -11,7 +11,8 @@ struct MountRows {
   Eigen::RowVectorXd compression, deflection;  ///< along its axis [N, m]
   double compression_at_rest = 0, deflection_at_rest = 0;
 };
-[[nodiscard]] MountRows mount_rows(const CaseContext& context, const model::Element& element);
+[[nodiscard]] MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled,
+                                   const model::Element& element);
 
 /// Least factor by which a compression [N] may grow or fall within its range.
 [[nodiscard]] double margin_in_range(double compression, const Eigen::Vector2d& range);

@@ -50,6 +50,7 @@ class Description {
         ends_(std::move(found.ends)) {
     result_.starts = found.starts;
     result_.falls_short = found.falls_short;
+    result_.looked_at = found.looked_at;
   }
 
   Optimization optimization() {
@@ -63,6 +64,7 @@ class Description {
     result_.failed = objective_.failed();
     result_.first_failure = objective_.first_failure();
     result_.differenced = objective_.differenced();
+    describe_families();
     return std::move(result_);
   }
 
@@ -145,6 +147,16 @@ class Description {
         least = std::min(least, results[r].margin);
       }
     return result_.minimizes ? 1 / least : least;
+  }
+
+  void describe_families() {
+    for (std::size_t c = 0; c < objective_.cases().size(); ++c) {
+      const CaseFamily& one = objective_.families()[c];
+      const std::string& name = objective_.cases()[c]->name;
+      const std::string of_case = name.empty() ? "" : "case " + name + ": ";
+      if (one.reason().empty()) result_.families.push_back(of_case + one.words());
+      else result_.no_families.push_back(of_case + one.reason());
+    }
   }
 
   /// d ln(margin)/d ln(bound): 1 but for peaks above their tolerance a, with the margin (1 + a)/(1 + p).

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/study/design_objective.h"
+
+namespace trivet::study {
+
+/// Designs that a search may start from, as shares of the ranges.
+struct DesignLooks {
+  std::vector<Eigen::VectorXd> points;
+  std::size_t judged = 0;  ///< designs among which they are the best; 0 without families
+};
+
+/// Designs judged by the kernels of families before a search: points of Sobol's sequence.
+inline constexpr std::size_t designs_looked_at = 100000;
+
+/// The best of `designs_looked_at` designs that lie apart, judged by the requirements that families cover; without
+/// families the first points of Sobol's sequence. The same for any number of threads.
+[[nodiscard]] DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted,
+                                       const foundation::Progress& progress);
+
+/// Violated constraints first count, then the objective.
+[[nodiscard]] double rank(double objective, double constraint);
+
+}  // namespace trivet::study

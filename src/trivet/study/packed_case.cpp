@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/packed_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/study/mount_loads.h"
+
+namespace trivet::study {
+namespace {
+
+constexpr Eigen::Index mass_entries = 10;
+
+/// Numbers and their scales, appended piece by piece.
+class PackedList {
+ public:
+  void add(const Eigen::VectorXd& numbers, const Eigen::VectorXd& scales) {
+    entries_.insert(entries_.end(), numbers.begin(), numbers.end());
+    scales_.insert(scales_.end(), scales.begin(), scales.end());
+  }
+  [[nodiscard]] design::PackedDesign list() const {
+    return {Eigen::Map<const Eigen::VectorXd>(entries_.data(), to_index(entries_.size())),
+            Eigen::Map<const Eigen::VectorXd>(scales_.data(), to_index(scales_.size()))};
+  }
+
+ private:
+  std::vector<double> entries_, scales_;
+};
+
+/// Scale of a vector that multiplies displacements: its components times √mass have one unit.
+Eigen::VectorXd scale_of(const Eigen::VectorXd& vector, const Eigen::VectorXd& root_of_mass) {
+  return vector.cwiseAbs().cwiseQuotient(root_of_mass).maxCoeff() * root_of_mass;
+}
+
+Eigen::VectorXd scale_of(const spatial::MassProperties& mass) {
+  const Eigen::Vector3d root = mass.inertia_about_centre.diagonal().cwiseAbs().cwiseSqrt();
+  MassNumbers scale;
+  scale << mass.mass, Eigen::Vector3d::Constant(root.maxCoeff() / std::sqrt(mass.mass)), root.cwiseAbs2(),
+      root(0) * root(1), root(0) * root(2), root(1) * root(2);
+  return scale;
+}
+
+Eigen::Index matrix_entries(Eigen::Index n) { return 4 * (n * (n + 1) / 2); }
+
+/// Compression or deflection of a mount as linear functions of the displacements, with their constants.
+std::pair<Eigen::VectorXd, double> mount_row(const model::System& system, const assembly::Assembled& assembled,
+                                             const RequirementResult& result) {
+  for (const model::Element& element : system.elements()) {
+    if (element.name != result.subject) continue;
+    const MountRows rows = mount_rows(system, assembled, element);
+    return result.kind == RequirementKind::mount_load
+        ? std::pair<Eigen::VectorXd, double>{rows.compression.transpose(), rows.compression_at_rest}
+        : std::pair<Eigen::VectorXd, double>{rows.deflection.transpose(), rows.deflection_at_rest};
+  }
+  throw foundation::InvalidInput("PackedCase: no mount " + result.subject);
+}
+
+bool is_mount(RequirementKind kind) {
+  return kind == RequirementKind::mount_load || kind == RequirementKind::mount_deflection;
+}
+
+/// A value at rest as a linear function of the displacements, with its constant.
+std::pair<Eigen::VectorXd, double> rest_row(const model::System& system, const assembly::Assembled& assembled,
+                                            const RequirementResult& result) {
+  if (is_mount(result.kind)) return mount_row(system, assembled, result);
+  const assembly::Channel channel =
+      assembly::channels(system, assembled, {result.subject}, assembly::MotionQuantity::displacement).front();
+  return {channel.on_displacement.real(), channel.at_rest};
+}
+
+}  // namespace
+
+MassNumbers mass_numbers(const spatial::MassProperties& mass) {
+  const Eigen::Matrix3d& J = mass.inertia_about_centre;
+  MassNumbers numbers;
+  numbers << mass.mass, mass.centre, J.diagonal(), J(0, 1), J(0, 2), J(1, 2);
+  return numbers;
+}
+
+spatial::MassProperties mass_of(const MassNumbers& numbers) {
+  spatial::MassProperties mass{numbers(0), numbers.segment<3>(1), numbers.segment<3>(4).asDiagonal()};
+  Eigen::Matrix3d& J = mass.inertia_about_centre;
+  J(0, 1) = J(1, 0) = numbers(7);
+  J(0, 2) = J(2, 0) = numbers(8);
+  J(1, 2) = J(2, 1) = numbers(9);
+  return mass;
+}
+
+PackedCase::PackedCase(const project::Case& variant, const project::Analyses& asked,
+                       const std::vector<RequirementResult>& results)
+    : results_(results), covered_(results.size(), false) {
+  const assembly::Assembled assembled = assembly::assemble(variant.system);
+  n_ = assembled.matrices.size();
+  plan_searches(asked);
+  plan_rest(variant.system);
+  plan_decoupling(variant.system, assembled);
+  if (asked.requirements) avoided_ = asked.requirements->avoided;
+  for (std::size_t r = 0; r < results_.size(); ++r)
+    covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
+        results_[r].kind == RequirementKind::separation;
+  std::vector<design::DrivenDesign> designs;
+  reason_ = form(variant.system, assembled, designs);
+  if (!reason_.empty()) {
+    covered_.assign(covered_.size(), false);
+    return;
+  }
+  Eigen::Index at = matrix_entries(n_);
+  for (std::size_t s = 0; s < searches_.size(); ++s) {
+    searches_[s].at = at;
+    searches_[s].size = packed(designs[s]).size() - matrix_entries(n_);
+    searches_[s].first = std::move(designs[s]);
+    at += searches_[s].size;
+  }
+}
+
+void PackedCase::plan_searches(const project::Analyses& asked) {
+  const response::Band all{0, foundation::infinity};
+  const project::Requirements required = asked.requirements.value_or(project::Requirements());
+  for (std::size_t r = 0; r < results_.size(); ++r) {
+    const RequirementResult& result = results_[r];
+    const bool peaks = result.kind == RequirementKind::no_peak;
+    if (result.kind != RequirementKind::amplitude && !peaks) continue;
+    Search search;
+    search.count_peaks = peaks;
+    search.band = peaks ? all : required.band.value_or(all);
+    if (r < asked.limits.size()) search.band = asked.response ? asked.response->band.value_or(all) : all;
+    if (peaks) search.min_prominence = required.min_prominence;
+    search.excitations = result.excitations;
+    const auto same = std::find_if(searches_.begin(), searches_.end(), [&](const Search& other) {
+      return other.count_peaks == search.count_peaks && other.excitations == search.excitations &&
+          other.band.from == search.band.from && other.band.to == search.band.to;
+    });
+    Search& chosen = same != searches_.end() ? *same : searches_.emplace_back(search);
+    chosen.results.push_back(r);
+    chosen.quantities.push_back(result.quantity);
+    covered_[r] = true;
+  }
+}
+
+void PackedCase::plan_rest(const model::System& system) {
+  for (std::size_t r = 0; r < results_.size(); ++r) {
+    const RequirementKind kind = results_[r].kind;
+    if (kind != RequirementKind::static_value && !is_mount(kind)) continue;
+    RestValue& value = at_rest_.emplace_back(RestValue{r, {}});
+    for (const model::Element& element : system.elements())
+      if (kind == RequirementKind::mount_load && element.name == results_[r].subject)
+        value.range = element.rating->compression;
+    covered_[r] = true;
+  }
+}
+
+void PackedCase::plan_decoupling(const model::System& system, const assembly::Assembled& assembled) {
+  const auto& bodies = system.bodies();
+  if (assembled.layout.of_bodies() != n_) return;
+  for (std::size_t r = 0; r < results_.size(); ++r) {
+    if (results_[r].kind != RequirementKind::decoupling) continue;
+    const auto at =
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == results_[r].subject; });
+    Decoupled one{r, to_size(at - bodies.begin()), {}, {}};
+    for (int j = 0; j < 6; ++j)
+      if (const Eigen::Index row = assembled.layout.row(one.body, j); row >= 0) {
+        one.rows.push_back(row);
+        one.coordinates.push_back(j);
+      }
+    decoupled_.push_back(std::move(one));
+    covered_[r] = true;
+  }
+}
+
+std::string PackedCase::form(const model::System& system, const assembly::Assembled& assembled,
+                             std::vector<design::DrivenDesign>& designs) const {
+  if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
+  for (const Search& search : searches_) {
+    std::vector<assembly::Channel> channels;
+    for (std::size_t k = 0; k < search.results.size(); ++k)
+      channels.push_back(
+          assembly::channels(system, assembled, {results_[search.results[k]].subject}, search.quantities[k]).front());
+    auto found =
+        design::driven_design(assembled, channels, assembly::harmonic_loading(system, assembled, search.excitations));
+    if (!found.design) return found.reason;
+    designs.push_back(std::move(*found.design));
+  }
+  if (!searches_.empty()) return "";
+  auto found = design::driven_design(assembled, {}, assembly::Loading(Eigen::VectorXd::Zero(n_)));
+  if (found.design) designs.push_back(std::move(*found.design));
+  return found.reason;
+}
+
+design::PackedOrReason PackedCase::pack(const model::System& system) const {
+  const assembly::Assembled assembled = assembly::assemble(system);
+  std::vector<design::DrivenDesign> designs;
+  if (assembled.matrices.size() != n_) return {{}, "designs with more coordinates than others"};
+  if (const std::string reason = form(system, assembled, designs); !reason.empty()) return {{}, reason};
+  for (std::size_t s = 0; s < searches_.size(); ++s)
+    if (const std::string reason = design::reason_for_separate_families(searches_[s].first, designs[s]);
+        !reason.empty())
+      return {{}, reason};
+  PackedList list;
+  const Eigen::Index matrices = matrix_entries(n_);
+  list.add(packed(designs.front()).head(matrices), scales(designs.front()).head(matrices));
+  for (std::size_t s = 0; s < searches_.size(); ++s)
+    list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
+  if (!at_rest_.empty()) {
+    const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
+    const Eigen::VectorXd load = assembly::static_load(system, assembled);
+    list.add(load, scale_of(load, root_of_mass));
+    const Eigen::VectorXd rest = numerics::cholesky_solution(assembled.matrices.K, load);
+    for (const RestValue& value : at_rest_) {
+      const auto row = rest_row(system, assembled, results_[value.result]);
+      list.add(row.first, scale_of(row.first, root_of_mass));
+      const double size = row.first.cwiseAbs().dot(rest.cwiseAbs()) + std::abs(row.second);
+      list.add(Eigen::VectorXd::Constant(1, row.second), Eigen::VectorXd::Constant(1, size));
+    }
+  }
+  for (const Decoupled& one : decoupled_) {
+    const spatial::MassProperties& mass = system.bodies()[one.body].mass;
+    list.add(mass_numbers(mass), scale_of(mass));
+  }
+  return {list.list(), ""};
+}
+
+PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const {
+  Unpacked designs;
+  const Eigen::Index matrices = matrix_entries(n_), triangle = matrices / 4;
+  designs.free.A = entries.leftCols(triangle).array();
+  designs.free.K = entries.middleCols(2 * triangle, triangle).array();
+  designs.free.load = Eigen::ArrayXXd::Zero(1, n_);
+  Eigen::Index at = matrices;
+  for (const Search& search : searches_) {
+    Eigen::MatrixXd own(entries.rows(), matrices + search.size);
+    own << entries.leftCols(matrices), entries.middleCols(search.at, search.size);
+    designs.searched.push_back(design::unpacked_like(search.first, own));
+    at += search.size;
+  }
+  const auto next = [&](Eigen::Index columns) -> Eigen::MatrixXd {
+    at += columns;
+    return entries.middleCols(at - columns, columns);
+  };
+  if (!at_rest_.empty()) designs.load = next(n_);
+  for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
+  for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
+  return designs;
+}
+
+}  // namespace trivet::study
