@@ -118,8 +118,6 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
         is_objective_.push_back(!minimizes_ || is_objective(r));
       }
     }
-    families_.emplace_back(space_, *cases_[c], asked_[c], given);
-    plan_slopes(c);
   }
   if (places_.empty())
     throw foundation::InvalidInput(
@@ -128,20 +126,33 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   refuse_mixed_objectives();
 }
 
-bool DesignObjective::is_differenced(std::size_t c, std::size_t r) const {
-  const RequirementKind kind = given_[c][r].kind;
-  return !is_exact(kind) && !is_constant(kind) && !families_[c].covers(r);
+const std::vector<CaseFamily>& DesignObjective::families() const {
+  std::call_once(fitting_, [&] {
+    for (std::size_t c = 0; c < cases_.size(); ++c) families_.emplace_back(space_, *cases_[c], asked_[c], given_[c]);
+  });
+  return families_;
 }
 
-void DesignObjective::plan_slopes(std::size_t c) {
+bool DesignObjective::is_differenced(std::size_t c, std::size_t r) const {
+  const RequirementKind kind = given_[c][r].kind;
+  return !is_exact(kind) && !is_constant(kind) && !families()[c].covers(r);
+}
+
+std::vector<std::string> DesignObjective::differenced() const {
+  std::vector<std::string> kinds;
+  for (std::size_t c = 0; c < given_.size(); ++c)
+    for (std::size_t r = 0; r < given_[c].size(); ++r) {
+      const std::string kind = name(given_[c][r].kind);
+      if (is_differenced(c, r) && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+    }
+  return kinds;
+}
+
+project::Analyses DesignObjective::differenced_requirements(std::size_t c) const {
   std::set<RequirementKind> covered;
-  for (std::size_t r = 0; r < given_[c].size(); ++r) {
-    if (families_[c].covers(r)) covered.insert(given_[c][r].kind);
-    const std::string kind = name(given_[c][r].kind);
-    if (is_differenced(c, r) && std::find(differenced_.begin(), differenced_.end(), kind) == differenced_.end())
-      differenced_.push_back(kind);
-  }
-  differenced_requirements_.push_back(without_exact(asked_[c], covered));
+  for (std::size_t r = 0; r < given_[c].size(); ++r)
+    if (families()[c].covers(r)) covered.insert(given_[c][r].kind);
+  return without_exact(asked_[c], covered);
 }
 
 void DesignObjective::refuse_mixed_objectives() const {
@@ -253,9 +264,10 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
     if (smooth[r].candidates.empty() || is_constant(found[r].kind)) continue;
-    const bool covered = families_[c].covers(r);
+    const bool covered = families()[c].covers(r);
     if (covered && !of_family)
-      of_family.emplace(families_[c].packed(), families_[c].family().at(design), families_[c].family().slopes(design));
+      of_family.emplace(families()[c].packed(), families()[c].family().at(design),
+                        families()[c].family().slopes(design));
     if (!covered && !neighbours) neighbours.emplace(space_, *cases_[c], design);
     differenced = differenced || is_differenced(c, r);
     if (is_differenced(c, r)) continue;
@@ -301,10 +313,11 @@ void DesignObjective::add_differences(std::size_t c, const std::vector<Requireme
     if (is_differenced(c, r)) differenced.push_back(r);
   const foundation::Progress silent;
   foundation::Problems warnings;
+  const project::Analyses asked = differenced_requirements(c);
   for (std::size_t j = 0; j < space_.size(); ++j)
     for (const DesignNeighbours::Neighbour& neighbour : neighbours.all()[j]) {
       const CaseContext context(*neighbour.system, silent);
-      const std::vector<RequirementResult> there = requirement_values(context, differenced_requirements_[c], warnings);
+      const std::vector<RequirementResult> there = requirement_values(context, asked, warnings);
       for (std::size_t i = 0; i < there.size(); ++i) {
         const Smooth& here = smooth[differenced[i]];
         for (std::size_t k = 0; k < here.rows.size(); ++k)

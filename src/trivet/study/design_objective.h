@@ -53,13 +53,14 @@ class DesignObjective {
   /// "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
   [[nodiscard]] std::string words(const Place& place) const;
 
-  /// The cases as families, in which many designs are judged without their models.
-  [[nodiscard]] const std::vector<CaseFamily>& families() const { return families_; }
+  /// The cases as families, in which many designs are judged without their models; fitted when first needed.
+  [[nodiscard]] const std::vector<CaseFamily>& families() const;
 
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
   [[nodiscard]] std::string first_failure() const { return first_failure_; }
-  [[nodiscard]] const std::vector<std::string>& differenced() const { return differenced_; }
+  /// Kinds of requirements whose slopes are differences of values.
+  [[nodiscard]] std::vector<std::string> differenced() const;
 
  private:
   void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
@@ -74,7 +75,7 @@ class DesignObjective {
   static Smooth set_values(const RequirementResult& result, Eigen::Index place, Eigen::VectorXd& values);
   /// True if the slopes of a requirement are differences of its values in neighbouring designs.
   [[nodiscard]] bool is_differenced(std::size_t c, std::size_t r) const;
-  void plan_slopes(std::size_t c);
+  [[nodiscard]] project::Analyses differenced_requirements(std::size_t c) const;
   /// Slopes of what is near deciding, per unit of the axes.
   void set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
                   const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
@@ -86,17 +87,16 @@ class DesignObjective {
 
   DesignSpace space_;
   std::vector<const project::Case*> cases_;
-  std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
-  std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
-  std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
+  std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
+  std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
   bool minimizes_ = false;
   std::size_t limited_ = 0;  ///< minimised amplitudes with a limit
   std::vector<std::vector<RequirementResult>> given_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places
   std::vector<Place> places_;
   std::vector<bool> is_objective_;
-  std::vector<std::string> differenced_;
-  std::vector<CaseFamily> families_;
+  mutable std::once_flag fitting_;
+  mutable std::vector<CaseFamily> families_;
   mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;
