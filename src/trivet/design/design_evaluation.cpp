@@ -20,11 +20,8 @@
 namespace trivet::design {
 namespace {
 
-/// Feasibility is decided before the margin is rounded.
 DesignOutcome outcome_of(const Governing& least) {
-  auto margin = static_cast<float>(least.margin);
-  if (least.margin < 1 && margin >= 1) margin = std::nextafter(1.0F, 0.0F);
-  return {margin, static_cast<std::uint8_t>(least.rule)};
+  return {rounded_margin(least.margin), static_cast<std::uint8_t>(least.rule)};
 }
 
 /// Counts one natural frequency of a design that is below or in the band of the amplitudes.
@@ -165,6 +162,13 @@ Eigen::ArrayXXd DesignEvaluation::modes_of_family(const std::vector<FamilyPoint>
   return lambda({driven.A, driven.B, driven.K, Eigen::ArrayXXd::Zero(1, driven_family_->first().A.rows())});
 }
 
+std::optional<Eigen::ArrayXXd> DesignEvaluation::squared_frequencies(const std::vector<DesignPoint>& points) const {
+  if (!has_family()) return std::nullopt;
+  std::vector<FamilyPoint> places;
+  for (const DesignPoint& p : points) places.push_back({p.x, p.y});
+  return modes_of_family(places);
+}
+
 std::vector<std::size_t> DesignEvaluation::highest_outside_band(const numerics::DesignPeaks& found) const {
   std::vector<std::size_t> designs;
   for (Eigen::Index d = 0; d < found.highest.rows(); ++d)
@@ -274,40 +278,23 @@ JudgedDesign DesignEvaluation::judged_design(const model::System& system) const 
   result.peaks = response::peaks(assembled, asked, loading, modes, roots,
                                  {.min_prominence = set_.min_prominence, .search_to = search_to});
   result.rules = rule_values(assembled, asked, loading, result.peaks, set_);
-  result.governing = governing(set_, result.rules.values);
+  for (std::size_t r = 0; r < set_.rules.size(); ++r)
+    result.margins.push_back(margin(set_.rules[r], result.rules.values[r]));
+  result.governing = governing(result.margins);
   for (const modal::Mode& mode : modes.list) result.natural_frequencies_squared.push_back(mode.eigenvalue_squared);
   return result;
 }
 
-void DesignEvaluation::note_missing(std::size_t index, const std::string& rule, const std::string& words) {
-  const std::string kind = without_numbers(rule);
-  const std::lock_guard lock(noting_);
-  const auto known = to_size(std::find(missing_kinds_.begin(), missing_kinds_.end(), kind) - missing_kinds_.begin());
-  if (known == missing_kinds_.size()) {
-    missing_kinds_.push_back(kind);
-    report_.missing.push_back({words, 0, index});
-  }
-  MissingReason& reason = report_.missing[known];
-  ++reason.designs;
-  if (index < reason.first) {
-    reason.first = index;
-    reason.words = words;
-  }
-}
-
 DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const DesignPoint& point) {
-  {
-    const std::lock_guard lock(noting_);
-    ++report_.assembled_separately;
-  }
+  ++assembled_separately_;
   const auto system = system_at(point);
   if (!system) {
     const auto& list = system.error().list();
     const auto first = std::find_if(list.begin(), list.end(), [](const foundation::Problem& p) {
       return p.severity == foundation::Severity::error;
     });
-    note_missing(index, first->subject + ": " + first->rule,
-                 fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
+    missing_.note(index, first->subject + ": " + first->rule,
+                  fmt::format("{}: {}; {}", first->subject, first->finding, first->rule));
     return {0, DesignOutcome::no_model};
   }
   try {
@@ -317,9 +304,9 @@ DesignOutcome DesignEvaluation::assembled_outcome(std::size_t index, const Desig
       if (counts_modes_) count_mode(squared, set_.band, outcome);
     return outcome;
   } catch (const foundation::NotComputable& reason) {
-    note_missing(index, reason.what(), reason.what());
+    missing_.note(index, reason.what(), reason.what());
   } catch (const foundation::InvalidInput& reason) {
-    note_missing(index, reason.what(), reason.what());
+    missing_.note(index, reason.what(), reason.what());
   }
   return {0, DesignOutcome::not_computed};
 }
@@ -340,18 +327,8 @@ std::vector<DesignOutcome> DesignEvaluation::evaluate(std::size_t count,
                              for (std::size_t i = first; i < last; ++i)
                                outcomes[i] = assembled_outcome(i, points[i - first]);
                            });
-  std::vector<std::size_t> order(report_.missing.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return report_.missing[a].first < report_.missing[b].first; });
-  std::vector<MissingReason> sorted;
-  std::vector<std::string> kinds;
-  for (const std::size_t i : order) {
-    sorted.push_back(report_.missing[i]);
-    kinds.push_back(missing_kinds_[i]);
-  }
-  report_.missing = std::move(sorted);
-  missing_kinds_ = std::move(kinds);
+  report_.assembled_separately = assembled_separately_;
+  report_.missing = missing_.list();
   return outcomes;
 }
 

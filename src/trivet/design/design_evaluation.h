@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "trivet/design/design_family.h"
 #include "trivet/design/design_outcome.h"
+#include "trivet/design/missing_reasons.h"
 #include "trivet/numerics/batch/design_peaks.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/project.h"
@@ -37,6 +39,12 @@ class DesignEvaluation {
   /// A model judged by response::peaks. @throws foundation::NotComputable, InvalidInput
   [[nodiscard]] JudgedDesign judged_design(const model::System& system) const;
 
+  /// The matrices of the designs are interpolated.
+  [[nodiscard]] bool has_family() const { return plain_family_ || driven_family_; }
+
+  /// Undamped natural frequencies of designs, ω² in a row each; none if the matrices could not be interpolated.
+  [[nodiscard]] std::optional<Eigen::ArrayXXd> squared_frequencies(const std::vector<DesignPoint>& points) const;
+
   [[nodiscard]] const EvaluationReport& report() const { return report_; }
 
  private:
@@ -53,14 +61,12 @@ class DesignEvaluation {
   template <typename Design, typename Form>
   [[nodiscard]] FamilyOrReason<Design> fitted(const project::Case& variant, const Form& form) const;
   void plan_searches();
-  [[nodiscard]] bool has_family() const { return plain_family_ || driven_family_; }
   [[nodiscard]] numerics::DesignPeaks peaks_of_family(const std::vector<FamilyPoint>& places,
                                                       const numerics::DesignPeakOptions& search) const;
   [[nodiscard]] Eigen::ArrayXXd modes_of_family(const std::vector<FamilyPoint>& places) const;
   [[nodiscard]] std::vector<std::size_t> highest_outside_band(const numerics::DesignPeaks& found) const;
   /// Outcomes of designs first … , computed in lanes; designs that are not proven there are recomputed separately.
   void evaluate_in_lanes(std::size_t first, const std::vector<DesignPoint>& points, DesignOutcome* outcomes);
-  void note_missing(std::size_t index, const std::string& rule, const std::string& words);
 
   const project::Case& case_;
   const project::MapRequest& request_;
@@ -75,9 +81,10 @@ class DesignEvaluation {
       search_;                 // for a family: over all frequencies if there are no-peak rules, else over the band
   bool beyond_band_ = false;   // search_ also finds amplitudes outside the band
   bool counts_modes_ = false;  // natural frequencies may cross the band of the amplitudes between designs
-  std::mutex noting_;          // guards the two below
+  std::mutex noting_;          // guards the report
   EvaluationReport report_;
-  std::vector<std::string> missing_kinds_;  // kinds of report_.missing
+  std::atomic<std::size_t> assembled_separately_ = 0;
+  MissingReasons missing_;
 };
 
 }  // namespace trivet::design

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <cmath>
 
 namespace trivet::design {
 namespace {
@@ -44,6 +45,11 @@ std::string without_numbers(const std::string& message) {
   return kind;
 }
 
+float rounded_margin(double margin) {
+  const auto rounded = static_cast<float>(margin);
+  return margin < 1 && rounded >= 1 ? std::nextafter(1.0F, 0.0F) : rounded;
+}
+
 std::string EvaluationReport::summary() const {
   std::string text;
   if (proven + fallback > 0)
@@ -53,6 +59,7 @@ std::string EvaluationReport::summary() const {
     text += fmt::format("{}{} designs assembled from the changed project and searched separately: {}",
                         text.empty() ? "" : "; ", assembled_separately,
                         family.empty() ? no_family : "not certain by poles and residues");
+  for (const std::string& words : further) text += (text.empty() ? "" : "; ") + words;
   return text;
 }
 

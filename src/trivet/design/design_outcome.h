@@ -12,10 +12,11 @@ namespace trivet::design {
 /// One rule of a map, as shown to the user.
 struct MapRule {
   DesignRule::Kind kind = DesignRule::Kind::amplitude;
-  std::string answer;  ///< "aggregate.rz"
-  std::string unit;    ///< SI unit of the result
-  double allowed = 0;  ///< amplitude [SI], or relative prominence
-  std::string words;   ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
+  std::string answer;            ///< "aggregate.rz"
+  std::string unit;              ///< SI unit of the result
+  double allowed = 0;            ///< amplitude [SI], or relative prominence
+  std::string words;             ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
+  std::string requirement = {};  ///< kind of a requirement: "damping_ratio"
 };
 
 /// Values of the two parameters, in the units of the axes.
@@ -37,6 +38,9 @@ struct DesignOutcome {
   [[nodiscard]] bool feasible() const { return known() && margin >= 1; }
 };
 
+/// A margin as it is stored: rounded, but on the same side of 1.
+[[nodiscard]] float rounded_margin(double margin);
+
 /// One kind of reason why designs have no outcome: messages that differ only in their numbers are one kind.
 struct MissingReason {
   std::string words;  ///< with the numbers of the first such design
@@ -47,6 +51,7 @@ struct MissingReason {
 /// One design with all its results.
 struct JudgedDesign {
   RuleValues rules;
+  std::vector<double> margins;  ///< of each rule
   Governing governing;
   response::Peaks peaks;                            ///< peaks of the results that have rules
   std::vector<double> natural_frequencies_squared;  ///< undamped [rad²/s²]; negative for an unstable motion
@@ -60,6 +65,8 @@ struct EvaluationReport {
   std::size_t assembled_separately = 0;  ///< designs assembled from the changed project and searched separately
   std::string family;                    ///< how the matrices of the proven and fallback designs were interpolated
   std::string no_family;                 ///< why they could not be interpolated; otherwise empty
+  std::size_t with_requirements = 0;     ///< designs assembled separately for their requirements
+  std::vector<std::string> further;      ///< how requirements and designs of further cases were judged
   std::vector<MissingReason> missing;
 
   [[nodiscard]] std::string summary() const;

@@ -88,11 +88,16 @@ RuleValues rule_values(const assembly::Assembled& assembled, const std::vector<a
 }
 
 Governing governing(const RuleSet& set, const std::vector<double>& values) {
-  const auto margin_of_rule = [&](std::size_t r) { return margin(set.rules[r], values[r]); };
+  std::vector<double> margins;
+  for (std::size_t r = 0; r < set.rules.size(); ++r) margins.push_back(margin(set.rules[r], values[r]));
+  return governing(margins);
+}
+
+Governing governing(const std::vector<double>& margins) {
   double least = infinity;
-  for (std::size_t r = 0; r < set.rules.size(); ++r) least = std::min(least, margin_of_rule(r));
-  for (std::size_t r = 0; r < set.rules.size(); ++r)
-    if (const double m = margin_of_rule(r); m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
+  for (const double m : margins) least = std::min(least, m);
+  for (std::size_t r = 0; r < margins.size(); ++r)
+    if (const double m = margins[r]; m <= least * (1 + tie) && (m >= 1) == (least >= 1)) return {r, least};
   return {0, infinity};
 }
 

@@ -30,7 +30,7 @@ struct LargestAmplitude {
 
 /// A rule that a feasible design meets.
 struct DesignRule {
-  enum class Kind { amplitude, no_peak };
+  enum class Kind { amplitude, no_peak, requirement };  ///< a requirement is judged elsewhere, in no RuleSet
   Kind kind = Kind::amplitude;
   std::size_t channel = 0;
   double allowed = 0;  ///< amplitude [SI], or relative prominence
@@ -73,5 +73,6 @@ struct Governing {
   [[nodiscard]] bool feasible() const { return margin >= 1; }
 };
 [[nodiscard]] Governing governing(const RuleSet& set, const std::vector<double>& values);
+[[nodiscard]] Governing governing(const std::vector<double>& margins);
 
 }  // namespace trivet::design
