@@ -46,11 +46,28 @@ foundation::Problems model_warnings(const project::Case& variant) {
   return study::answers(variant, asked).warnings;
 }
 
+const results::TextSink to_output = [](std::string_view piece) { write_output(std::string(piece)); };
+
+void write_map(const study::DesignMap& map, const foundation::Problems& warnings, const Options& options) {
+  if (options.json) results::write_map_json(map, warnings, to_output);
+  else if (options.csv) results::write_map_csv(map, to_output);
+  else write_output(results::map_text(map));
+}
+
+void write_pairs(const std::vector<study::DesignMap>& maps, const foundation::Problems& warnings,
+                 const Options& options) {
+  if (options.json) results::write_map_pairs_json(maps, warnings, to_output);
+  else if (options.csv) results::write_map_pairs_csv(maps, to_output);
+  else write_output(results::map_pairs_text(maps));
+}
+
 }  // namespace
 
 int map_command(const Options& options) {
-  const auto project =
-      read_or_complain(options, questions_of(options, {"map", "parameters", "response", "peaks", "limits"}));
+  const auto project = read_or_complain(options,
+                                        questions_of(options,
+                                                     {"map", "parameters", "requirements", "limit_lines", "response",
+                                                      "peaks", "limits", "random", "transient"}));
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
@@ -60,17 +77,22 @@ int map_command(const Options& options) {
           "no_peak = \"coordinates\"} to [analyses]");
     const study::MapOptions map_options = sizes(options.points);
     const std::unique_ptr<results::PictureFile> picture = new_picture(options);
-    const study::DesignMap map = study::design_map(*project, variant, *variant.analyses.map, map_options, progress());
+    const project::MapRequest& request = *variant.analyses.map;
+    std::vector<study::DesignMap> maps = study::design_maps(*project, variant, request, map_options, progress());
+    const bool pairs = !maps.empty();
+    if (!pairs) maps.push_back(study::design_map(*project, variant, request, map_options, progress()));
     foundation::Problems warnings = model_warnings(variant);
-    warnings.add(map.warnings);
+    for (const study::DesignMap& map : maps) warnings.add(map.warnings);
+    if (pairs) warnings.sort_by_origin();  // and drop what several maps repeat
     if (!options.json) write_problems(warnings);
-    const results::TextSink sink = [](std::string_view piece) { write_output(std::string(piece)); };
-    if (options.json) results::write_map_json(map, warnings, sink);
-    else if (options.csv) results::write_map_csv(map, sink);
-    else write_output(results::map_text(map));
-    if (picture) picture->publish(report::map_figure(map, project->title).svg);
+    if (pairs) write_pairs(maps, warnings, options);
+    else write_map(maps.front(), warnings, options);
+    if (picture)
+      picture->publish(
+          (pairs ? report::map_matrix_figure(maps, project->title) : report::map_figure(maps.front(), project->title))
+              .svg);
     Strictness strictness;
-    strictness.add(map);
+    for (const study::DesignMap& map : maps) strictness.add(map);
     strictness.add(warnings);
     return strictness.exit_code(options.strict, done);
   } catch (const BadArgument& bad) {

@@ -37,6 +37,7 @@ void Strictness::add(const study::Answers& answers) {
   for (const study::LimitLineResult& line : answers.limit_lines) exceeded_ += !line.comparison.met();
   if (answers.verdict) add(*answers.verdict);
   if (answers.map) add(*answers.map);
+  for (const study::DesignMap& map : answers.map_pairs) add(map);
 }
 
 int Strictness::exit_code(bool strict, int otherwise) const {

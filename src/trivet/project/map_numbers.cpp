@@ -67,6 +67,7 @@ Node without_questions(Node document) {
 
 void check_map_numbers(const Node& document, const MapRequest& map, const ReadModel& read,
                        foundation::Problems& problems) {
+  if (!map.pairs.empty()) return;  // see check_parameters
   for (const auto& [key, axis, other] : {std::tuple{"x", &map.x, &map.y}, {"y", &map.y, &map.x}}) {
     const std::string subject = std::string("analyses.map.") + key;
     if (path_keys(axis->parameter).empty() || has_problem_at(problems, subject + ".parameter")) continue;

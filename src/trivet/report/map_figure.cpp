@@ -4,12 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "trivet/report/answer_figures.h"
+#include "trivet/report/map_painting.h"
 #include "trivet/report/map_picture.h"
 #include "trivet/report/map_points.h"
 #include "trivet/report/map_regions.h"
@@ -19,38 +19,6 @@
 
 namespace trivet::report {
 namespace {
-
-// Okabe and Ito's rule_colours mixed with white: neighbours in this order differ in lightness too.
-constexpr std::array<const char*, 7> rule_colours = {"#f2bd66", "#8cc8ee", "#e08a66", "#66c4ab",
-                                                     "#dba6c6", "#f5ec8e", "#7aa9cf"};
-constexpr const char* other_colour = "#d8d8d8";
-constexpr const char* unknown_colour = "#8f8f8f";
-
-/// Colour of a region: the largest regions have the rule_colours, the others are grey.
-const char* colour_of(const MapRegion& region, std::size_t rank) {
-  if (!region.known()) return unknown_colour;
-  return rank < rule_colours.size() ? rule_colours[rank] : other_colour;
-}
-
-/// Infeasible designs in full colour, feasible ones lighter and clipped at the boundary: it is exact, while the colours
-/// are those of the nearest design on the same side.
-void draw_regions(MapPicture& picture, const std::vector<MapRegion>& regions, const std::string& heading) {
-  const auto paint = [&](std::vector<design::MapLine> MapRegion::* side) {
-    for (std::size_t rank = 0; rank < regions.size(); ++rank)
-      picture.canvas.area(
-          picture.rings(regions[rank].*side),
-          fmt::format("fill=\"{0}\" stroke=\"{0}\" stroke-width=\"0.7\"", colour_of(regions[rank], rank)));
-  };
-  paint(&MapRegion::infeasible);
-  const auto outline = picture.rings(picture.map.feasible.rings);
-  if (outline.empty()) return;
-  picture.canvas.begin_clip(outline, "feasible of " + heading);
-  paint(&MapRegion::feasible);
-  picture.canvas.end_clip();
-  picture.canvas.area(outline, lighter);
-  for (const design::MapLine& line : picture.map.feasible.lines)
-    picture.canvas.polyline(picture.line(line), "stroke=\"#000\" stroke-width=\"2.4\" stroke-linejoin=\"round\"");
-}
 
 void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& regions, Key& key) {
   const auto share = [&](std::size_t designs) {
@@ -63,12 +31,12 @@ void explain_regions(const study::DesignMap& map, const std::vector<MapRegion>& 
     const MapRegion& region = regions[rank];
     const bool infeasible = !region.infeasible.empty(), feasible = !region.feasible.empty();
     if (!region.known()) break;
-    if (rank >= rule_colours.size()) {
+    if (rank >= different_rules) {
       others.designs += region.designs;
       if (infeasible) others.infeasible = region.infeasible;
       if (feasible) others.feasible = region.feasible;
     } else {
-      key.region(rule_colours[rank], infeasible, feasible,
+      key.region(rule_colour(rank), infeasible, feasible,
                  region.governing == MapRegion::unlimited ? "no rule limits it: " + results::unlimited_words(map)
                                                           : map.rules[region.governing].words,
                  share(region.designs));
@@ -176,7 +144,9 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
   picture.canvas.text({width / 2, 22}, heading, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   Key key(picture.canvas, {picture.panel.corner.x + picture.panel.width + 22, picture.panel.corner.y});
   const std::vector<MapRegion> regions = map_regions(map);
-  draw_regions(picture, regions, heading);
+  draw_regions(picture, regions, heading, [](const MapRegion& region, std::size_t rank) {
+    return region.known() ? rule_colour(rank) : unknown_colour;
+  });
   explain_regions(map, regions, key);
   explain_feasible(map, key);
   draw_frame(picture.canvas, picture.panel);
@@ -189,6 +159,7 @@ Figure map_figure(const study::DesignMap& map, const std::string& title) {
 }
 
 std::vector<Figure> map_figures(const study::Answers& answers) {
+  if (!answers.map_pairs.empty()) return {map_matrix_figure(answers.map_pairs, case_title("Maps of designs", answers))};
   if (!answers.map) return {};
   return {map_figure(*answers.map, case_title("Map of designs", answers))};
 }

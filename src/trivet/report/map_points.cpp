@@ -12,7 +12,6 @@
 #include "trivet/results/map_summary.h"
 
 namespace trivet::report {
-namespace {
 
 void draw_mark(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.circle(p, 4.5,
@@ -23,12 +22,13 @@ void draw_mark(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.line({p.x - 2, p.y + 2}, {p.x + 2, p.y - 2}, "stroke=\"black\" stroke-width=\"1.3\"");
 }
 
-/// Draws the best design, filled if it is feasible.
 void draw_best(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.area({{{p.x, p.y - 7}, {p.x + 6, p.y}, {p.x, p.y + 7}, {p.x - 6, p.y}}},
               feasible ? "fill=\"#0072B2\" stroke=\"white\" stroke-width=\"1.2\""
                        : "fill=\"white\" stroke=\"#0072B2\" stroke-width=\"2\"");
 }
+
+namespace {
 
 /// Does a line of margin 1 run through a box?
 bool meets_boundary(const MapPicture& picture, const Box& box) {
@@ -135,9 +135,13 @@ void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed) {
   if (picture.map.best) occupy(best_point(picture), 8);
 }
 
-void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
+void draw_best_design(MapPicture& picture) {
   if (picture.map.best)
     draw_best(picture.canvas, best_point(picture), picture.map.outcomes[*picture.map.best].feasible());
+}
+
+void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
+  draw_best_design(picture);
   for (const PlacedMark& mark : placed) {
     draw_mark(picture.canvas, mark.point, mark.feasible);
     place_label(picture, mark.point, mark.names);

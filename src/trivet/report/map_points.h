@@ -20,6 +20,15 @@ struct PlacedMark {
 /// Reserves the area of the points, so that no text covers them.
 void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed);
 
+/// Draws the best design, if there is one.
+void draw_best_design(MapPicture& picture);
+
+/// Draws the sign of a case: a black point, or a cross in a circle if it violates a rule.
+void draw_mark(SvgCanvas& canvas, PixelPoint at, bool feasible);
+
+/// Draws the sign of the best design, filled if it is feasible.
+void draw_best(SvgCanvas& canvas, PixelPoint at, bool feasible);
+
 /// Draws the best design and the cases with their names.
 void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key);
 

@@ -56,9 +56,9 @@ std::string marks_table(const study::DesignMap& map) {
 
 }  // namespace
 
-std::string map_tables(const study::Answers& answers) {
-  if (!answers.map) return "";
-  const study::DesignMap& map = *answers.map;
+namespace {
+
+std::string tables_of(const study::DesignMap& map) {
   std::string text = "Criteria: " + results::asked_words(map) + ". " + results::feasible_words(map) + ".";
   if (map.best) text += " " + results::best_words(map) + ".";
   for (const design::MissingReason& reason : map.report.missing)
@@ -66,6 +66,16 @@ std::string map_tables(const study::Answers& answers) {
   for (const std::string& doubt : doubts(map)) text += " " + doubt;
   return rules_table(map) + hint(text + " " + map.report.summary() + ".") +
       folded("Cases on the map", marks_table(map));
+}
+
+}  // namespace
+
+std::string map_tables(const study::Answers& answers) {
+  if (answers.map) return tables_of(*answers.map);
+  std::string all;
+  for (const study::DesignMap& map : answers.map_pairs)
+    all += folded(results::axis_name(map.request.x) + " and " + results::axis_name(map.request.y), tables_of(map));
+  return all;
 }
 
 }  // namespace trivet::report

@@ -30,10 +30,22 @@ namespace {
 
 /// The map as one of the answers of a run; the command `map` writes it with its own options.
 const AnswerWriter map_results = {
-    .has_answer = [](const project::Case&, const study::Answers& answers) { return answers.map.has_value(); },
-    .json = [](const project::Case&, const study::Answers& answers) { return json::design_map(*answers.map); },
-    .tables = {{"map.csv", [](const project::Case&, const study::Answers& answers) { return map_csv(*answers.map); }}},
-    .text = [](const project::Case&, const study::Answers& answers) { return map_text(*answers.map); },
+    .has_answer = [](const project::Case&,
+                     const study::Answers& answers) { return answers.map || !answers.map_pairs.empty(); },
+    .json = [](const project::Case&, const study::Answers& answers) -> json::Json {
+      if (answers.map) return json::design_map(*answers.map);
+      json::Json pairs = json::Json::array();
+      for (const study::DesignMap& map : answers.map_pairs) pairs.push_back(json::design_map(map));
+      return {{"pairs", pairs}};
+    },
+    .tables = {{"map.csv",
+                [](const project::Case&, const study::Answers& answers) {
+                  return answers.map ? map_csv(*answers.map) : map_pairs_csv(answers.map_pairs);
+                }}},
+    .text =
+        [](const project::Case&, const study::Answers& answers) {
+          return answers.map ? map_text(*answers.map) : map_pairs_text(answers.map_pairs);
+        },
 };
 
 }  // namespace

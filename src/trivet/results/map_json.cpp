@@ -25,15 +25,16 @@ Json axis(const project::DesignAxis& a) {
           {"points", a.points}};
 }
 
-const char* kind(design::DesignRule::Kind kind) {
-  return kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak";
+std::string kind(const design::MapRule& rule) {
+  if (rule.kind == design::DesignRule::Kind::requirement) return rule.requirement;
+  return rule.kind == design::DesignRule::Kind::amplitude ? "amplitude" : "no_peak";
 }
 
 Json rules(const study::DesignMap& map) {
   Json list = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
-    list.push_back({{"kind", kind(rule.kind)},
+    list.push_back({{"kind", kind(rule)},
                     {"name", rule.answer},
                     {"unit", rule.unit},
                     {"allowed", rule.allowed},
@@ -112,7 +113,7 @@ Json mark(const study::DesignMap& map, const study::MapMark& m) {
   result["rules"] = Json::array();
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
-    const double value = m.judged->rules.values[r], margin = design::margin({rule.kind, 0, rule.allowed}, value);
+    const double value = m.judged->rules.values[r], margin = m.judged->margins[r];
     result["rules"].push_back({{"words", rule.words},
                                {"value", json::number(value)},
                                {"angular_frequency", json::number(m.judged->rules.angular_frequencies[r])},
@@ -157,6 +158,7 @@ Json without_grid(const study::DesignMap& map) {
   result["way"] = map.report.summary();
   result["evaluation"] = {
       {"proven", map.report.proven}, {"redone", map.report.fallback}, {"one_by_one", map.report.assembled_separately}};
+  if (map.report.with_requirements > 0) result["evaluation"]["requirements"] = map.report.with_requirements;
   result["missing"] = Json::array();
   for (const design::MissingReason& reason : map.report.missing) {
     const design::DesignPoint p = map.point(reason.first);
@@ -178,43 +180,88 @@ Json json::design_map(const study::DesignMap& map) {
   return result;
 }
 
-void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
-  Json result = without_grid(map);
-  result["warnings"] = json::warnings(warnings);
-  std::string head = json::text(result);
+namespace {
+
+void write_with_grid(const Json& rest, const study::DesignMap& map, const TextSink& sink) {
+  std::string head = json::text(rest);
   head.pop_back();
   Pieces pieces(sink);
   pieces.text() += head + ",\"grid\":";
   write_grid(map, pieces);
-  pieces.text() += "}\n";
+  pieces.text() += "}";
   pieces.hand_on();
 }
 
-void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
-  const auto head = [](const project::DesignAxis& a) {
-    return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]");
-  };
-  Pieces pieces(sink);
-  pieces.text() += head(map.request.x) + "," + head(map.request.y) + ",margin,governing,kept\n";
+}  // namespace
+
+void write_map_json(const study::DesignMap& map, const foundation::Problems& warnings, const TextSink& sink) {
+  Json result = without_grid(map);
+  result["warnings"] = json::warnings(warnings);
+  write_with_grid(result, map, sink);
+  sink("\n");
+}
+
+void write_map_pairs_json(const std::vector<study::DesignMap>& maps, const foundation::Problems& warnings,
+                          const TextSink& sink) {
+  sink("{\"pairs\":[");
+  for (std::size_t k = 0; k < maps.size(); ++k) {
+    if (k > 0) sink(",");
+    write_with_grid(without_grid(maps[k]), maps[k], sink);
+  }
+  sink("],\"warnings\":" + json::text(json::warnings(warnings)) + "}\n");
+}
+
+namespace {
+
+std::string column_head(const project::DesignAxis& a) {
+  return csv_field(axis_unit(a).empty() ? a.name : a.name + " [" + axis_unit(a) + "]");
+}
+
+/// @param before  the first fields of each row, with a comma behind
+void write_rows(const study::DesignMap& map, const std::string& before, Pieces& pieces) {
   std::vector<std::string> words;
   for (const design::MapRule& rule : map.rules) words.push_back(csv_field(rule.words));
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
     const design::DesignPoint p = map.point(k);
     const design::DesignOutcome& o = map.outcomes[k];
     std::string& text = pieces.text();
-    fmt::format_to(std::back_inserter(text), "{},{},", p.x, p.y);
+    fmt::format_to(std::back_inserter(text), "{}{},{},", before, p.x, p.y);
     if (o.known())
       fmt::format_to(std::back_inserter(text), "{},{},{}\n", o.margin,
                      std::isinf(o.margin) ? "none" : words[o.governing], o.feasible() ? "yes" : "no");
     else text += o.governing == design::DesignOutcome::no_model ? ",no model,no\n" : ",not computed,no\n";
   }
+}
+
+std::string in_one_text(const std::function<void(const TextSink&)>& write) {
+  std::string text;
+  write([&](std::string_view piece) { text += piece; });
+  return text;
+}
+
+}  // namespace
+
+void write_map_csv(const study::DesignMap& map, const TextSink& sink) {
+  Pieces pieces(sink);
+  pieces.text() += column_head(map.request.x) + "," + column_head(map.request.y) + ",margin,governing,kept\n";
+  write_rows(map, "", pieces);
   pieces.hand_on();
 }
 
+void write_map_pairs_csv(const std::vector<study::DesignMap>& maps, const TextSink& sink) {
+  Pieces pieces(sink);
+  pieces.text() += "x parameter,y parameter,x,y,margin,governing,kept\n";
+  for (const study::DesignMap& map : maps)
+    write_rows(map, column_head(map.request.x) + "," + column_head(map.request.y) + ",", pieces);
+  pieces.hand_on();
+}
+
+std::string map_pairs_csv(const std::vector<study::DesignMap>& maps) {
+  return in_one_text([&](const TextSink& sink) { write_map_pairs_csv(maps, sink); });
+}
+
 std::string map_csv(const study::DesignMap& map) {
-  std::string text;
-  write_map_csv(map, [&](std::string_view piece) { text += piece; });
-  return text;
+  return in_one_text([&](const TextSink& sink) { write_map_csv(map, sink); });
 }
 
 }  // namespace trivet::results

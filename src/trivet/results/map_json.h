@@ -21,4 +21,12 @@ void write_map_csv(const study::DesignMap& map, const TextSink& sink);
 /// The same as one text.
 [[nodiscard]] std::string map_csv(const study::DesignMap& map);
 
+/// The maps of several pairs: {"pairs": […], "warnings": […]}.
+void write_map_pairs_json(const std::vector<study::DesignMap>& maps, const foundation::Problems& warnings,
+                          const TextSink& sink);
+
+/// One row per design, with the names of both parameters.
+void write_map_pairs_csv(const std::vector<study::DesignMap>& maps, const TextSink& sink);
+[[nodiscard]] std::string map_pairs_csv(const std::vector<study::DesignMap>& maps);
+
 }  // namespace trivet::results

@@ -38,6 +38,11 @@ std::string asked_words(const study::DesignMap& map) {
         "{}resonance peaks at all frequencies, from {:g} % above the adjacent minimum (rises below {:g} of the curve "
         "maximum are ignored)",
         text.empty() ? "" : "; ", 100 * map.request.peak_tolerance, map.request.min_prominence);
+  const auto others = std::count_if(map.rules.begin(), map.rules.end(),
+                                    [](const design::MapRule& rule) { return rule.kind == RuleKind::requirement; });
+  if (others > 0)
+    text += fmt::format("{}{} {}requirement{}", text.empty() ? "" : "; ", others, text.empty() ? "" : "other ",
+                        others == 1 ? "" : "s");
   return text;
 }
 
@@ -104,6 +109,7 @@ std::vector<std::size_t> governing_rules(const study::DesignMap& map) {
 }
 
 std::string unlimited_words(const study::DesignMap& map) {
+  if (has(map, RuleKind::requirement)) return "nothing to judge";
   return has(map, RuleKind::amplitude) ? "no motion" : "no peak";
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "trivet/results/axis_words.h"
 #include "trivet/results/distinct_texts.h"
@@ -88,6 +89,29 @@ std::string map_text(const study::DesignMap& map) {
   if (!map.marks.empty()) text += "Cases\n";
   for (const study::MapMark& mark : map.marks) text += mark_text(map, mark);
   return text + "  " + map.report.summary() + "\n";
+}
+
+std::string map_pairs_text(const std::vector<study::DesignMap>& maps) {
+  TextTable table({"x", "y", "feasible", "best x", "best y", "margin", "governed by"});
+  for (const study::DesignMap& map : maps) {
+    const project::DesignAxis &x = map.request.x, &y = map.request.y;
+    std::vector<std::string> row = {axis_name(x), axis_name(y), fmt::format("{:.2f} %", 100 * map.feasible.area)};
+    if (map.best) {
+      const design::DesignPoint p = map.point(*map.best);
+      const design::DesignOutcome& best = map.outcomes[*map.best];
+      const bool unlimited = std::isinf(best.margin);
+      for (std::string& word : std::vector<std::string>{axis_value(p.x, x), axis_value(p.y, y),
+                                                        unlimited ? "∞" : fmt::format("{:.4g}", best.margin),
+                                                        unlimited ? "no rule" : map.rules[best.governing].words})
+        row.push_back(std::move(word));
+    }
+    row.resize(7);
+    table.add(row);
+  }
+  std::string text = fmt::format("Maps of {} pairs of parameters; all others have the values of the file\n{}\n",
+                                 maps.size(), table.text());
+  for (const study::DesignMap& map : maps) text += map_text(map) + "\n";
+  return text;
 }
 
 }  // namespace trivet::results

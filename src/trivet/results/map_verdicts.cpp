@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/results/distinct_texts.h"
+#include "trivet/study/explanation.h"
 
 namespace trivet::results {
 namespace {
@@ -15,6 +17,12 @@ namespace {
 std::string peak_words(bool counted, double tallest) {
   constexpr double slight = 0.05;
   return counted ? "peaks" : tallest <= slight ? "rises within the tolerance" : "has a peak within the tolerance";
+}
+
+std::string requirement_value(const design::MapRule& rule, double value) {
+  if (std::isinf(value)) return "unbounded";
+  if (rule.unit == "rad/s") return fmt::format("{:.5g} Hz", value / foundation::two_pi);
+  return rule.unit == "1" ? fmt::format("{:.4g}", value) : study::value_words(value, rule.unit);
 }
 
 }  // namespace
@@ -32,7 +40,10 @@ std::vector<std::string> verdict_words(const study::DesignMap& map, const study:
   for (std::size_t r = 0; r < map.rules.size(); ++r) {
     const design::MapRule& rule = map.rules[r];
     const double value = judged.rules.values[r], at = judged.rules.angular_frequencies[r];
-    if (rule.kind != design::DesignRule::Kind::amplitude || design::meets_limit(value, rule.allowed)) continue;
+    if (rule.kind == design::DesignRule::Kind::requirement && judged.margins[r] < 1)
+      words.push_back(
+          fmt::format("{}: {}, margin {:.4g}", rule.words, requirement_value(rule, value), judged.margins[r]));
+    if (rule.kind != design::DesignRule::Kind::amplitude || judged.margins[r] >= 1) continue;
     const std::string where = std::isinf(at) ? "towards ω = ∞" : fmt::format("at {:.4g} rad/s", at);
     if (std::isinf(value)) {
       words.push_back(

@@ -78,6 +78,7 @@ struct Answers {
   std::optional<CaseVerdict> verdict;  ///< on the requirements of the file, if a run judges them
   std::optional<LoadCase> load_case;   ///< for the envelope of a run with several cases
   std::optional<DesignMap> map;        ///< map of the base model, if a run computes it
+  std::vector<DesignMap> map_pairs;    ///< instead of it, the maps of several pairs of parameters
   std::vector<std::string> failures;   ///< requests that could not be computed, with the reason
   std::map<std::string, std::any>
       of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name

@@ -9,10 +9,10 @@
 
 #include "trivet/design/best_design.h"
 #include "trivet/design/boundary_crossings.h"
-#include "trivet/design/design_evaluation.h"
 #include "trivet/design/steep_neighbours.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/map_judge.h"
 #include "trivet/study/map_warnings.h"
 #include "trivet/study/unbounded_peaks.h"
 
@@ -60,7 +60,7 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   map.request.y.points = map.grid.ny;
   map.drawn = design::drawn_grid(map.grid);
   refuse_unbounded_peaks(variant, map.request);
-  design::DesignEvaluation evaluation(variant, map.request, options.evaluation);
+  MapJudge evaluation(project, variant, map.request, options.evaluation);
   map.rules = evaluation.rules();
   map.outcomes = evaluation.evaluate(map.grid.count(), [&](std::size_t k) { return map.point(k); }, progress);
   map.report = evaluation.report();
@@ -92,7 +92,24 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
         design::margin_lines(map.drawn, map.outcomes, static_cast<double>(map.outcomes[*map.best].margin));
   map.marks = map_marks(project, map.request, evaluation, options.evaluation.threads, progress);
   map.warnings = map_warnings(variant, map);
+  map.warnings.add(evaluation.warnings());
   return map;
+}
+
+std::vector<DesignMap> design_maps(const project::Project& project, const project::Case& variant,
+                                   const project::MapRequest& request, const MapOptions& options,
+                                   const foundation::Progress& progress) {
+  std::vector<DesignMap> maps;
+  for (std::size_t k = 0; k < request.pairs.size(); ++k) {
+    const project::MapRequest one = request.of_pair(k);
+    const foundation::Progress step = [&](std::string_view task, double fraction) {
+      if (progress)
+        progress(fmt::format("{} of {} maps: {}", k + 1, request.pairs.size(), task),
+                 (static_cast<double>(k) + fraction) / static_cast<double>(request.pairs.size()));
+    };
+    maps.push_back(design_map(project, variant, one, options, step));
+  }
+  return maps;
 }
 
 bool has_own_map(const project::Project& project, const project::Case& variant) {

@@ -56,6 +56,11 @@ struct MapOptions {
                                    const project::MapRequest& request, const MapOptions& options = {},
                                    const foundation::Progress& progress = {});
 
+/// One map for each pair of the request.
+[[nodiscard]] std::vector<DesignMap> design_maps(const project::Project& project, const project::Case& variant,
+                                                 const project::MapRequest& request, const MapOptions& options = {},
+                                                 const foundation::Progress& progress = {});
+
 /// Does a run compute a map of this case? For the base model if its file requests one; for a case if its map differs
 /// from that of the base model: other numbers, rules or frequencies. A case with only another model is at most a point
 /// on the map of the base model.

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
-#include "trivet/design/design_evaluation.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/project/model_number.h"
+#include "trivet/study/map_judge.h"
 
 namespace trivet::study {
 namespace {
@@ -24,17 +25,22 @@ std::string failure_reason(const std::function<void()>& work) {
   return "";
 }
 
-void judge(const project::Case& variant, const design::DesignEvaluation& evaluation, MapMark& mark) {
-  mark.failure = failure_reason([&] { mark.judged = evaluation.judged_design(variant.system); });
+void judge(const project::Case& variant, const MapJudge& evaluation, MapMark& mark) {
   // If the comparison fails, the case does not count as a design of this map.
   static_cast<void>(failure_reason(
       [&] { mark.of_this_model = mark.placed() && evaluation.is_at(variant.system, {*mark.x, *mark.y}); }));
+  mark.failure = failure_reason([&] {
+    const auto design = mark.of_this_model ? std::optional(design::DesignPoint{*mark.x, *mark.y}) : std::nullopt;
+    mark.judged = evaluation.judged_design(variant.system, design);
+  });
 }
 
 /// Does the map of this case differ, apart from grids and lists of cases?
 bool has_other_rules(const project::Case& variant, const project::MapRequest& request) {
   if (!variant.analyses.map) return false;
   project::MapRequest own = *variant.analyses.map;
+  if (!own.pairs.empty()) std::tie(own.x, own.y) = std::tie(request.x, request.y);  // of any of its pairs
+  own.pairs = request.pairs;
   own.x.points = request.x.points;
   own.y.points = request.y.points;
   own.cases = request.cases;
@@ -44,8 +50,7 @@ bool has_other_rules(const project::Case& variant, const project::MapRequest& re
 }  // namespace
 
 std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request,
-                               const design::DesignEvaluation& evaluation, int threads,
-                               const foundation::Progress& progress) {
+                               const MapJudge& evaluation, int threads, const foundation::Progress& progress) {
   std::vector<MapMark> all;
   std::vector<const project::Case*> cases;
   for (const project::Case& c : project.cases) {

@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "trivet/design/design_evaluation.h"
 #include "trivet/design/design_outcome.h"
 #include "trivet/foundation/interruption.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
+
+class MapJudge;
 
 /// A case as a point on the map, judged from its own model.
 struct MapMark {
@@ -26,7 +27,7 @@ struct MapMark {
 
 /// The cases that the request lists, or all cases with both numbers.
 [[nodiscard]] std::vector<MapMark> map_marks(const project::Project& project, const project::MapRequest& request,
-                                             const design::DesignEvaluation& evaluation, int threads,
+                                             const MapJudge& evaluation, int threads,
                                              const foundation::Progress& progress);
 
 }  // namespace trivet::study

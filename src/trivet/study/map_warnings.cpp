@@ -47,8 +47,37 @@ void warn_of_band_crossings(const DesignMap& map, foundation::Problems& warnings
       fmt::format("use {}, or narrower ranges around it", points));
 }
 
+bool has_requirements(const DesignMap& map) {
+  return std::any_of(map.rules.begin(), map.rules.end(),
+                     [](const design::MapRule& rule) { return rule.kind == design::DesignRule::Kind::requirement; });
+}
+
+/// Does a requirement change from one design to the next along an axis? Its margins show it, where it governs.
+bool margins_change(const DesignMap& map, int along_x, int along_y) {
+  for (int j = 0; j + along_y < map.grid.ny; ++j)
+    for (int i = 0; i + along_x < map.grid.nx; ++i) {
+      const design::DesignOutcome &a = map.outcomes[map.grid.index(i, j)],
+                                  &b = map.outcomes[map.grid.index(i + along_x, j + along_y)];
+      if (a.known() != b.known() || a.margin != b.margin || a.governing != b.governing) return true;
+    }
+  return false;
+}
+
+/// The effects on amplitudes, and on margins if the map judges requirements too.
+AxisEffects effects_on_rules(const project::Case& variant, const DesignMap& map) {
+  std::vector<design::MapRule> of_amplitudes = map.rules;
+  std::erase_if(of_amplitudes,
+                [](const design::MapRule& rule) { return rule.kind == design::DesignRule::Kind::requirement; });
+  AxisEffects found =
+      of_amplitudes.empty() ? AxisEffects{{}, false, false} : axis_effects(variant, map.request, of_amplitudes);
+  if (of_amplitudes.size() == map.rules.size()) return found;
+  found.by_x = found.by_x || margins_change(map, 1, 0);
+  found.by_y = found.by_y || margins_change(map, 0, 1);
+  return found;
+}
+
 void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation::Problems& warnings) {
-  const AxisEffects found = axis_effects(variant, map.request, map.rules);
+  const AxisEffects found = effects_on_rules(variant, map);
   for (const std::string& name : found.zero_answers)
     warnings.warning("map: " + name, "is zero except for round-off", "its rules have no effect",
                      "check the directions of forces and constraints, or remove the rules");
@@ -59,7 +88,9 @@ void warn_of_idle(const project::Case& variant, const DesignMap& map, foundation
   for (const auto& [axis, changes] : {std::pair{&map.request.x, found.by_x}, {&map.request.y, found.by_y}})
     if (!changes)
       warnings.warning("map: " + axis->name, "no result changes along this axis",
-                       "the amplitudes of all rules are constant along it", "choose a number that affects the results");
+                       has_requirements(map) ? "no rule depends on it in this map"
+                                             : "the amplitudes of all rules are constant along it",
+                       "choose a number that affects the results");
 }
 
 /// Warns of a range that may be in another unit than the number of the model.

@@ -29,13 +29,17 @@ std::vector<std::string> unbounded(const model::System& system, const project::M
   return names;
 }
 
+project::Design middle_of(const std::vector<project::DesignAxis>& axes) {
+  constexpr double middle = 0.47;  // of all axes; avoids a symmetric design
+  project::Design design;
+  for (const project::DesignAxis& axis : axes) design.emplace_back(project::ModelNumber(axis), axis.at(middle));
+  return design;
+}
+
 /// The base model may have a symmetry that the designs do not have. Without a model in the middle all names remain.
 void keep_unbounded_at_middle(const project::Case& variant, const project::MapRequest& request,
-                              std::vector<std::string>& names) {
-  constexpr double middle = 0.47;  // of both axes; avoids a symmetric design
-  const auto system = project::changed_system(variant,
-                                              {{project::ModelNumber(request.x), request.x.at(middle)},
-                                               {project::ModelNumber(request.y), request.y.at(middle)}});
+                              const std::vector<project::DesignAxis>& axes, std::vector<std::string>& names) {
+  const auto system = project::changed_system(variant, middle_of(axes));
   if (!system) return;
   try {
     const std::vector<std::string> there = unbounded(*system, request);
@@ -52,22 +56,38 @@ const char* name_of(assembly::MotionQuantity quantity) {
                                                            : "";
 }
 
-}  // namespace
-
-void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request) {
+void refuse(const project::Case& variant, const project::MapRequest& request,
+            const std::vector<project::DesignAxis>& axes) {
   if (request.no_peak.empty()) return;
   std::vector<std::string> names = unbounded(variant.system, request);
-  if (!names.empty()) keep_unbounded_at_middle(variant, request, names);
+  if (!names.empty()) keep_unbounded_at_middle(variant, request, axes, names);
   if (names.empty()) return;
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  const std::string key = request.own_no_peak ? "analyses.map.no_peak" : "requirements.no_peak";
   throw foundation::NotComputable(fmt::format(
-      "{}: analyses.map.no_peak: {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
+      "{}: {}: {}{}: a curve that vanishes at ω = 0 and at high frequency has a peak in every "
       "design; "
       "name other results in no_peak, and limit the amplitude of {}{}",
-      foundation::place(project::deepest(variant.written, "analyses.map.no_peak").origin), name_of(request.quantity),
-      list, names.size() == 1 ? "this one" : "these",
+      foundation::place(project::deepest(variant.written, key).origin), key, name_of(request.quantity), list,
+      names.size() == 1 ? "this one" : "these",
       request.quantity == assembly::MotionQuantity::displacement ? "" : ", or set quantity = \"displacement\""));
+}
+
+}  // namespace
+
+void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request) {
+  refuse(variant, request, {request.x, request.y});
+}
+
+void refuse_unbounded_peaks(const project::Case& variant, const std::vector<project::DesignAxis>& parameters) {
+  if (!variant.analyses.requirements) return;
+  const project::Requirements& required = *variant.analyses.requirements;
+  project::MapRequest asked;
+  asked.no_peak = required.no_peak;
+  asked.quantity = required.quantity;
+  asked.excitations = required.excitations;
+  refuse(variant, asked, parameters);
 }
 
 }  // namespace trivet::study

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "trivet/project/project.h"
 
 namespace trivet::study {
@@ -9,5 +11,8 @@ namespace trivet::study {
 /// the middle of the map: such a rule can never be met.
 /// @throws foundation::NotComputable with these answers, the reason and what to do
 void refuse_unbounded_peaks(const project::Case& variant, const project::MapRequest& request);
+
+/// The same of the requirements of a case, over all designs of these parameters.
+void refuse_unbounded_peaks(const project::Case& variant, const std::vector<project::DesignAxis>& parameters);
 
 }  // namespace trivet::study

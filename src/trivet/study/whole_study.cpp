@@ -24,8 +24,11 @@ namespace {
 void add_map(const project::Project& project, const project::Case& variant, const foundation::Progress& step,
              Answers& answers) {
   try {
-    answers.map = design_map(project, variant, *variant.analyses.map, {}, step);
-    answers.warnings.add(answers.map->warnings);
+    const project::MapRequest& request = *variant.analyses.map;
+    if (request.pairs.empty()) answers.map = design_map(project, variant, request, {}, step);
+    else answers.map_pairs = design_maps(project, variant, request, {}, step);
+    if (answers.map) answers.warnings.add(answers.map->warnings);
+    for (const DesignMap& map : answers.map_pairs) answers.warnings.add(map.warnings);
   } catch (const foundation::NotComputable& reason) {
     answers.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {

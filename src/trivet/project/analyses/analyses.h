@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/project/analyses/design_axis.h"
@@ -49,7 +50,8 @@ inline constexpr double most_designs = 1e7;
 /// Two numbers of the project and the rules that a design meets or violates.
 struct MapRequest {
   DesignAxis x, y;
-  std::optional<response::Band> band;  ///< of the amplitudes; none: 0 ≤ ω < ∞
+  std::vector<std::pair<DesignAxis, DesignAxis>> pairs;  ///< a map for each of them, instead of x and y
+  std::optional<response::Band> band;                    ///< of the amplitudes; none: 0 ≤ ω < ∞
   std::vector<AmplitudeLimit> limits;
   bool limits_of_file = true;        ///< the map has none: take those of the file
   std::vector<std::string> no_peak;  ///< answers that must have no resonance peak at any frequency
@@ -57,6 +59,13 @@ struct MapRequest {
   double min_prominence = 1e-6, peak_tolerance = 0.01;                         ///< as of `peaks`
   std::vector<std::string> excitations;                                        ///< empty: all
   std::optional<std::vector<std::string>> cases;  ///< marked on the map; none: all that have both numbers
+  bool own_band = false, own_excitations = false, own_peak_shares = false;  ///< the table of the map has these keys
+  bool own_no_peak = false;
+  std::optional<Requirements> requirements;  ///< what is left of [requirements], see use_requirements
+  std::vector<std::string> hold_in;          ///< further cases in which a design has to meet their rules
+
+  /// The request with one of the pairs as x and y.
+  [[nodiscard]] MapRequest of_pair(std::size_t pair) const;
   bool operator==(const MapRequest&) const = default;
 };
 

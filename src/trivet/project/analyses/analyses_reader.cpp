@@ -8,6 +8,7 @@
 
 #include "trivet/project/analyses/design_axis_reader.h"
 #include "trivet/project/analyses/map_reader.h"
+#include "trivet/project/analyses/map_requirements.h"
 #include "trivet/project/analyses/optimize_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/requirements_reader.h"
@@ -171,6 +172,7 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
                                 (analyses.map && analyses.map->limits_of_file) || root.has("requirements"));
   use_limits_of_file(analyses);
   read_requirements(root, names, in_file, analyses);
+  use_requirements(analyses);
   return analyses;
 }
 

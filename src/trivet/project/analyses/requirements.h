@@ -45,6 +45,12 @@ struct Requirements {
   double mass = 0;                          ///< largest sum over them [kg]; 0: not required
   std::vector<std::string> hold_in = {""};  ///< cases in which a design has to hold; "" is the base model
 
+  /// True if nothing is required.
+  [[nodiscard]] bool is_empty() const {
+    return limits.empty() && no_peak.empty() && limit_lines.empty() && avoided.empty() && separation == 0 &&
+        damping_ratio == 0 && decoupling.empty() && rms.empty() && largest.empty() && statics.empty() && !mount_load &&
+        !price && mass == 0;
+  }
   bool operator==(const Requirements&) const = default;
 };
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/map_requirements.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace trivet::project {
+void use_requirements(Analyses& analyses) {
+  if (!analyses.map || !analyses.requirements) return;
+  MapRequest& map = *analyses.map;
+  Requirements rest = *analyses.requirements;
+  std::copy_if(rest.hold_in.begin(), rest.hold_in.end(), std::back_inserter(map.hold_in),
+               [](const std::string& name) { return !name.empty(); });
+  if (map.limits.empty() && !map.own_no_peak) {  // nothing else needs the band and the excitations of the response
+    if (!map.own_band) map.band = rest.band;
+    if (!map.own_excitations) map.excitations = rest.excitations;
+  }
+  if (map.own_band) rest.band = map.band;
+  if (map.own_excitations) rest.excitations = map.excitations;
+  const bool same_load = map.excitations == rest.excitations;
+  if (!map.limits_of_file) {
+    rest.limits.clear();
+  } else if (same_load && map.band == rest.band) {
+    map.limits.insert(map.limits.end(), rest.limits.begin(), rest.limits.end());
+    rest.limits.clear();
+  }
+  if (map.own_no_peak) {
+    rest.no_peak.clear();
+  } else if (same_load) {
+    map.no_peak = std::move(rest.no_peak);
+    map.quantity = rest.quantity;
+    if (!map.own_peak_shares) {
+      map.min_prominence = rest.min_prominence;
+      map.peak_tolerance = rest.peak_tolerance;
+    }
+    rest.no_peak.clear();
+  }
+  if (!rest.is_empty()) map.requirements = std::move(rest);
+}
+
+MapRequest MapRequest::of_pair(std::size_t pair) const {
+  MapRequest one = *this;
+  one.x = pairs.at(pair).first;
+  one.y = pairs.at(pair).second;
+  one.pairs.clear();
+  return one;
+}
+
+}  // namespace trivet::project

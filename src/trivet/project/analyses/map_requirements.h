@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/project/analyses/analyses.h"
+
+namespace trivet::project {
+
+/// Adds [requirements] to the rules of the map. Limits and no_peak of the map replace those of the requirements. Those
+/// that have the band and the excitations of the map become rules of the map, which many designs at once are judged by;
+/// the rest stays in `requirements` of the request. Call it after all of these are read.
+void use_requirements(Analyses& analyses);
+
+}  // namespace trivet::project

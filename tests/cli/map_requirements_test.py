@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Requirements in maps, and maps of several pairs of parameters, against closed forms and single maps."""
+import csv
+import io
+import math
+import unittest
+import xml.etree.ElementTree
+
+from trivet_test import InTemporaryFolder, answer, trivet
+
+STORED = 1e-6  # a map stores margins in single precision
+M, G, SAG, RATIO, WINDOW = 40.0, 9.80665, 4e-3, 0.05, (8.0, 12.0)
+
+MODEL = f"""trivet = 1
+gravity = [0, 0, -{G}]
+[bodies.m]
+mass = {M}
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 1e5]
+damping = {{translation = [0, 0, 400]}}
+[parameters.stiffness]
+path = "elements.s.translation.z"
+from = 5e4
+to = 5e5
+spacing = "logarithmic"
+[parameters.damper]
+path = "elements.s.damping.translation.z"
+from = 50
+to = 2000
+[parameters.mass]
+path = "bodies.m.mass"
+from = 20
+to = 80
+"""
+PUSH = """[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 30]
+"""
+REQUIRED = f"""[requirements]
+damping_ratio = {RATIO}
+static = {{"m.z" = {SAG}}}
+natural_frequencies = {{avoid = [["{WINDOW[0]} Hz", "{WINDOW[1]} Hz"]]}}
+"""
+PAIRS = '[analyses.map]\npairs = [["stiffness", "damper"], ["stiffness", "mass"], ["damper", "mass"]]\npoints = 7\n'
+ONE = '[analyses.map]\nx = {parameter = "stiffness", points = 7}\ny = {parameter = "damper", points = 9}\n'
+
+
+def values(axis):
+    shares = [i / (axis["points"] - 1) for i in range(axis["points"])]
+    low, high = axis["from"], axis["to"]
+    if axis["spacing"] == "logarithmic":
+        return [low * (high / low) ** s for s in shares]
+    return [low + s * (high - low) for s in shares]
+
+
+def margin(k, c, m):
+    """The least margin of REQUIRED."""
+    omega = math.sqrt(k / m)
+    hertz = omega / (2 * math.pi)
+    ratio = c / (2 * math.sqrt(k * m))
+    met = [SAG * k / (m * G), max(WINDOW[0] / hertz, hertz / WINDOW[1])]
+    return min(met + ([ratio / RATIO] if ratio < 1 else []))
+
+
+class MapRequirements(InTemporaryFolder):
+    def test_every_design_has_the_least_margin_of_all_requirements(self):
+        for excitation in ("", PUSH):
+            found = answer("map", self.file(MODEL + excitation + ONE + REQUIRED))
+            places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+            self.assertEqual(len(places), 63)
+            for (k, c), stored in zip(places, found["grid"]["margin"]):
+                self.assertAlmostEqual(stored / margin(k, c, M), 1, delta=STORED)
+            self.assertEqual(
+                [rule["kind"] for rule in found["rules"]], ["damping_ratio", "static", "avoided_frequencies"]
+            )
+            self.assertEqual({rule["governs_kept"] + rule["governs_broken"] > 0 for rule in found["rules"]}, {True})
+            self.assertNotIn("no result changes", str(found["warnings"]))
+            self.assertIn("judged design by design: every damping ratio", found["way"])
+            self.assertIn("natural frequencies of the matrices interpolated", found["way"])
+
+    def test_boundary_is_where_the_margin_is_one(self):
+        found = answer("map", self.file(MODEL + ONE + REQUIRED))
+        points = [p for line in found["feasible"]["boundary"] for p in line]
+        self.assertGreater(len(points), 5)
+        for k, c in points:
+            self.assertAlmostEqual(margin(k, c, M), 1, delta=1e-4)
+
+    def test_each_pair_is_the_map_of_its_two_parameters(self):
+        both = answer("map", self.file(MODEL + PAIRS + REQUIRED))
+        self.assertEqual(
+            [(m["x"]["name"], m["y"]["name"]) for m in both["pairs"]][1:], [("stiffness", "mass"), ("damper", "mass")]
+        )
+        for one in both["pairs"]:
+            axes = ", ".join(f'{a} = {{parameter = "{one[a]["name"]}", points = 7}}' for a in "xy")
+            alone = answer("map", self.file(MODEL + f"[analyses]\nmap = {{{axes}}}\n" + REQUIRED))
+            alone.pop("warnings")
+            self.assertEqual(one, alone)
+        text = trivet("map", self.file(MODEL + PAIRS + REQUIRED)).stdout
+        self.assertIn("Maps of 3 pairs of parameters", text)
+        rows = list(csv.reader(io.StringIO(trivet("map", self.file(MODEL + PAIRS + REQUIRED), "--csv").stdout)))
+        self.assertEqual(rows[0][:4], ["x parameter", "y parameter", "x", "y"])
+        self.assertEqual(len(rows), 1 + 3 * 49)
+
+    def test_limits_and_peaks_of_requirements_are_those_of_a_map(self):
+        rules = 'limits = {"m.z" = "1 mm", "ground.force.z" = "60 N"}\nno_peak = "m"\nband = ["1 Hz", "9 Hz"]\npeak_tolerance = 0.2\n'
+        own = answer("map", self.file(MODEL + PUSH + ONE + rules))
+        required = answer("map", self.file(MODEL + PUSH + ONE + "[requirements]\n" + rules))
+        self.assertEqual(own, required)
+        # A band of the map is that of all its limits; other excitations are judged design by design.
+        other = rules.replace('"1 Hz"', '"2 Hz"')
+        moved = answer("map", self.file(MODEL + PUSH + ONE + 'band = ["1 Hz", "9 Hz"]\n[requirements]\n' + other))
+        self.assertEqual(own["grid"], moved["grid"])
+
+    def test_limits_with_two_bands_are_judged_in_their_own(self):
+        low, high = 'band = ["1 Hz", "6 Hz"]\n', 'band = ["9 Hz", "20 Hz"]\n'
+        still, force = '"m.z" = "0.4 mm"', 'limits = {"ground.force.z" = "40 N"}\n'
+        one = answer("map", self.file(MODEL + PUSH + ONE + low + f"limits = {{{still}}}\n"))
+        other = answer("map", self.file(MODEL + PUSH + ONE + high + force))
+        both = answer(
+            "map",
+            self.file(
+                MODEL + PUSH + ONE + f"[analyses.response]\n{low}[limits]\n{still}\n[requirements]\n{high}{force}"
+            ),
+        )
+        self.assertIn("judged design by design: ground.force.z", both["way"])
+        for a, b, least in zip(one["grid"]["margin"], other["grid"]["margin"], both["grid"]["margin"]):
+            self.assertAlmostEqual(least / min(a, b), 1, delta=STORED)
+
+    def test_own_limits_and_peaks_replace_those_of_the_requirements(self):
+        own = 'limits = {"m.z" = "1 mm"}\nno_peak = []\n'
+        required = REQUIRED + 'limits = {"m.z" = "1 um"}\nno_peak = "m"\n'
+        found = answer("map", self.file(MODEL + PUSH + ONE + own + required))
+        kinds = [(rule["kind"], rule["allowed"]) for rule in found["rules"]]
+        self.assertEqual(kinds[0], ("amplitude", 1e-3))
+        self.assertEqual([kind for kind, _ in kinds], ["amplitude", "damping_ratio", "static", "avoided_frequencies"])
+
+    def test_designs_hold_in_further_cases(self):
+        text = MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n[cases.heavy]\nbodies.m.mass = 80\n'
+        found = answer("map", self.file(text))
+        places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+        for (k, c), stored in zip(places, found["grid"]["margin"]):
+            self.assertAlmostEqual(stored / min(margin(k, c, M), margin(k, c, 80)), 1, delta=STORED)
+        self.assertEqual(sum('in case "heavy"' in rule["words"] for rule in found["rules"]), 3)
+        # The given design is judged in the heavy case too, the heavy one only for itself.
+        base, heavy = found["marks"]
+        self.assertAlmostEqual(base["margin"] / min(margin(1e5, 400, M), margin(1e5, 400, 80)), 1, delta=STORED)
+        self.assertAlmostEqual(heavy["margin"] / margin(1e5, 400, 80), 1, delta=STORED)
+        self.assertEqual([r["value"] for r in heavy["rules"][3:]], [None] * 3)
+
+    def test_requirement_that_cannot_be_judged_is_no_result(self):
+        moving = '[excitations.w]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = 5, duration = "11 ms"}}\n'
+        text = MODEL.replace("{translation = [0, 0, 400]}", "{loss_factor = 0.1}").split("[parameters.damper]")[0]
+        mass = '[parameters.mass]\npath = "bodies.m.mass"\nfrom = 20\nto = 80\n'
+        axes = ONE.replace('"damper"', '"mass"')
+        done = trivet("map", self.file(text + mass + moving + axes + '[requirements]\nlargest = {"m.z" = "1 mm"}\n'))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("none of the 63 designs could be computed", done.stderr)
+
+    def test_picture_has_a_panel_for_each_pair(self):
+        project, picture = self.file(MODEL + PAIRS + REQUIRED), self.folder / "maps.svg"
+        trivet("map", project, "--picture", picture)
+        texts = [t.text or "" for t in xml.etree.ElementTree.parse(picture).iter("{http://www.w3.org/2000/svg}text")]
+        self.assertEqual(sum("% feasible" in text for text in texts), 3)
+        self.assertIn("Rule with the least margin", texts)
+        trivet("run", project, "-o", self.folder / "out")
+        self.assertTrue(list((self.folder / "out").glob("*/map.svg")))
+        self.assertIn("stiffness and mass", (self.folder / "out/report.html").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
