@@ -183,6 +183,7 @@ void add_optimize(CLI::App& app, Options& options) {
       app, "optimize", "the values of [parameters] with the largest least margin, or the smallest amplitudes", options);
   optimize->add_flag("--json", options.json, "JSON");
   add_write(*optimize, "optimum", options);
+  add_picture(*optimize, "front", options);
   add_strict(optimize, options);
 }
 

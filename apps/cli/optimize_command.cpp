@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -7,24 +7,59 @@
 #include "cli/progress_line.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/model_number.h"
+#include "trivet/report/front_figure.h"
+#include "trivet/results/front_results.h"
 #include "trivet/results/optimization_results.h"
+#include "trivet/study/optimization.h"
 
 namespace trivet::cli {
 namespace {
 
 /// Changes that the search may make: numbers to the middle of their ranges, the first mount of each choice.
 std::vector<project::Node> trial_changes(const project::Analyses& asked) {
-  const std::vector<std::string> names = asked.optimize ? asked.optimize->parameters : std::vector<std::string>();
-  const auto takes_part = [&](const std::string& name) {
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-  };
+  const project::OptimizeRequest request = asked.optimize.value_or(project::OptimizeRequest());
   std::vector<project::Node> changes;
   for (const project::MountChoice& choice : asked.choices)
-    if (takes_part(choice.name) && !choice.mounts.empty()) changes.push_back(project::change_of(choice, 0));
+    if (request.varies(choice.name) && !choice.mounts.empty()) changes.push_back(project::change_of(choice, 0));
   for (const project::DesignAxis& axis : asked.parameters)
-    if (constexpr double middle = 0.5; takes_part(axis.name))
+    if (constexpr double middle = 0.5; request.varies(axis.name))
       changes.push_back(project::ModelNumber(axis).change(axis.at(middle)));
   return changes;
+}
+
+/// The search for one design.
+int write_optimum(const Options& options, const project::Project& project, const NewProjectFile& file) {
+  const study::Optimization found = study::optimization(project, progress());
+  const std::string written = file.write(study::optimum_changes(found));
+  if (!options.json) write_problems(project.base().warnings);
+  write_output(options.json ? results::optimization_json(found)
+                            : results::optimization_text(found) + "\nThe optimum as settings:\n" +
+                       results::optimization_settings(found) + written);
+  return options.strict && !found.feasible ? over_a_limit : done;
+}
+
+/// The search for a front.
+int write_front(const Options& options, const project::Project& project, const NewProjectFile& file) {
+  const std::unique_ptr<results::PictureFile> picture = new_picture(options);
+  const study::DesignFront front = study::design_front(project, progress());
+  const std::size_t chosen = study::chosen_point(front);
+  const std::string written = file.write(study::front_changes(front, chosen));
+  if (!options.json) write_problems(project.base().warnings);
+  write_output(options.json ? results::front_json(front)
+                            : results::front_text(front) +
+                       fmt::format("\nPoint {}{} as settings:\n", chosen + 1, front.knee ? ", the knee," : "") +
+                       results::front_settings(front, chosen) + written);
+  if (picture) picture->publish(report::front_figure(front, project.title).svg);
+  return done;
+}
+
+/// Only a front between two results has a picture.
+void refuse_picture(const Options& options, const std::optional<project::OptimizeRequest>& request) {
+  const std::size_t results = request ? request->front.size() : 0;
+  if (!options.picture.empty() && results != 2)
+    throw BadArgument(results == 0 ? "--picture: only a front has a picture; add front = [\"BODY.x\", "
+                                     "\"ground.force.x\"] to [analyses.optimize]"
+                                   : "--picture: only a front between two results has a picture; use --json");
 }
 
 }  // namespace
@@ -36,15 +71,12 @@ int optimize_command(const Options& options) {
                                                  "limit_lines", "response", "peaks", "random", "transient"}});
   if (!project) return wrong_input;
   try {
+    const auto& request = project->base().analyses.optimize;
+    refuse_picture(options, request);
     const NewProjectFile file(options, *project, trial_changes(project->base().analyses));
     if (file.problems().has_errors()) return complain(options, file.problems());
-    const study::Optimization found = study::optimization(*project, progress());
-    const std::string written = file.write(study::optimum_changes(found));
-    if (!options.json) write_problems(project->base().warnings);
-    write_output(options.json ? results::optimization_json(found)
-                              : results::optimization_text(found) + "\nThe optimum as settings:\n" +
-                         results::optimization_settings(found) + written);
-    return options.strict && !found.feasible ? over_a_limit : done;
+    return request && !request->front.empty() ? write_front(options, *project, file)
+                                              : write_optimum(options, *project, file);
   } catch (const foundation::InvalidInput& wrong) {
     write_failure(wrong);
     return wrong_input;

@@ -15,15 +15,6 @@ namespace {
 
 constexpr std::size_t look_piece = 512;  // designs; their matrices fit in the cache
 
-Eigen::MatrixXd sobol_points(Eigen::Index dimensions, std::size_t count) {
-  boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
-  const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
-  Eigen::MatrixXd points(to_index(count), dimensions);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    for (Eigen::Index j = 0; j < dimensions; ++j) points(i, j) = static_cast<double>(sequence()) / whole;
-  return points;
-}
-
 /// Designs judged by the kernels of all cases.
 class Looks {
  public:
@@ -108,6 +99,15 @@ std::vector<Eigen::VectorXd> apart(const Eigen::MatrixXd& shares, const std::vec
 }
 
 }  // namespace
+
+Eigen::MatrixXd sobol_points(Eigen::Index dimensions, std::size_t count) {
+  boost::random::sobol sequence(static_cast<std::size_t>(dimensions));
+  const auto whole = static_cast<double>(boost::random::sobol::max()) + 1;
+  Eigen::MatrixXd points(to_index(count), dimensions);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    for (Eigen::Index j = 0; j < dimensions; ++j) points(i, j) = static_cast<double>(sequence()) / whole;
+  return points;
+}
 
 DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted, const foundation::Progress& progress) {
   const bool any = std::any_of(objective.families().begin(), objective.families().end(),

@@ -23,6 +23,9 @@ inline constexpr std::size_t designs_looked_at = 100000;
 [[nodiscard]] DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted,
                                        const foundation::Progress& progress);
 
+/// Points of Sobol's sequence in the unit cube, one per row.
+[[nodiscard]] Eigen::MatrixXd sobol_points(Eigen::Index dimensions, std::size_t count);
+
 /// Violated constraints first count, then the objective.
 [[nodiscard]] double rank(double objective, double constraint);
 

@@ -95,7 +95,9 @@ void refuse_overruled_cases(const DesignSpace& space, const project::Project& pr
 }  // namespace
 
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
-    : space_(project, request.parameters), minimizes_(!request.minimize.empty()) {
+    : space_(project, request.parameters),
+      minimizes_(!request.minimize.empty() || !request.front.empty()),
+      separate_(!request.front.empty()) {
   const project::Analyses& base = project.base().analyses;
   const std::vector<std::string> hold_in =
       base.requirements ? base.requirements->hold_in : project::Requirements().hold_in;
@@ -156,7 +158,7 @@ project::Analyses DesignObjective::differenced_requirements(std::size_t c) const
 }
 
 void DesignObjective::refuse_mixed_objectives() const {
-  if (!minimizes_ || limited_ == objectives_) return;
+  if (!minimizes_ || separate_ || limited_ == objectives_) return;
   const std::vector<RequirementResult>& given = given_.front();
   bool mixed = limited_ > 0;
   for (std::size_t i = 0; i < objectives_; ++i)
@@ -181,9 +183,10 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
   }
   project::Requirements& required = *analyses.requirements;
   first_objective_ = analyses.limits.size() + required.limits.size();
-  objectives_ = request.minimize.size();
+  const std::vector<std::string>& names = separate_ ? request.front : request.minimize;
+  objectives_ = names.size();
   limited_ = 0;
-  for (const std::string& name : request.minimize) {
+  for (const std::string& name : names) {
     double allowed = 0;
     for (const project::AmplitudeLimit& limit : required.limits)
       if (limit.name == name && limit.quantity == request.quantity) allowed = limit.amplitude;
@@ -197,6 +200,17 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
 
 bool DesignObjective::is_objective(std::size_t result) const {
   return minimizes_ && result >= first_objective_ && result < first_objective_ + objectives_;
+}
+
+const RequirementResult& DesignObjective::given_objective(std::size_t number) const {
+  return given_.front()[first_objective_ + number];
+}
+
+double DesignObjective::given_amplitude(std::size_t number) const {
+  double largest = 0;
+  for (const std::vector<RequirementResult>& results : given_)
+    largest = std::max(largest, results[first_objective_ + number].value.value_or(0));
+  return largest;
 }
 
 std::vector<RequirementResult> DesignObjective::results(std::size_t result_case, const model::System& system) const {
@@ -250,7 +264,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   double least_objective = most;
   for (Eigen::Index i = first; i < place; ++i)
     if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
-  for (Smooth& one : smooth) one.keep_near(values, is_objective_, least_objective);
+  for (Smooth& one : smooth) one.keep_near(values, is_objective_, separate_ ? one.least(values) : least_objective);
   set_slopes(c, context, design, found, smooth, *slopes);
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
@@ -276,6 +290,12 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
     for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = exact.row(to_index(i));
   }
   if (differenced) add_differences(c, found, smooth, *neighbours, slopes);
+}
+
+double DesignObjective::Smooth::least(const Eigen::VectorXd& values) const {
+  double result = most;
+  for (const Eigen::Index row : rows) result = std::min(result, values(row));
+  return result;
 }
 
 void DesignObjective::Smooth::keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective,

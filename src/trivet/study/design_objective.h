@@ -46,6 +46,12 @@ class DesignObjective {
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
   [[nodiscard]] bool minimizes() const { return minimizes_; }
   [[nodiscard]] bool is_objective(std::size_t result) const;
+  /// Number of minimised amplitudes, and which of them a result is.
+  [[nodiscard]] std::size_t objectives() const { return objectives_; }
+  [[nodiscard]] std::size_t objective_number(std::size_t result) const { return result - first_objective_; }
+  /// A minimised amplitude in the first case, and its largest value at the given design in all.
+  [[nodiscard]] const RequirementResult& given_objective(std::size_t number) const;
+  [[nodiscard]] double given_amplitude(std::size_t number) const;
   /// The minimised amplitudes have limits, and count as shares of these.
   [[nodiscard]] bool has_limits() const { return limited_ > 0; }
   /// The results at the given design.
@@ -69,6 +75,7 @@ class DesignObjective {
   struct Smooth {
     std::vector<RequirementResult::Candidate> candidates;
     std::vector<Eigen::Index> rows;  ///< of the values
+    [[nodiscard]] double least(const Eigen::VectorXd& values) const;
     /// Drops values far above the least objective, or above 0: no step reaches them.
     void keep_near(const Eigen::VectorXd& values, const std::vector<bool>& is_objective, double least_objective);
   };
@@ -90,6 +97,7 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
   std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
   bool minimizes_ = false;
+  bool separate_ = false;    ///< each minimised amplitude is an objective of its own: a front
   std::size_t limited_ = 0;  ///< minimised amplitudes with a limit
   std::vector<std::vector<RequirementResult>> given_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places

@@ -31,22 +31,6 @@ MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<P
 
 constexpr double met_within = -1e-9;  // ln of a margin
 
-/// The best looks that lie apart, at most `starts`.
-std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
-  std::stable_sort(looks.begin(), looks.end(),
-                   [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
-  std::vector<MaxMinPoint> chosen;
-  for (const double apart : {0.15, 0.05, 0.0})
-    for (const MaxMinPoint& look : looks) {
-      if (chosen.size() >= starts) return chosen;
-      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const MaxMinPoint& other) {
-        return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart;
-      });
-      if (!near) chosen.push_back(look);
-    }
-  return chosen;
-}
-
 /// Climbs from all starts; the results in their order.
 std::vector<MaxMinPoint> climbed(const MaxMinProblem& problem, const std::vector<MaxMinPoint>& starts,
                                  const foundation::Progress& progress) {
@@ -93,7 +77,7 @@ class Search {
   }
 
   std::vector<MaxMinPoint> starts() {
-    const int looks = std::clamp(looks_per_start * wanted_, fewest_looks, most_looks);
+    const int looks = looks_for(wanted_);
     const DesignLooks found = design_looks(objective_, to_size(looks), progress_);
     const std::vector<Eigen::VectorXd>& points = found.points;
     result_.looked_at = found.judged;
@@ -180,6 +164,23 @@ MaxMinProblem problem_of_requirements(const DesignObjective& objective, const st
   };
   return problem;
 }
+
+std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size_t starts) {
+  std::stable_sort(looks.begin(), looks.end(),
+                   [](const MaxMinPoint& a, const MaxMinPoint& b) { return rank(a) > rank(b); });
+  std::vector<MaxMinPoint> chosen;
+  for (const double apart : {0.15, 0.05, 0.0})
+    for (const MaxMinPoint& look : looks) {
+      if (chosen.size() >= starts) return chosen;
+      const bool near = std::any_of(chosen.begin(), chosen.end(), [&](const MaxMinPoint& other) {
+        return (other.x - look.x).lpNorm<Eigen::Infinity>() <= apart;
+      });
+      if (!near) chosen.push_back(look);
+    }
+  return chosen;
+}
+
+int looks_for(int starts) { return std::clamp(looks_per_start * starts, fewest_looks, most_looks); }
 
 double rank(const MaxMinPoint& point) { return rank(point.objective, point.constraint); }
 

@@ -33,6 +33,13 @@ struct DesignSearch {
 [[nodiscard]] numerics::MaxMinProblem problem_of_requirements(
     const DesignObjective& objective, const std::optional<DesignObjective::Place>& ignored = std::nullopt);
 
+/// How many designs are judged completely before climbing.
+[[nodiscard]] int looks_for(int starts);
+
+/// The best looks that lie apart, at most `starts`.
+[[nodiscard]] std::vector<numerics::MaxMinPoint> chosen_starts(std::vector<numerics::MaxMinPoint> looks,
+                                                               std::size_t starts);
+
 /// Violated constraints first count, then the objective.
 [[nodiscard]] double rank(const numerics::MaxMinPoint& point);
 

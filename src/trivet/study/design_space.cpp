@@ -30,6 +30,16 @@ Eigen::VectorXd DesignSpace::values(const Eigen::VectorXd& shares) const {
   return result;
 }
 
+std::optional<Eigen::VectorXd> DesignSpace::given_shares() const {
+  Eigen::VectorXd shares(to_index(axes_.size()));
+  for (std::size_t j = 0; j < axes_.size(); ++j) {
+    if (!given_[j]) return std::nullopt;
+    shares(to_index(j)) = axes_[j].share(*given_[j]);
+    if (!(shares(to_index(j)) >= 0 && shares(to_index(j)) <= 1)) return std::nullopt;
+  }
+  return shares;
+}
+
 double DesignSpace::slope(std::size_t axis, double share) const {
   const project::DesignAxis& a = axes_[axis];
   return a.logarithmic ? a.at(share) * std::log(a.to / a.from) : a.to - a.from;

@@ -29,6 +29,8 @@ class DesignSpace {
 
   /// Values that the file has; none for a parameter whose places differ.
   [[nodiscard]] const std::vector<std::optional<double>>& given() const { return given_; }
+  /// These as shares; none if one of them is missing or outside its range.
+  [[nodiscard]] std::optional<Eigen::VectorXd> given_shares() const;
 
  private:
   std::vector<project::DesignAxis> axes_;

@@ -21,10 +21,7 @@ constexpr std::size_t listed_others = 4;
 /// A copy of the project whose only choices are those that take part.
 project::Project with_choices_of(const project::Project& project, const project::OptimizeRequest& request) {
   project::Project result = project;
-  const auto idle = [&](const project::MountChoice& choice) {
-    const auto& names = request.parameters;
-    return !names.empty() && std::find(names.begin(), names.end(), choice.name) == names.end();
-  };
+  const auto idle = [&](const project::MountChoice& choice) { return !request.varies(choice.name); };
   for (project::Case& variant : result.cases) std::erase_if(variant.analyses.choices, idle);
   return result;
 }

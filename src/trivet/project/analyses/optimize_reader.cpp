@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
@@ -23,13 +24,18 @@ std::vector<std::string> names_of_choices(TableReader& root) {
   return names;
 }
 
-std::optional<int> read_count(TableReader& reader, const std::string& key, double most, const std::string& usual) {
-  const auto number = reader.number(key, Quantity::pure);
-  if (!number) return std::nullopt;
-  if (*number >= 1 && *number <= most && *number == std::floor(*number)) return static_cast<int>(*number);
-  reader.error(key, fmt::format("{:.6g}", *number), fmt::format("a whole number from 1 to {:.0f} is expected", most),
-               usual);
-  return std::nullopt;
+/// Amplitudes of the list under a key.
+void check_objectives(TableReader& reader, const std::string& key, const std::vector<std::string>& words,
+                      const ResultNames& names, const NamesInFile& in_file, assembly::MotionQuantity quantity) {
+  if (in_file.harmonic_excitations.empty())
+    reader.error(key, "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
+                 "add [excitations.NAME] with type = \"harmonic\"");
+  for (auto word = words.begin(); word != words.end(); ++word) {
+    if (!names.component(*word, quantity))
+      names.refuse(reader, key, *word, "one component of a body, BODY.POINT, an element or the ground");
+    if (std::find(words.begin(), word, *word) != word)
+      reader.error(key, foundation::quoted(*word), "it is named twice", "name it once");
+  }
 }
 
 /// Results to minimise; "margin" alone stands for none.
@@ -39,16 +45,42 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   if (!words || (words->size() == 1 && words->front() == "margin")) return {};
   if (words->empty())
     reader.error("minimize", "an empty list", "something is made small", "minimize = \"margin\", or a list of results");
-  if (in_file.harmonic_excitations.empty())
-    reader.error("minimize", "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
-                 "add [excitations.NAME] with type = \"harmonic\"");
-  for (auto word = words->begin(); word != words->end(); ++word) {
-    if (!names.component(*word, quantity))
-      names.refuse(reader, "minimize", *word, "one component of a body, BODY.POINT, an element or the ground");
-    if (std::find(words->begin(), word, *word) != word)
-      reader.error("minimize", foundation::quoted(*word), "it is named twice", "name it once");
-  }
+  check_objectives(reader, "minimize", *words, names, in_file, quantity);
   return *words;
+}
+
+/// A whole number from 1 or more to `most`; none if it is not one.
+std::optional<int> read_count(TableReader& reader, const std::string& key, double least, double most,
+                              const std::string& remedy) {
+  const auto count = reader.number(key, Quantity::pure);
+  if (!count) return std::nullopt;
+  if (*count >= least && *count <= most && *count == std::floor(*count)) return static_cast<int>(*count);
+  reader.error(key, fmt::format("{:.6g}", *count),
+               fmt::format("a whole number from {:.0f} to {:.0f} is expected", least, most), remedy);
+  return std::nullopt;
+}
+
+/// The results of a front.
+void read_front(TableReader& reader, const ResultNames& names, const NamesInFile& in_file, OptimizeRequest& request) {
+  const char* example = R"(["BODY.POINT.z", "ground.force.z"])";
+  constexpr double fewest_points = 3, most_points = 101;
+  constexpr std::size_t most_objectives = 3;
+  if (const auto points = read_count(reader, "points", fewest_points, most_points, "11 is usual")) {
+    request.points = *points;
+    if (!reader.has("front"))
+      reader.error("points", fmt::format("{}", *points), "only a front has points", "add front, or remove points");
+  }
+  const auto words = reader.texts("front", example);
+  if (!words) return;
+  if (words->size() < 2 || words->size() > most_objectives)
+    reader.error("front", fmt::format("{} result{}", words->size(), words->size() == 1 ? "" : "s"),
+                 "a front is between two or three results", std::string("front = ") + example);
+  if (!request.minimize.empty())
+    reader.error("front", "front and minimize", "a front minimises each of its results", "keep one of them");
+  if (reader.has("points") && words->size() == most_objectives)
+    reader.error("points", "a front of three results", "its points are the 21 of an even triangle", "remove points");
+  check_objectives(reader, "front", *words, names, in_file, request.quantity);
+  request.front = *words;
 }
 
 }  // namespace
@@ -78,9 +110,10 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     reader.error("", "no parameters", "a design varies at least one number",
                  "write [parameters.NAME] with path, from and to");
   request.minimize = read_objective(reader, names, in_file, request.quantity);
-  if (const auto starts = read_count(reader, "starts", most_starts, "32 is usual")) request.starts = *starts;
-  if (const auto count = read_count(reader, "combinations", most_combinations, "1000 is usual"))
-    request.combinations = *count;
+  read_front(reader, names, in_file, request);
+  request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);
+  request.combinations =
+      read_count(reader, "combinations", 1, most_combinations, "1000 is usual").value_or(request.combinations);
   reader.finish();
   result.optimize = std::move(request);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,15 @@ struct OptimizeRequest {
   std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
                                         ///< empty: the largest least margin of the requirements
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
+  int points = 11;                 ///< of a front of two
   int starts = 32;
   int combinations = 1000;  ///< most combinations of mounts whose numbers are optimised
+
+  /// True if a parameter of this name is varied.
+  [[nodiscard]] bool varies(const std::string& parameter) const {
+    return parameters.empty() || std::find(parameters.begin(), parameters.end(), parameter) != parameters.end();
+  }
 };
 
 }  // namespace trivet::project
