@@ -8,6 +8,7 @@ import unittest
 from trivet_test import InTemporaryFolder, answer, trivet
 
 CLOSE = 1e-9  # relative: statics of six coordinates, and peaks with their nine digits
+SINGLE = 1e-7  # relative: maps store margins in single precision
 G = 9.80665
 
 # A generating set on four mounts in one plane; the pole is in the middle of the mounts.
@@ -70,17 +71,26 @@ moment = [0, 0, 0]
 """
 
 
-def genset(more="", reaction=REACTION, gap=GAP):
+UPRIGHT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def genset(more="", reaction=REACTION, gap=GAP, turn=UPRIGHT):
+    """@param turn  rows of the rotation of the whole machine in the ground frame"""
+
+    def turned(vector):
+        return [dot(row, vector) for row in turn]
+
     text = f"""trivet = 1
-gravity = {CASES[""][0]}
+gravity = {turned(CASES[""][0])}
 [bodies.genset]
 mass = {MASS}
+orientation = {{matrix = {turn}}}
 center_of_mass = {list(CENTRE)}
 inertia = {{about = "center_of_mass", xx = 90, yy = 210, zz = 230}}
 points.corner = {list(POINT)}
 {reaction}[clearances.casing]
 between = ["genset.corner", "ground"]
-direction = {list(DIRECTION)}
+direction = {turned(DIRECTION)}
 gap = {gap}
 [analyses]
 static = {{of = ["genset"]}}
@@ -91,7 +101,7 @@ static = {{of = ["genset"]}}
         )
     for name, (gravity, torque) in CASES.items():
         if name:
-            text += f'[cases."{name}"]\ngravity = {gravity}\n'
+            text += f'[cases."{name}"]\ngravity = {turned(gravity)}\n'
             text += f"excitations.reaction.moment = [{torque}, 0, 0]\n" if reaction else ""
     return text + more
 
@@ -127,6 +137,15 @@ class LoadCases(InTemporaryFolder):
                 self.near(row[end], pick(values.values()), scale)
                 self.near(values[row[f"{end}_in"]], row[end], scale)
         self.assertEqual(found["envelope"]["left_out"], [])
+
+    def test_turning_the_whole_machine_changes_nothing(self):
+        c, s, d, t = math.cos(0.5), math.sin(0.5), math.cos(1.1), math.sin(1.1)
+        turn = [[d, -t * c, t * s], [t, d * c, -d * s], [0, s, c]]  # about x, then about z
+        rows = {row["name"]: row for row in answer("verdict", self.file(genset(turn=turn)))["envelope"]["quantities"]}
+        for name, values in by_hand().items():
+            scale = max(map(abs, values.values()))
+            self.near(rows[name]["least"], min(values.values()), scale)
+            self.near(rows[name]["largest"], max(values.values()), scale)
 
     def test_clearance_of_every_case(self):
         found = answer("verdict", self.file(genset()))
@@ -437,6 +456,33 @@ class Observations(InTemporaryFolder):
         target = self.folder / "out"
         done = trivet("run", path, "-o", target)
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_maps_and_searches_know_them(self):
+        ends = "from = 0.5\nto = 2\n"
+        limits = 'band = ["1 Hz", "30 Hz"]\nlimits = {"coupling.radial_1" = "1 mm"}\n'
+        model = TWO_BODIES + OBSERVED
+
+        def margin(*settings):
+            """What the verdict on this design states."""
+            settings = [part for path, value in settings for part in ("--set", f"{path}={value!r}")]
+            found = answer("verdict", self.file(model + "[requirements]\n" + limits), *settings)
+            return found["cases"][0]["requirements"][0]["margin"]
+
+        axes = "".join(
+            f'[analyses.map.{axis}]\nparameter = "elements.{element}.scale"\npoints = 3\n{ends}'
+            for axis, element in (("x", "e"), ("y", "a"))
+        )
+        best = answer("map", self.file(model + "[analyses.map]\n" + limits + axes))["best"]
+        expected = margin(("elements.e.scale", best["x"]), ("elements.a.scale", best["y"]))
+        self.assertLessEqual(abs(best["margin"] - expected), SINGLE * expected)
+        search = (
+            f'[requirements]\n{limits}[parameters.p]\npath = "elements.e.scale"\n{ends}'
+            '[analyses.optimize]\nminimize = ["coupling.radial_1"]\nstarts = 2\n'
+        )
+        found = answer("optimize", self.file(model + search))
+        self.assertLessEqual(found["after"], found["before"])
+        expected = margin(("elements.e.scale", found["parameters"][0]["optimum"]))
+        self.near(found["minimized"][0]["after"], 1e-3 / expected, 1e-3 / expected)
 
     def test_time_history(self):
         more = (

@@ -79,7 +79,8 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   foundation::Problems result;
   for (const auto& problem : found.list()) {
     if (unread.contains(part_path(problem.subject))) continue;
-    if (misplaced && problem.subject.starts_with("elements.")) continue;  // lever arms are not known
+    if (misplaced && (problem.subject.starts_with("elements.") || problem.subject.starts_with("clearances.")))
+      continue;  // lever arms are not known
     if ((misplaced || !every_element_was_read) && problem.subject.starts_with("nodes.")) continue;
     if (!every_body_was_read && problem.subject == "bodies") continue;
     if (!every_element_was_read && problem.subject.starts_with("bodies.") &&

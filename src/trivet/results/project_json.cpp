@@ -47,6 +47,29 @@ Json coordinates_json(const std::array<bool, 6>& named) {
   return names;
 }
 
+Json names_json(const std::vector<model::Element>& elements, const model::Section& section) {
+  Json names = Json::array();
+  for (const std::size_t e : section.elements) names.push_back(elements[e].name);
+  return names;
+}
+
+/// Adds relative motions, sections and clearances, if there are any.
+void add_observations(const model::Description& d, Json& result) {
+  for (const model::RelativeMotion& motion : d.relative_motions)
+    result["relative"].push_back(
+        {{"name", motion.name}, {"of", motion.of.name}, {"to", motion.to.name}, {"axes", json::rows(motion.axes)}});
+  for (const model::Section& section : d.sections)
+    result["sections"].push_back({{"name", section.name},
+                                  {"elements", names_json(d.elements, section)},
+                                  {"at", json::list(section.at)},
+                                  {"axes", json::rows(section.axes)}});
+  for (const model::Clearance& clearance : d.clearances)
+    result["clearances"].push_back({{"name", clearance.name},
+                                    {"between", {clearance.of.name, clearance.to.name}},
+                                    {"direction", json::list(clearance.direction)},
+                                    {"gap", clearance.gap}});
+}
+
 Json model_json(const project::Case& variant) {
   const model::Description& d = variant.system.description();
   Json result{{"bodies", Json::array()},
@@ -100,6 +123,7 @@ Json model_json(const project::Case& variant) {
                                      {"at", json::list(force.at)},
                                      {"force", json::list(force.wrench.force)},
                                      {"moment", json::list(force.wrench.moment)}});
+  add_observations(d, result);
   return result;
 }
 
