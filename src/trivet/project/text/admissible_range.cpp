@@ -60,6 +60,8 @@ Largest largest(Quantity quantity) {
       return {1e21, of_damping};
     case Quantity::damping_moment_per_angle:
       return {1e24, of_damping};
+    case Quantity::temperature:
+      return {1e5, "the surface of the sun has 5800 K"};
   }
   return {1e30, ""};
 }
@@ -70,6 +72,7 @@ std::optional<std::string> outside_range(double value, Quantity quantity) {
   if (std::abs(value) > most.magnitude)
     return fmt::format("at most {:.0e}{}{} in magnitude is allowed here ({})", most.magnitude, unit.empty() ? "" : " ",
                        unit, most.reason);
+  if (quantity == Quantity::temperature && value < 0) return "no temperature is below −273.15 °C, 0 K";
   if (value != 0 && std::abs(value) < smallest_number)
     return fmt::format("a number is 0 or at least {:.0e} in magnitude: products of smaller ones underflow",
                        smallest_number);

@@ -189,8 +189,11 @@ Conversion new_conversion(const std::string& from, const std::string& to) {
   const Unit target(unit_system().parsed(to));
   if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" measures another quantity"};
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
-  const double one = cv_convert_double(converter.get(), 1), two = cv_convert_double(converter.get(), 2);
-  if (cv_convert_double(converter.get(), 0) != 0 || std::abs(two - 2 * one) > 1e-12 * std::abs(two))
+  const double zero = cv_convert_double(converter.get(), 0), one = cv_convert_double(converter.get(), 1),
+               two = cv_convert_double(converter.get(), 2);
+  const bool is_linear = std::abs(two - 2 * one + zero) <= 1e-12 * std::abs(two);
+  const bool may_have_offset = to == si_unit(Quantity::temperature);
+  if (!is_linear || (zero != 0 && !may_have_offset))
     return {nullptr, "\"" + from + "\" has an offset or is logarithmic"};
   return {converter, ""};
 }
@@ -262,6 +265,8 @@ const char* si_unit(Quantity quantity) {
       return "kg/m3";
     case Quantity::mass_length:
       return "kg m";
+    case Quantity::temperature:
+      return "K";
   }
   return "";
 }

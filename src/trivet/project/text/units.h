@@ -34,7 +34,8 @@ enum class Quantity {
   damping_moment_per_angle,
   pressure,
   density,
-  mass_length
+  mass_length,
+  temperature
 };
 
 [[nodiscard]] const char* si_unit(Quantity quantity);
