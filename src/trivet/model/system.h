@@ -87,12 +87,19 @@ struct Price {
   bool operator==(const Price&) const = default;
 };
 
-/// What the maker of a mount allows, along the axis e3 from end N to end K, and what the mount costs.
+/// What the maker of a mount allows, in its axes at end N (e3 from end N to end K), and what the mount costs.
 struct Rating {
-  std::optional<Eigen::Vector2d> compression;  ///< lowest and highest static load [N]; negative: tension
-  std::optional<double> deflection;            ///< [m]
-  std::optional<double> mass;                  ///< not part of the model [kg]
+  std::string mount;  ///< its name in the catalogue
+  /// Lowest and highest static load along e1, e2, e3 [N]. Positive: end K is pushed against the axis, along e3 in
+  /// compression; negative: it is pulled along the axis, along e3 in tension.
+  std::array<std::optional<Eigen::Vector2d>, 3> load;
+  std::optional<double> deflection;          ///< largest static one along e3, after creep [m]
+  std::optional<double> dynamic_deflection;  ///< largest harmonic amplitude along e3 [m]
+  std::optional<double> shock_deflection;    ///< largest one over a transient along e3 [m]
+  std::optional<double> mass;                ///< not part of the model [kg]
   std::optional<Price> price;
+
+  [[nodiscard]] bool has_load_range() const { return load[0] || load[1] || load[2]; }
 };
 
 /// One measured value behind an identified law, for a residual plot.
@@ -124,6 +131,7 @@ struct Element {
   std::optional<Rating> rating;  ///< of a catalogue mount
   std::optional<Evidence> evidence;
   double stiffening = 1;  ///< of rubber: its stiffness in vibration over its static stiffness
+  double creep = 1;       ///< of rubber: its static deflection after years over that at once
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< first natural frequency of the element itself
                                                                     ///< if its mass is neglected [rad/s]
 };

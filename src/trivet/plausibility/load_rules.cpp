@@ -20,8 +20,6 @@ using foundation::standard_gravity;
 constexpr double least_gravity = 0.3, most_gravity = 150;
 /// Share of its magnitude from which gravity counts as pointing along an axis.
 constexpr double along_axis = 0.7;
-/// Above this share of its rated load a mount is reported; without gravity in the file its load is an estimate.
-constexpr double overload = 1.05, overload_without_gravity = 2;
 /// Distance outside the polygon of mounts that counts, as a share of its size.
 constexpr double outside_by = 0.02;
 /// Tension of a mount that counts, as a share of the mean load.
@@ -195,28 +193,6 @@ void find_tipping(const model::System& system, Suspicions& found) {
                      "check the centre of mass, constant forces and moments, and the stiffnesses"});
 }
 
-/// Static force on a rated mount [N]. The rating is for compression; tension and shear of this size are no better.
-double static_force(const model::System& system, const std::vector<BodyPicture>& pictures, const Rating& rating,
-                    const std::optional<response::LoadSharing>& sharing, bool& load_known) {
-  const model::Element& element = system.elements()[rating.element];
-  load_known = false;
-  if (sharing)
-    for (const response::MountLoad& mount : sharing->mounts)
-      if (mount.element == element.name) {
-        load_known = true;
-        return mount.force.norm();
-      }
-  for (const BodyPicture& picture : pictures) {
-    double all = 0, own = 0;
-    for (const Attachment& a : picture.attachments) {
-      all += a.translation.trace();
-      if (a.element == rating.element && element.k.body == picture.body) own = a.translation.trace();
-    }
-    if (own > 0) return picture.mass.mass * standard_gravity * own / all;
-  }
-  return 0;
-}
-
 }  // namespace
 
 void judge_gravity(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
@@ -256,27 +232,6 @@ void judge_balance(const model::System& system, Suspicions& found) {
         std::find(body.free.begin(), body.free.end(), false) != body.free.end();  // constraints hold it too
   });
   if (gravity && !gravity->isZero(0) && !guided && system.bodies().size() <= most_bodies) find_tipping(system, found);
-}
-
-void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
-                   const std::vector<Rating>& ratings, Suspicions& found) {
-  if (ratings.empty()) return;
-  const auto sharing = sharing_of(system);
-  const Rating* worst = nullptr;
-  double worst_ratio = 0;
-  for (const Rating& rating : ratings) {
-    bool known = false;
-    const double ratio = static_force(system, pictures, rating, sharing, known) / rating.highest_load;
-    if (ratio <= (known ? overload : overload_without_gravity) || ratio <= worst_ratio) continue;
-    worst_ratio = ratio;
-    worst = &rating;
-  }
-  if (worst)
-    found.push_back(
-        {"rated load", "elements." + system.elements()[worst->element].name + ".type",
-         fmt::format("{:.4g} N on \"{}\"", worst_ratio * worst->highest_load, worst->mount),
-         fmt::format("it is rated for {:.4g} N and carries {:.3g} times as much", worst->highest_load, worst_ratio),
-         "use a larger mount, or more of them"});
 }
 
 }  // namespace trivet::plausibility

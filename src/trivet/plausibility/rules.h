@@ -30,9 +30,9 @@ void judge_gravity(const model::System& system, const std::vector<BodyPicture>& 
 /// Centre of mass outside the mounts, mounts that lift off. Call it only if machine and gravity raise no suspicion.
 void judge_balance(const model::System& system, Suspicions& found);
 
-/// Mounts above their rated load. Call it only if masses and gravity raise no suspicion.
-void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures,
-                   const std::vector<Rating>& ratings, Suspicions& found);
+/// Catalogue mounts whose static load is outside the range of their maker. Call it only if masses and gravity raise no
+/// suspicion.
+void judge_ratings(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
 /// Modal ratios and loss factors in percent, exchanged Rayleigh coefficients, factors of proportional damping.
 void judge_damping(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);

@@ -83,7 +83,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   if (!machine_doubtful && !gravity_doubtful) judge_balance(system, found);
   if (!mass_doubtful && !gravity_doubtful) {
     const std::size_t before = found.size();
-    judge_ratings(system, all, stated.ratings, found);
+    judge_ratings(system, all, found);
     if (doubt_since(before))  // a mount that is too small sags too far
       std::erase_if(verdicts, [](const BodyVerdict& v) { return !v.slip; });
   }

@@ -20,6 +20,7 @@ struct Suspicion {
   std::string finding;   ///< the number found
   std::string rule;      ///< what is usual
   std::string probable;  ///< the probable slip, and what the number would be without it
+  bool by_case = false;  ///< the number is a result of the case, not a number of the file
 };
 
 /// All kinds, as `accept` names them.
@@ -63,13 +64,6 @@ struct Window {
   std::string subject;  ///< "analyses.response.band"
   double from = 0, to = 0;
   bool spectrum = false;
-};
-
-/// Catalogue data of the mount behind an element.
-struct Rating {
-  std::size_t element = 0;
-  double highest_load = 0;  ///< static compression along e3 [N]
-  std::string mount;
 };
 
 /// A rotor on a body.
@@ -116,7 +110,6 @@ struct Stated {
   std::vector<bool> inertia_about_pole;  ///< per body
   std::vector<bool> from_solids;         ///< per body: mass and inertia come from solids
   std::vector<Window> windows;
-  std::vector<Rating> ratings;
   std::vector<Rotor> rotors;
   std::vector<Speed> speeds;
   std::vector<AllowedMotion> allowed_motions;

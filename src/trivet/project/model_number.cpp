@@ -18,8 +18,8 @@ std::optional<double> default_of(const std::vector<std::string>& keys) {
   const auto is_one_of = [](const std::string& key, const auto& words) {
     return std::find(words.begin(), words.end(), key) != words.end();
   };
-  static constexpr std::array<const char*, 5> factors = {"scale", "stiffening", "damping_factor", "mass_about_center",
-                                                         "modal_factor"};
+  static constexpr std::array<const char*, 6> factors = {"scale",          "stiffening",        "creep",
+                                                         "damping_factor", "mass_about_center", "modal_factor"};
   static constexpr std::array<const char*, 3> moments = {"xx", "yy", "zz"};
   const std::string& key = keys.back();
   if (is_one_of(key, factors)) return 1;

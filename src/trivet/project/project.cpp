@@ -167,7 +167,8 @@ void judge(Case& variant, const Questions& questions, AcceptanceBook& book, foun
   const std::vector<Acceptance> accepted = read_acceptances(variant.document, problems);
   std::vector<std::pair<std::string, std::string>> kinds;
   for (const Acceptance& one : accepted) kinds.emplace_back(one.table, one.kind);
-  const foundation::Problems warnings = book.warnings(suspicions(variant, kinds), accepted, variant.document);
+  const foundation::Problems warnings =
+      book.warnings(suspicions(variant, kinds), accepted, variant.document, variant.name);
   problems.add(warnings);
   variant.warnings.add(warnings);
   variant.warnings.sort_by_origin();

@@ -8,14 +8,10 @@
 #include "trivet/project/analyses/orders_question.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/transient_question.h"
-#include "trivet/project/elements/catalogue.h"
-#include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/text/file_name.h"
+#include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
 namespace {
-
-constexpr std::string_view catalogue_type = "catalogue:";
 
 const Node* find(const Node& document, const std::string& group, const std::string& name) {
   const Node* parts = document.find(group);
@@ -34,26 +30,6 @@ void add_bodies(const Case& variant, plausibility::Stated& stated) {
     const Node* table = find(variant.document, "bodies", body.name);
     stated.inertia_about_pole.push_back(is_about_pole(variant.document, body.name));
     stated.from_solids.push_back(table && table->find("solids"));
-  }
-}
-
-/// Load ratings of catalogue mounts; reads the catalogues again, which were checked before.
-void add_ratings(const Case& variant, plausibility::Stated& stated) {
-  const auto& elements = variant.system.elements();
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (!elements[e].type.starts_with(catalogue_type)) continue;
-    const Node* table = find(variant.document, "elements", elements[e].name);
-    if (!table) continue;
-    foundation::Problems ignored;
-    TableReader reader(*table, "elements." + elements[e].name, ignored);
-    std::vector<Catalogue> catalogues;
-    if (reader.has("catalogue"))
-      if (const auto file = read_file_name(reader, "catalogue"))
-        if (auto given = read_catalogue(*file)) catalogues.push_back(std::move(*given));
-    catalogues.push_back(generic_catalogue());
-    const auto mount = mount_named(elements[e].type.substr(catalogue_type.size()), catalogues);
-    if (mount && mount->static_load && mount->static_load->y() > 0)
-      stated.ratings.push_back({e, mount->static_load->y(), mount->name});
   }
 }
 
@@ -142,7 +118,6 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant,
                                                 const std::vector<std::pair<std::string, std::string>>& accepted) {
   plausibility::Stated stated;
   add_bodies(variant, stated);
-  add_ratings(variant, stated);
   add_rotors(variant, stated);
   add_questions(variant, stated);
   stated.accepted = accepted;

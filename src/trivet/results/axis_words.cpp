@@ -99,8 +99,8 @@ std::string axis_unit(const project::DesignAxis& axis) {
 bool is_pure_number(const project::DesignAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (keys.empty() || !axis_unit(axis).empty()) return false;
-  static constexpr std::array<const char*, 6> pure = {"scale",          "stiffening",        "loss_factor",
-                                                      "damping_factor", "mass_about_center", "modal_factor"};
+  static constexpr std::array<const char*, 7> pure = {
+      "scale", "stiffening", "creep", "loss_factor", "damping_factor", "mass_about_center", "modal_factor"};
   return component_table(keys) || std::find(pure.begin(), pure.end(), keys.back()) != pure.end();
 }
 

@@ -47,7 +47,7 @@ std::vector<std::string> design_row(const MountSelection& found, const std::stri
   constexpr double millimetres = 1e3;
   row.push_back(margin_words(design));
   row.push_back(governing_words(design));
-  row.push_back(design.load ? fmt::format("{:.0f} %", 100 * *design.load) : "");
+  row.push_back(!design.load ? "" : std::isinf(*design.load) ? "∞" : fmt::format("{:.0f} %", 100 * *design.load));
   row.push_back(design.deflection ? fmt::format("{:.3g} mm", millimetres * *design.deflection) : "");
   row.push_back(in_hertz(design.lowest));
   row.push_back(in_hertz(design.highest));

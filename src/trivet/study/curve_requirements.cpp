@@ -36,18 +36,21 @@ class CurveRequirements {
     if (limits.empty()) return;
     const std::size_t first = list_.size();
     list_.add_bounds(c_, RequirementKind::amplitude, limits, "");
-    list_.attempt(first, [&] {
-      std::vector<assembly::Channel> channels;
-      std::vector<MotionQuantity> quantities;
-      design::RuleSet set;
-      set.band = band;
-      for (const project::AmplitudeLimit& limit : limits) {
-        quantities.push_back(limit.quantity);
-        set.rules.push_back({design::DesignRule::Kind::amplitude, channels.size(), limit.amplitude});
-        channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
-      }
-      set_rule_values(first, set, channels, quantities, excitations);
-    });
+    list_.attempt(first, [&] { set_amplitudes(first, limits, band, excitations); });
+  }
+
+  void set_amplitudes(std::size_t first, const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
+                      const std::vector<std::string>& excitations) {
+    std::vector<assembly::Channel> channels;
+    std::vector<MotionQuantity> quantities;
+    design::RuleSet set;
+    set.band = band;
+    for (const project::AmplitudeLimit& limit : limits) {
+      quantities.push_back(limit.quantity);
+      set.rules.push_back({design::DesignRule::Kind::amplitude, channels.size(), limit.amplitude});
+      channels.push_back(assembly::channels(c_.system, c_.assembled, {limit.name}, limit.quantity).front());
+    }
+    set_rule_values(first, set, channels, quantities, excitations);
   }
 
   void add_no_peak(const project::Requirements& required) {
@@ -154,6 +157,13 @@ class CurveRequirements {
 };
 
 }  // namespace
+
+void set_amplitudes(const CaseContext& context, const project::Analyses& analyses, std::size_t first,
+                    const std::vector<project::AmplitudeLimit>& limits, RequirementList& list) {
+  const project::Requirements required = analyses.requirements.value_or(project::Requirements());
+  CurveRequirements(context, analyses, list)
+      .set_amplitudes(first, limits, required.band.value_or(response::Band{0, infinity}), required.excitations);
+}
 
 void add_curve_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list) {
   const project::Requirements none;

@@ -77,6 +77,14 @@ double margin_at(const RequirementResult& there, const RequirementResult::Candid
   return there.margin;
 }
 
+/// In some designs a mount has a load in a direction without a range: one more result, which is not judged.
+void refuse_further_results(const std::vector<RequirementResult>& found, std::size_t expected) {
+  if (found.size() == expected) return;
+  for (const RequirementResult& result : found)
+    if (!result.value) throw foundation::NotComputable(result.reason);
+  throw foundation::NotComputable("it has other requirements than the given design");
+}
+
 /// A case must not set a number that a parameter moves: the parameter would undo the case.
 void refuse_overruled_cases(const DesignSpace& space, const project::Project& project,
                             const std::vector<const project::Case*>& cases) {
@@ -250,6 +258,7 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   const CaseContext context(system, silent);
   foundation::Problems warnings;
   const std::vector<RequirementResult> found = requirement_values(context, asked_[c], warnings);
+  refuse_further_results(found, width_[c].size());
   std::vector<Smooth> smooth(found.size());
   Eigen::Index place = first;
   for (std::size_t r = 0; r < found.size(); ++r) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/motion_requirements.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -97,8 +99,11 @@ class MotionRequirements {
       const response::StaticResponse rest = response::static_response(
           c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
       for (std::size_t i = 0; i < limits.size(); ++i) {
-        list_[first + i].value = std::abs(rest.values[i].value);
-        list_[first + i].margin = margin_of(list_[first + i].allowed, rest.values[i].value);
+        const double creep = creep_in(c_.system, limits[i].name);
+        RequirementResult& result = list_[first + i];
+        result.value = creep * std::abs(rest.values[i].value);
+        result.margin = margin_of(result.allowed, *result.value);
+        if (creep > 1) result.detail = fmt::format("with its creep factor {:.4g}", creep);
       }
     });
   }
@@ -111,6 +116,17 @@ class MotionRequirements {
 };
 
 }  // namespace
+
+double creep_in(const model::System& system, const std::string& name) {
+  for (const model::Element& element : system.elements())
+    if (element.creep > 1 && name.starts_with(element.name + ".deflection.")) return element.creep;
+  return 1;
+}
+
+void set_largest(const CaseContext& context, const project::Analyses& analyses, foundation::Problems& warnings,
+                 std::size_t first, const std::vector<project::AmplitudeLimit>& limits, RequirementList& list) {
+  MotionRequirements(context, analyses, warnings, list).set_largest(first, limits, MotionQuantity::displacement);
+}
 
 void add_motion_requirements(const CaseContext& context, const project::Analyses& analyses,
                              foundation::Problems& warnings, RequirementList& list) {

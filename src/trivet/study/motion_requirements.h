@@ -11,4 +11,11 @@ namespace trivet::study {
 void add_motion_requirements(const CaseContext& context, const project::Analyses& analyses,
                              foundation::Problems& warnings, RequirementList& list);
 
+/// Sets the largest displacements over the transient, from result `first` of the list on.
+void set_largest(const CaseContext& context, const project::Analyses& analyses, foundation::Problems& warnings,
+                 std::size_t first, const std::vector<project::AmplitudeLimit>& limits, RequirementList& list);
+
+/// Creep factor of a static result: of the element for its own deflection, otherwise 1.
+[[nodiscard]] double creep_in(const model::System& system, const std::string& name);
+
 }  // namespace trivet::study

@@ -66,6 +66,18 @@ void judge_frequencies(const project::Requirements& required, const Eigen::Vecto
   }
 }
 
+/// Least margin of the loads of one mount in its ranges; 0 if a load without a range makes the design not judged.
+double bound_of_loads(const model::Rating& rating, const Eigen::Vector3d& load) {
+  constexpr double surely = 1 + 1e-6;  // round-off must not bring a bound below the margin
+  double least = foundation::infinity;
+  for (Eigen::Index i = 0; i < load.size(); ++i) {
+    const auto& range = rating.load[to_size(i)];
+    if (range) least = std::min(least, margin_in_range(load(i), *range));
+    else if (std::abs(load(i)) > surely * response::noticeable_load * load.norm()) least = 0;
+  }
+  return least;
+}
+
 /// The rated mounts among these elements, their rows on p of q = Φ p.
 template <typename Selected, typename Mount>
 void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const Selected& selected,
@@ -73,7 +85,7 @@ void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const
   for (const model::Element& element : context.system.elements()) {
     if (!element.rating || !selected(element.name)) continue;
     MountRows rows = mount_rows(context.system, context.assembled, element);
-    rows.compression = rows.compression * shapes;
+    rows.load = (rows.load * shapes).eval();
     rows.deflection = rows.deflection * shapes;
     mounts.push_back({*element.rating, std::move(rows)});
     price += element.rating->price ? element.rating->price->amount : 0;
@@ -123,14 +135,14 @@ void refuse_mounts_without_data(const MountCombinations& all, const project::Pro
         const auto& price = element.rating->price;
         if (required->price && !(price && price->currency == required->price->currency)) priceless.push_back(shown);
         if (required->mass > 0 && !element.rating->mass) massless.push_back(shown);
-        if (required->mount_load && !element.rating->compression) unrated.push_back(shown);
+        if (required->mount_load && !element.rating->has_load_range()) unrated.push_back(shown);
       }
     }
   std::string words;
   const auto add = [&](const std::vector<std::string>& mounts, const std::string& lack) {
     if (!mounts.empty()) words += (words.empty() ? "" : "; ") + lack + " of " + foundation::comma_separated(mounts);
   };
-  add(unrated, "no static_load");
+  add(unrated, "no load range");
   add(massless, "no mass");
   if (required->price) add(priceless, "no price in " + foundation::quoted(required->price->currency));
   if (!words.empty())
@@ -297,20 +309,24 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0)) return result;  // no position of rest: the verdict tells why
     const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
-    const auto judge_mounts = [&](MountTest test, const std::vector<Mount>& list) {
-      for (const Mount& mount : list) {
-        const MountRows& rows = mount.rows;
-        if (test == MountTest::load && mount.rating.compression)
-          judge(test,
-                margin_in_range(rows.compression.dot(rest) + rows.compression_at_rest, *mount.rating.compression));
-        if (test == MountTest::deflection && mount.rating.deflection)
-          judge(test, margin_of(*mount.rating.deflection, rows.deflection.dot(rest) + rows.deflection_at_rest));
-      }
+    std::vector<const Mount*> all;
+    const auto add = [&](const std::vector<Mount>& list) {
+      for (const Mount& mount : list) all.push_back(&mount);
     };
-    for (const MountTest test : {MountTest::load, MountTest::deflection}) {
-      judge_mounts(test, sums.mounts);
-      for (std::size_t c = 0; c < mounts.size(); ++c) judge_mounts(test, sums.options[c][mounts[c]].mounts);
+    add(sums.mounts);
+    for (std::size_t c = 0; c < mounts.size(); ++c) add(sums.options[c][mounts[c]].mounts);
+    std::vector<response::RatedLoad> loads;
+    for (const Mount* mount : all) {
+      const MountRows& rows = mount->rows;
+      loads.push_back(
+          {loads.size(), rows.load * rest + rows.load_at_rest, rows.deflection.dot(rest) + rows.deflection_at_rest});
     }
+    response::remove_round_off(loads);
+    for (const response::RatedLoad& one : loads)
+      judge(MountTest::load, bound_of_loads(all[one.element]->rating, one.load));
+    for (const response::RatedLoad& one : loads)
+      if (const auto& limit = all[one.element]->rating.deflection)
+        judge(MountTest::deflection, margin_of(*limit, one.deflection));
   }
   if (wants_frequencies) judge_frequencies(sums.required, squares, judge);
   return result;

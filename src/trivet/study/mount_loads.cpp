@@ -5,133 +5,139 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
 namespace {
 
-/// From its end N to its end K, ground axes.
-Eigen::Vector3d axis_of(const model::System& system, const model::Element& element) {
-  const Eigen::Vector3d axis = element.n.axes.col(2);
-  return element.n.body ? system.bodies()[*element.n.body].pose.rotation * axis : axis;
+constexpr Eigen::Index along_axis = 2;  // e3
+
+/// "left carries 0 … 800 N", for x and y with the direction.
+std::string carries_words(const std::string& name, const Eigen::Vector2d& range, Eigen::Index direction) {
+  const std::string words = fmt::format("{} carries {:.5g} … {:.5g} N", name, range(0), range(1));
+  return direction == along_axis ? words : words + " along " + model::coordinate_names[to_size(direction)];
 }
 
-/// Force and deflection of one mount at rest.
-struct MountLoad {
-  double along = 0, across = 0;  ///< compression is positive [N]
-  double deflection = 0;         ///< of K against N, along the axis [m]
-};
-
-/// @param at  first of its six forces and six deflections
-MountLoad mount_load(const model::System& system, const model::Element& element, const response::StaticResponse& rest,
-                     std::size_t at) {
-  Eigen::Vector3d force;  // on the N side, ground axes
-  for (int j = 0; j < 3; ++j) force(j) = rest.values[at + to_size(j)].value;
-  const Eigen::Vector3d axis = axis_of(system, element);
-  const double along = -force.dot(axis);
-  return {along, (force + along * axis).norm(),
-          rest.values[at + 8].value};  // the third deflection: axes of the element
-}
-
-RequirementResult load_result(const model::Element& element, const Eigen::Vector2d& range) {
+RequirementResult judged_load(const model::Element& element, Eigen::Index direction, const Eigen::Vector2d& range,
+                              const response::RatedLoad* at_rest) {
   RequirementResult result;
   result.kind = RequirementKind::mount_load;
   result.subject = element.name;
-  result.words = fmt::format("{} carries {:.5g} … {:.5g} N", element.name, range(0), range(1));
+  result.words = carries_words(element.name, range, direction);
   result.unit = "N";
   result.allowed = range(1);
+  result.direction = static_cast<int>(direction);
+  if (!at_rest) return result;
+  const double load = at_rest->load(direction);
+  result.value = load;
+  result.margin = margin_in_range(load, range);
+  if (load < range(0)) result.allowed = range(0);
+  if (direction == along_axis && load < 0) result.detail = "in tension: its axis points from end N to end K";
   return result;
 }
 
-RequirementResult deflection_result(const model::Element& element, double allowed) {
+/// A load for which the catalogue has no range: without a value, so that it never counts as within.
+RequirementResult load_without_range(const model::Element& element, Eigen::Index direction, double load) {
+  const char* axis = model::coordinate_names[to_size(direction)];
+  RequirementResult result;
+  result.kind = RequirementKind::mount_load;
+  result.subject = element.name;
+  result.words = fmt::format("{} carries its load along {}", element.name, axis);
+  result.unit = "N";
+  result.detail = value_words(load, "N");
+  result.reason = fmt::format(
+      "{}: {} along {}, for which \"{}\" has no range; add load = {{{} = [\"… N\", \"… N\"]}} "
+      "to the catalogue",
+      element.name, value_words(load, "N"), axis, element.rating->mount, axis);
+  return result;
+}
+
+RequirementResult judged_deflection(const model::Element& element, double allowed, const response::RatedLoad* at_rest) {
   RequirementResult result;
   result.kind = RequirementKind::mount_deflection;
   result.subject = element.name;
   result.words = fmt::format("{} deflects ≤ {}", element.name, value_words(allowed, "m"));
   result.unit = "m";
   result.allowed = allowed;
+  if (!at_rest) return result;
+  result.value = std::abs(at_rest->deflection);
+  result.margin = margin_of(allowed, at_rest->deflection);
+  if (element.creep > 1) result.detail = fmt::format("with its creep factor {:.4g}", element.creep);
   return result;
 }
 
-void judge_load(RequirementResult& result, const Eigen::Vector2d& range, const MountLoad& load) {
-  result.value = load.along;
-  result.margin = margin_in_range(load.along, range);
-  if (load.along < range(0)) result.allowed = range(0);
-  if (load.along < 0) result.detail = "in tension: its axis points from end N to end K";
-  constexpr double noticeable = 0.01;
-  if (load.across > noticeable * std::abs(load.along))
-    result.detail += fmt::format("{}{} across its axis: not judged, the catalogue has no range",
-                                 result.detail.empty() ? "" : "; ", value_words(load.across, "N"));
+void judge_mount(const model::Element& element, const response::RatedLoad* at_rest, const std::string& reason,
+                 std::vector<RequirementResult>& results) {
+  const std::size_t first = results.size();
+  for (const Eigen::Index direction : {along_axis, Eigen::Index{0}, Eigen::Index{1}})
+    if (const auto& range = element.rating->load[to_size(direction)])
+      results.push_back(judged_load(element, direction, *range, at_rest));
+  if (element.rating->deflection) results.push_back(judged_deflection(element, *element.rating->deflection, at_rest));
+  for (std::size_t i = first; i < results.size(); ++i) results[i].reason = reason;
+  for (Eigen::Index direction = 0; at_rest && direction < 3; ++direction)
+    if (const double load = at_rest->load(direction);
+        !element.rating->load[to_size(direction)] && std::abs(load) > response::noticeable_load * at_rest->load.norm())
+      results.push_back(load_without_range(element, direction, load));
 }
 
 }  // namespace
 
-double margin_in_range(double compression, const Eigen::Vector2d& range) {
+double margin_in_range(double load, const Eigen::Vector2d& range) {
+  if (load < 0) return margin_in_range(-load, {-range(1), -range(0)});
   const double low = range(0), high = range(1);
-  if (compression < 0) return low < 0 ? margin_of(-low, compression) : 0;  // tension
-  const double upper = margin_of(high, compression);
-  return low > 0 ? std::min(upper, margin_of_least(low, compression)) : upper;
+  if (high < 0 || (high <= 0 && load > 0)) return 0;
+  const double upper = margin_of(high, load);
+  return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
+}
+
+double share_of_range(double load, const Eigen::Vector2d& range) {
+  if (load == 0) return 0;
+  const double end = load > 0 ? range(1) : -range(0);
+  return end > 0 ? std::abs(load) / end : foundation::infinity;
 }
 
 MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled, const model::Element& element) {
-  const std::vector<assembly::Channel> channels = assembly::channels(
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(
       system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
-  const Eigen::Vector3d axis = axis_of(system, element);
-  MountRows rows;
-  rows.compression = Eigen::RowVectorXd::Zero(assembled.matrices.size());
+  Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes
+  Eigen::Vector3d force_at_rest;
   for (std::size_t j = 0; j < 3; ++j) {
-    rows.compression -= axis(to_index(j)) * channels[j].on_displacement.real().transpose();
-    rows.compression_at_rest -= axis(to_index(j)) * channels[j].at_rest;
+    force.row(to_index(j)) = channels[j].on_displacement.real().transpose();
+    force_at_rest(to_index(j)) = channels[j].at_rest;
   }
-  constexpr std::size_t along_the_axis = 8;  // after six forces
-  rows.deflection = channels[along_the_axis].on_displacement.real().transpose();
-  rows.deflection_at_rest = channels[along_the_axis].at_rest;
+  const Eigen::Matrix3d into_mount = response::mount_axes(system, element).transpose();
+  MountRows rows;
+  rows.load = -(into_mount * force);
+  rows.load_at_rest = -(into_mount * force_at_rest);
+  constexpr std::size_t deflection_along_axis = 8;  // after six of the wrench
+  rows.deflection = element.creep * channels[deflection_along_axis].on_displacement.real().transpose();
+  rows.deflection_at_rest = element.creep * channels[deflection_along_axis].at_rest;
   return rows;
 }
 
-std::vector<RequirementResult> mount_loads(const CaseContext& context) {
-  std::vector<const model::Element*> mounts;
-  std::vector<std::string> words;
-  for (const model::Element& element : context.system.elements())
-    if (element.rating) {
-      mounts.push_back(&element);
-      words.insert(words.end(), {element.name, element.name + ".deflection"});
-    }
-  if (mounts.empty()) return {};
-  std::optional<response::StaticResponse> rest;
-  std::string reason;
+MountsAtRest mounts_at_rest(const CaseContext& context) {
   try {
-    rest = response::static_response(
-        context.system, context.assembled,
-        assembly::channels(context.system, context.assembled, words, assembly::MotionQuantity::displacement));
+    return {response::rated_loads(context.system, context.assembled), ""};
   } catch (const foundation::NotComputable& refused) {
-    reason = refused.what();
+    return {{}, refused.what()};
   } catch (const foundation::InvalidInput& refused) {
-    reason = refused.what();
+    return {{}, refused.what()};
   }
+}
+
+std::vector<RequirementResult> mount_loads(const CaseContext& context) {
+  const auto& [loads, reason] = mounts_at_rest(context);
   std::vector<RequirementResult> results;
-  constexpr std::size_t values_per_mount = 12;
-  for (std::size_t i = 0; i < mounts.size(); ++i) {
-    const model::Rating& rating = *mounts[i]->rating;
-    const MountLoad load = rest ? mount_load(context.system, *mounts[i], *rest, values_per_mount * i) : MountLoad();
-    if (rating.compression) {
-      RequirementResult& result = results.emplace_back(load_result(*mounts[i], *rating.compression));
-      if (rest) judge_load(result, *rating.compression, load);
-    }
-    if (rating.deflection) {
-      RequirementResult& result = results.emplace_back(deflection_result(*mounts[i], *rating.deflection));
-      if (rest) {
-        result.value = std::abs(load.deflection);
-        result.margin = margin_of(result.allowed, load.deflection);
-      }
-    }
-  }
-  for (RequirementResult& result : results) result.reason = reason;
+  std::size_t rated = 0;
+  for (const model::Element& element : context.system.elements())
+    if (element.rating) judge_mount(element, loads.empty() ? nullptr : &loads[rated++], reason, results);
   return results;
 }
 

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "trivet/response/machinery/rated_loads.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/verdict.h"
 
 namespace trivet::study {
 
-/// One mount at rest as linear functions of the coordinates.
+/// One mount at rest as linear functions of the coordinates; loads as in `response::RatedLoad`.
 struct MountRows {
-  Eigen::RowVectorXd compression, deflection;  ///< along its axis [N, m]
-  double compression_at_rest = 0, deflection_at_rest = 0;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> load;  ///< along its axes [N]
+  Eigen::RowVectorXd deflection;                  ///< along e3, after creep [m]
+  Eigen::Vector3d load_at_rest = Eigen::Vector3d::Zero();
+  double deflection_at_rest = 0;
 };
 [[nodiscard]] MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled,
                                    const model::Element& element);
 
-/// Least factor by which a compression [N] may grow or fall within its range.
-[[nodiscard]] double margin_in_range(double compression, const Eigen::Vector2d& range);
+/// Least factor by which a load [N] may grow or fall within its range; 0 on the other side of zero than the range.
+[[nodiscard]] double margin_in_range(double load, const Eigen::Vector2d& range);
 
-/// Static force of each catalogue mount along its axis, and its deflection, against the ranges of its maker.
+/// Share of its range that a load takes: of the end on its side of zero; infinite if the range has none there.
+[[nodiscard]] double share_of_range(double load, const Eigen::Vector2d& range);
+
+/// Loads of all catalogue mounts at rest; none if they cannot be computed, for this reason.
+struct MountsAtRest {
+  std::vector<response::RatedLoad> loads;
+  std::string reason;
+};
+[[nodiscard]] MountsAtRest mounts_at_rest(const CaseContext& context);
+
+/// Static loads of each catalogue mount along its axes, and its deflection after creep, against the ranges of its
+/// maker. A noticeable load in a direction without a range is not judged.
 [[nodiscard]] std::vector<RequirementResult> mount_loads(const CaseContext& context);
 
 }  // namespace trivet::study

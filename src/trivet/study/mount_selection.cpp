@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <numeric>
 #include <unordered_map>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/project/analyses/transmissibility_question.h"
@@ -31,15 +33,11 @@ constexpr std::array<const char*, mount_tests> test_names = {"",           "pric
 
 /// Adds what the table shows of a case: loads and deflections of the mounts.
 void add_loads(const CaseContext& context, MountDesign& design) {
-  for (const RequirementResult& one : mount_loads(context)) {
-    if (!one.value) continue;
-    if (one.kind == RequirementKind::mount_deflection) {
-      design.deflection = std::max(design.deflection.value_or(0), *one.value);
-      continue;
-    }
-    const auto element = std::find_if(context.system.elements().begin(), context.system.elements().end(),
-                                      [&](const model::Element& e) { return e.name == one.subject; });
-    design.load = std::max(design.load.value_or(0), *one.value / (*element->rating->compression)(1));
+  for (const response::RatedLoad& one : mounts_at_rest(context).loads) {
+    design.deflection = std::max(design.deflection.value_or(0), std::abs(one.deflection));
+    const auto& ranges = context.system.elements()[one.element].rating->load;
+    for (std::size_t i = 0; i < ranges.size(); ++i)
+      if (ranges[i]) design.load = std::max(design.load.value_or(0), share_of_range(one.load(to_index(i)), *ranges[i]));
   }
 }
 

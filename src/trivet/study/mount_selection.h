@@ -16,9 +16,9 @@ struct MountDesign {
   std::vector<std::size_t> mounts;  ///< number of the mount of each choice; empty for the given design
   double margin = 0;                ///< least of all requirements in all cases in which the design has to hold
   bool met = false;
-  std::string governing;       ///< the requirement with the least margin, in words, with its case
-  std::string reason;          ///< why a requirement is not judged, or the model is not valid
-  std::optional<double> load;  ///< largest static compression of a mount as a share of its highest; none: not known
+  std::string governing;                   ///< the requirement with the least margin, in words, with its case
+  std::string reason;                      ///< why a requirement is not judged, or the model is not valid
+  std::optional<double> load;              ///< largest share of a load range that a static load takes; none: not known
   std::optional<double> deflection;        ///< largest static one of a mount along its axis [m]
   std::optional<double> lowest, highest;   ///< natural frequencies of the first case [rad/s]
   std::optional<double> transmissibility;  ///< largest of the first case, of the question `transmissibility`

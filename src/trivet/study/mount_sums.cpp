@@ -28,7 +28,8 @@ MountSums sums_of_mounts(const model::System& system) {
   bool first = true;
   for (const model::Element& element : system.elements()) {
     if (!element.rating) continue;
-    const auto& [load, deflection, mass, price] = *element.rating;
+    const auto& mass = element.rating->mass;
+    const auto& price = element.rating->price;
     if (first) {
       sums = {price, mass};
       first = false;

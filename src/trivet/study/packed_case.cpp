@@ -10,6 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/study/motion_requirements.h"
 #include "trivet/study/mount_loads.h"
 
 namespace trivet::study {
@@ -55,7 +56,8 @@ std::pair<Eigen::VectorXd, double> mount_row(const model::System& system, const 
     if (element.name != result.subject) continue;
     const MountRows rows = mount_rows(system, assembled, element);
     return result.kind == RequirementKind::mount_load
-        ? std::pair<Eigen::VectorXd, double>{rows.compression.transpose(), rows.compression_at_rest}
+        ? std::pair<Eigen::VectorXd, double>{rows.load.row(result.direction).transpose(),
+                                             rows.load_at_rest(result.direction)}
         : std::pair<Eigen::VectorXd, double>{rows.deflection.transpose(), rows.deflection_at_rest};
   }
   throw foundation::InvalidInput("PackedCase: no mount " + result.subject);
@@ -71,7 +73,8 @@ std::pair<Eigen::VectorXd, double> rest_row(const model::System& system, const a
   if (is_mount(result.kind)) return mount_row(system, assembled, result);
   const assembly::Channel channel =
       assembly::channels(system, assembled, {result.subject}, assembly::MotionQuantity::displacement).front();
-  return {channel.on_displacement.real(), channel.at_rest};
+  const double creep = creep_in(system, result.subject);
+  return {creep * channel.on_displacement.real(), creep * channel.at_rest};
 }
 
 }  // namespace
@@ -150,7 +153,7 @@ void PackedCase::plan_rest(const model::System& system) {
     RestValue& value = at_rest_.emplace_back(RestValue{r, {}});
     for (const model::Element& element : system.elements())
       if (kind == RequirementKind::mount_load && element.name == results_[r].subject)
-        value.range = element.rating->compression;
+        value.range = element.rating->load[to_size(results_[r].direction)];
     covered_[r] = true;
   }
 }

@@ -50,7 +50,7 @@ class PackedCase {
   /// A linear function of the static displacements.
   struct RestValue {
     std::size_t result = 0;
-    std::optional<Eigen::Vector2d> range;  ///< of a mount's compression [N]
+    std::optional<Eigen::Vector2d> range;  ///< of a load of a mount [N]
   };
   /// Rows of a body's coordinates, which must decouple with all other bodies fixed.
   struct Decoupled {

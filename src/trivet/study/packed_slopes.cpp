@@ -109,6 +109,16 @@ Eigen::RowVectorXd PackedSlopes::frequency_slopes(int mode) const {
   return slopes;
 }
 
+namespace {
+
+/// Below the lowest load of a range the margin grows with the load, above the highest it falls.
+bool is_near_lower_end(double load, const Eigen::Vector2d& range) {
+  if (load < 0) return is_near_lower_end(-load, {-range(1), -range(0)});
+  return range(0) > 0 && load / range(0) < range(1) / load;
+}
+
+}  // namespace
+
 Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& values = of_.at_rest();
   const auto found = std::find_if(values.begin(), values.end(), [&](const auto& one) { return one.result == result; });
@@ -119,9 +129,7 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const Eigen::VectorXd load = here_.load.row(0).transpose(), row = rows.row(0).head(n).transpose();
   const Eigen::VectorXd rest = numerics::cholesky_solution(K, load), adjoint = numerics::cholesky_solution(K, row);
   const double value = row.dot(rest) + rows(0, n);
-  // Above the highest load the margin falls with the value, and below the lowest it grows.
-  const bool grows =
-      found->range && value >= 0 && (*found->range)(0) > 0 && value / (*found->range)(0) < (*found->range)(1) / value;
+  const bool grows = found->range && is_near_lower_end(value, *found->range);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j) {
     const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.free.K, j) * rest;

@@ -5,7 +5,7 @@
 #include "trivet/study/curve_requirements.h"
 #include "trivet/study/frequency_requirements.h"
 #include "trivet/study/motion_requirements.h"
-#include "trivet/study/mount_loads.h"
+#include "trivet/study/mount_requirements.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_list.h"
 
@@ -19,7 +19,7 @@ std::vector<RequirementResult> requirement_values(const CaseContext& context, co
   add_curve_requirements(context, analyses, list);
   add_frequency_requirements(context, required, list);
   add_motion_requirements(context, analyses, warnings, list);
-  if (required.mount_load) list.append(mount_loads(context));
+  if (required.mount_load) add_mount_requirements(context, analyses, warnings, list);
   list.append(mount_sums(context.system, required));
   list.append(clearance_results(context, analyses, warnings));
   return list.release();

@@ -25,6 +25,8 @@ enum class RequirementKind {
   static_value,
   mount_load,
   mount_deflection,
+  mount_dynamic_deflection,
+  mount_shock_deflection,
   price,
   mount_mass,
   clearance
@@ -42,6 +44,7 @@ struct RequirementResult {
   std::optional<double> angular_frequency;  ///< at which the value occurs [rad/s]
   std::optional<double> time;               ///< at which it occurs [s]
   double margin = 0;   ///< 1 on the limit, more if the requirement is met, infinite if nothing limits it
+  int direction = 2;   ///< of a mount's load: 0 … 2 for x, y, z of the mount
   std::string detail;  ///< "mode 3 and 4", "across its axis: not judged"
   std::string reason;  ///< why it is not judged
 

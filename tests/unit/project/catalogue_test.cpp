@@ -22,8 +22,9 @@ TEST(Catalogue, IsReadWithUnits) {
   const auto read = catalogue_from_text(
       head +
           "translation = [\"60 N/mm\", \"60 N/mm\", 350e3]\nrotation = [10, 10, \"8 N m/rad\"]\nloss_factor = \"8 %\"\n"
-          "static_load = [\"0 N\", \"0.8 kN\"]\nstatic_deflection_limit = \"2.5 mm\"\nmass = \"120 g\"\nprice = "
-          "\"12.50 EUR\"\nsource = \"sheet 7\"\n",
+          "static_load = [\"0 N\", \"0.8 kN\"]\nload = {y = [-5, \"6 N\"]}\nstatic_deflection_limit = \"2.5 mm\"\n"
+          "dynamic_deflection_limit = \"1 mm\"\nshock_deflection_limit = \"9 mm\"\ncreep = 1.2\nheight = \"31 mm\"\n"
+          "temperature = [\"-30 °C\", \"80 °C\"]\nmass = \"120 g\"\nprice = \"12.50 EUR\"\nsource = \"sheet 7\"\n",
       "c.toml");
   ASSERT_TRUE(read) << complaint(read);
   const project::Mount* mount = read->find("M 20");
@@ -32,10 +33,17 @@ TEST(Catalogue, IsReadWithUnits) {
   EXPECT_THAT(mount->translation, NearVector(Eigen::Vector3d(60e3, 60e3, 350e3), few_roundings));
   EXPECT_THAT(mount->rotation, NearVector(Eigen::Vector3d(10, 10, 8), few_roundings));
   EXPECT_DOUBLE_EQ(*mount->loss_factor, 0.08);
-  EXPECT_THAT(*mount->static_load, NearVector(Eigen::Vector2d(0, 800), few_roundings));
-  EXPECT_DOUBLE_EQ(*mount->static_deflection_limit, 0.0025);
-  EXPECT_DOUBLE_EQ(*mount->mass, 0.12);
-  EXPECT_EQ(mount->price, "12.50 EUR");
+  EXPECT_FALSE(mount->rating.load[0]);
+  EXPECT_THAT(*mount->rating.load[1], NearVector(Eigen::Vector2d(-5, 6), few_roundings));
+  EXPECT_THAT(*mount->rating.load[2], NearVector(Eigen::Vector2d(0, 800), few_roundings));
+  EXPECT_DOUBLE_EQ(*mount->rating.deflection, 0.0025);
+  EXPECT_DOUBLE_EQ(*mount->rating.dynamic_deflection, 0.001);
+  EXPECT_DOUBLE_EQ(*mount->rating.shock_deflection, 0.009);
+  EXPECT_DOUBLE_EQ(mount->creep, 1.2);
+  EXPECT_DOUBLE_EQ(*mount->height, 0.031);
+  EXPECT_THAT(*mount->temperature, NearVector(Eigen::Vector2d(243.15, 353.15), few_roundings));
+  EXPECT_DOUBLE_EQ(*mount->rating.mass, 0.12);
+  EXPECT_EQ(mount->rating.price, (model::Price{12.5, "EUR"}));
   EXPECT_EQ(mount->source, "sheet 7");
   EXPECT_EQ(mount->origin.line, 2);
   EXPECT_TRUE(read->warnings.list().empty());
@@ -44,7 +52,9 @@ TEST(Catalogue, IsReadWithUnits) {
 TEST(Catalogue, AcceptsAMountWithOnlyThreeStiffnesses) {
   const auto read = catalogue_from_text(head + "translation = [1, 1, 2]\n", "c.toml");
   ASSERT_TRUE(read) << complaint(read);
-  EXPECT_FALSE(read->mounts[0].loss_factor || read->mounts[0].static_load || read->mounts[0].mass);
+  const project::Mount& mount = read->mounts[0];
+  EXPECT_FALSE(mount.loss_factor || mount.rating.has_load_range() || mount.rating.mass || mount.rating.price);
+  EXPECT_EQ(mount.creep, 1);
 }
 
 TEST(Catalogue, ReportsWhatIsWrongAndWhere) {
@@ -65,7 +75,7 @@ TEST(Catalogue, ReportsWhatIsWrongAndWhere) {
   EXPECT_THAT(said(head + "translation = [\"1 kg\", 1, 2]\n"), HasSubstr("measures another quantity"));
   EXPECT_THAT(said(head + good + "stiffnes = 3\n"), HasSubstr("c.toml:5: error: mounts.M 20.stiffnes: unknown key"));
   EXPECT_THAT(said(head + good + "loss_factor = -0.1\n"), HasSubstr("c.toml:5: error: mounts.M 20.loss_factor"));
-  EXPECT_THAT(said(head + good + "static_load = [5, 5]\n"), HasSubstr("the first one not below the second"));
+  EXPECT_THAT(said(head + good + "static_load = [5, 5]\n"), HasSubstr("static_load: 5 N, then 5 N"));
   EXPECT_THAT(said(head + good + "static_load = [5]\n"), HasSubstr("static_load: 1 numbers"));
   EXPECT_THAT(said(head + good + "static_deflection_limit = 0\n"), HasSubstr("it must be > 0"));
   EXPECT_THAT(said(head + good + "mass = -1\n"), HasSubstr("mass: -1 kg"));
@@ -109,7 +119,7 @@ TEST(GenericCatalogue, AgreesWithItsFormulas) {
   for (const project::Mount& one : catalogue.mounts) {
     EXPECT_EQ(one.maker, "generic");
     EXPECT_THAT(one.source, HasSubstr("no maker's data"));
-    EXPECT_THAT(one.static_load->y() / one.translation.z(), RelativelyNear(*one.static_deflection_limit, printed));
+    EXPECT_THAT(one.rating.load[2]->y() / one.translation.z(), RelativelyNear(*one.rating.deflection, printed));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
@@ -123,23 +124,48 @@ std::optional<model::Price> read_price(TableReader& reader) {
   return std::nullopt;
 }
 
-/// Reports catalogue mounts without what a requirement on all of them needs.
-void check_each_mount(const model::System& system, const std::string& key, const std::string& rule,
-                      const std::string& remedy, const std::string& lack,
-                      const std::function<bool(const model::Rating&)>& has, foundation::Problems& problems) {
-  std::vector<std::string> without;
-  bool any = false;
+/// "M 50" (left, right), "M 75" (rear): mounts of a catalogue that a test finds, with their elements.
+std::string mounts_that(const model::System& system, const std::function<bool(const model::Rating&)>& is_found) {
+  std::vector<std::pair<std::string, std::string>> mounts;  // name, elements
   for (const model::Element& element : system.elements()) {
-    if (!element.type.starts_with("catalogue:")) continue;
-    if (element.rating && has(*element.rating)) any = true;
-    else without.push_back(foundation::quoted(element.name));
+    if (!element.rating || !is_found(*element.rating)) continue;
+    const auto known =
+        std::find_if(mounts.begin(), mounts.end(), [&](const auto& one) { return one.first == element.rating->mount; });
+    if (known == mounts.end()) mounts.emplace_back(element.rating->mount, element.name);
+    else known->second += ", " + element.name;
   }
-  const std::string subject = "requirements." + key;
-  if (!without.empty())
-    problems.error(subject, lack + " in the catalogue for " + foundation::comma_separated(without), rule, remedy);
-  else if (!any)
-    problems.error(subject, "no mount of a catalogue", rule,
+  std::string words;
+  for (const auto& [mount, elements] : mounts)
+    words += (words.empty() ? "" : ", ") + foundation::quoted(mount) + " (" + elements + ")";
+  return words;
+}
+
+/// Reports catalogue mounts with a fault that a requirement on all of them does not allow.
+void refuse_mounts(const model::System& system, const std::string& key, const std::string& fault,
+                   const std::function<bool(const model::Rating&)>& has_fault, const std::string& rule,
+                   const std::string& remedy, foundation::Problems& problems) {
+  if (const std::string mounts = mounts_that(system, has_fault); !mounts.empty())
+    problems.error("requirements." + key, fault + mounts, rule, remedy + ", or remove " + key);
+}
+
+bool has_mounts(const model::System& system, const std::string& key, foundation::Problems& problems) {
+  const bool any = std::any_of(system.elements().begin(), system.elements().end(),
+                               [](const model::Element& element) { return element.rating.has_value(); });
+  if (!any)
+    problems.error("requirements." + key, "no mount of a catalogue", key + " judges the mounts of catalogues",
                    "take mounts of type \"catalogue:NAME\", or remove " + key);
+  return any;
+}
+
+void check_price(const model::System& system, const std::string& currency, foundation::Problems& problems) {
+  const std::string rule = "price is a limit on the sum over all catalogue mounts, in one currency";
+  refuse_mounts(
+      system, "price", "no price in the catalogue for ", [](const model::Rating& rating) { return !rating.price; },
+      rule, "write price = \"12.50 " + currency + "\" in the catalogue", problems);
+  refuse_mounts(
+      system, "price", "the limit is in " + currency + ", not the price of ",
+      [&](const model::Rating& rating) { return rating.price && rating.price->currency != currency; }, rule,
+      "give the limit and all prices in one currency", problems);
 }
 
 }  // namespace
@@ -207,23 +233,17 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (!asked.requirements) return;
   const Requirements& required = *asked.requirements;
-  if (required.mount_load)
-    check_each_mount(
-        system, "mount_load", "mount_load compares the static load of each catalogue mount with its static_load",
-        "add the range to the catalogue, or remove mount_load", "no static_load",
-        [](const model::Rating& rating) { return rating.compression.has_value(); }, problems);
-  if (required.mass > 0)
-    check_each_mount(
-        system, "mass", "mass is a limit on the sum over all catalogue mounts",
-        "add mass = … to the catalogue, or remove mass", "no mass",
-        [](const model::Rating& rating) { return rating.mass.has_value(); }, problems);
-  if (required.price)
-    check_each_mount(
-        system, "price", "price is a limit on the sum over all catalogue mounts, in one currency",
-        "write price = \"12.50 " + required.price->currency + "\" in the catalogue, or remove price",
-        "no price in " + foundation::quoted(required.price->currency),
-        [&](const model::Rating& rating) { return rating.price && rating.price->currency == required.price->currency; },
-        problems);
+  if (required.mount_load && has_mounts(system, "mount_load", problems))
+    refuse_mounts(
+        system, "mount_load", "no load range in the catalogue for ",
+        [](const model::Rating& rating) { return !rating.has_load_range(); },
+        "mount_load compares the static load of each catalogue mount with its range",
+        "add static_load or load = {z = [\"0 N\", \"800 N\"]} to the catalogue", problems);
+  if (required.mass > 0 && has_mounts(system, "mass", problems))
+    refuse_mounts(
+        system, "mass", "no mass in the catalogue for ", [](const model::Rating& rating) { return !rating.mass; },
+        "mass is a limit on the sum over all catalogue mounts", "add mass = … to the catalogue", problems);
+  if (required.price && has_mounts(system, "price", problems)) check_price(system, required.price->currency, problems);
 }
 
 }  // namespace trivet::project

@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/elements/load_ranges.h"
 #include "trivet/project/text/embedded_text.h"
+#include "trivet/project/text/price.h"
 #include "trivet/project/text/source_file.h"
 #include "trivet/project/text/table_reader.h"
 #include "trivet/project/text/toml_text.h"
@@ -36,15 +38,52 @@ std::optional<double> at_least_zero(TableReader& reader, const std::string& key,
   return value;
 }
 
-std::optional<Eigen::Vector2d> load_range(TableReader& reader) {
-  const auto range = reader.numbers("static_load", Quantity::force);
-  if (!range) return std::nullopt;
-  if (range->size() == 2 && (*range)[0] < (*range)[1]) return Eigen::Vector2d((*range)[0], (*range)[1]);
-  reader.error(
-      "static_load",
-      fmt::format("{} numbers{}", range->size(), range->size() == 2 ? ", the first one not below the second" : ""),
-      "it is the lowest and the highest compression along the axis", "for instance static_load = [\"0 N\", \"800 N\"]");
-  return std::nullopt;
+/// A limit of a deflection along the axis.
+std::optional<double> deflection_limit(TableReader& reader, const std::string& key) {
+  const auto limit = reader.number(key, Quantity::length);
+  if (limit && !(*limit > 0))
+    reader.error(key, fmt::format("{:.6g} m", *limit), "it must be > 0", "remove it if there is no limit");
+  return limit;
+}
+
+double read_creep(TableReader& reader) {
+  const auto creep = reader.number("creep", Quantity::pure);
+  if (creep && !(*creep >= 1))
+    reader.error("creep", fmt::format("{:.6g}", *creep), "static deflection after years over that at once is ≥ 1",
+                 "for instance creep = 1.2");
+  return creep.value_or(1);
+}
+
+std::optional<double> read_height(TableReader& reader) {
+  const auto height = reader.number("height", Quantity::length);
+  if (height && !(*height > 0))
+    reader.error("height", fmt::format("{:.6g} m", *height), "the height of the unloaded mount is > 0",
+                 "for instance height = \"31 mm\"");
+  return height;
+}
+
+std::optional<model::Price> read_price_of_mount(TableReader& reader) {
+  const auto text = reader.text("price");
+  if (!text) return std::nullopt;
+  auto price = price_from(*text);
+  if (!price)
+    reader.error("price", foundation::quoted(*text),
+                 "a price is a number ≥ 0 and a currency, with a blank between them and a decimal point",
+                 "for instance price = \"12.50 EUR\"; remove it if it is not known");
+  return price;
+}
+
+/// What the maker allows, mass and price.
+model::Rating read_rating(TableReader& reader, const std::string& name) {
+  model::Rating rating;
+  rating.mount = name;
+  rating.load = read_load_ranges(reader);
+  rating.deflection = deflection_limit(reader, "static_deflection_limit");
+  rating.dynamic_deflection = deflection_limit(reader, "dynamic_deflection_limit");
+  rating.shock_deflection = deflection_limit(reader, "shock_deflection_limit");
+  rating.mass = at_least_zero(reader, "mass", Quantity::mass);
+  rating.price = read_price_of_mount(reader);
+  return rating;
 }
 
 /// Warns of values that are possible but do not agree.
@@ -57,11 +96,13 @@ void warn_of_slips(const Mount& mount, TableReader& reader) {
   if (mount.loss_factor.value_or(0) > 1)
     warn("loss_factor", fmt::format("{:.6g}", *mount.loss_factor), "loss factors of rubber and metal are below 1",
          fmt::format("write \"{:.6g} %\" if percent are meant", *mount.loss_factor));
-  if (!mount.static_load || !mount.static_deflection_limit || mount.translation.z() == 0) return;
-  const double deflection = mount.static_load->y() / mount.translation.z();
-  if (deflection > (1 + data_sheet_rounding) * *mount.static_deflection_limit)
-    warn("static_load", fmt::format("the highest load deflects the mount by {:.4g} m", deflection),
-         fmt::format("its limit is {:.4g} m", *mount.static_deflection_limit),
+  const auto& along_axis = mount.rating.load[2];
+  if (!along_axis || !(mount.rating.deflection.value_or(0) > 0) || mount.translation.z() == 0) return;
+  const double deflection = along_axis->y() / mount.translation.z();
+  if (deflection > (1 + data_sheet_rounding) * *mount.rating.deflection)
+    warn(reader.has("static_load") ? "static_load" : "load",
+         fmt::format("the highest load deflects the mount by {:.4g} m", deflection),
+         fmt::format("its limit is {:.4g} m", *mount.rating.deflection),
          "check the units; a mount that stiffens is stiffer at this load than given here");
 }
 
@@ -78,13 +119,10 @@ Mount read_mount(const Node& table, const std::string& name, const std::string& 
   mount.translation = stiffness(reader, "translation", Quantity::force_per_length);
   mount.rotation = stiffness(reader, "rotation", Quantity::moment_per_angle);
   mount.loss_factor = at_least_zero(reader, "loss_factor", Quantity::pure);
-  mount.static_load = load_range(reader);
-  mount.static_deflection_limit = reader.number("static_deflection_limit", Quantity::length);
-  if (mount.static_deflection_limit && !(*mount.static_deflection_limit > 0))
-    reader.error("static_deflection_limit", fmt::format("{:.6g} m", *mount.static_deflection_limit), "it must be > 0",
-                 "remove it if there is no limit");
-  mount.mass = at_least_zero(reader, "mass", Quantity::mass);
-  mount.price = reader.text("price").value_or("");
+  mount.rating = read_rating(reader, name);
+  mount.creep = read_creep(reader);
+  mount.temperature = read_temperature(reader);
+  mount.height = read_height(reader);
   mount.source = reader.text("source").value_or(source);
   warn_of_slips(mount, reader);
   reader.finish();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/problems.h"
+#include "trivet/model/system.h"
 
 namespace trivet::project {
 
@@ -18,12 +19,12 @@ struct Mount {
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();  ///< static stiffness [N/m] between the ends, at the middle
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();     ///< [N m/rad], about the middle
   std::optional<double> loss_factor;
-  std::optional<Eigen::Vector2d> static_load;     ///< lowest and highest compression along e3 [N]
-  std::optional<double> static_deflection_limit;  ///< along e3 [m]
-  std::optional<double> mass;                     ///< [kg]
-  std::string price;                              ///< in the words of the maker
-  std::string source;                             ///< where the numbers come from
-  foundation::Origin origin;                      ///< its place in the catalogue
+  model::Rating rating;                        ///< what it may carry, its mass and price
+  double creep = 1;                            ///< static deflection after years over that at once
+  std::optional<Eigen::Vector2d> temperature;  ///< in which it may be used [K]
+  std::optional<double> height;                ///< along e3 without load [m]
+  std::string source;                          ///< where the numbers come from
+  foundation::Origin origin;                   ///< its place in the catalogue
 };
 
 /// A TOML file of mounts, read and checked.

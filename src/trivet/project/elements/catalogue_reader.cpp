@@ -10,6 +10,34 @@
 namespace trivet::project {
 namespace {
 
+/// "temperature": "-30 … 80 °C".
+std::string celsius_words(const Eigen::Vector2d& kelvin) {
+  constexpr double zero_celsius = 273.15;
+  const Eigen::Vector2d celsius = kelvin.array() - zero_celsius;
+  return fmt::format("{:.4g} … {:.4g} °C", celsius(0), celsius(1));
+}
+
+/// Facts of a mount that its stiffness does not show.
+void add_facts(const Mount& mount, std::vector<model::Fact>& facts) {
+  const auto add = [&](const char* what, std::string value) { facts.push_back({what, std::move(value)}); };
+  const auto add_length = [&](const char* what, const std::optional<double>& length) {
+    if (length) add(what, fmt::format("{:.6g} m", *length));
+  };
+  const model::Rating& rating = mount.rating;
+  for (const std::size_t i : {std::size_t{2}, std::size_t{0}, std::size_t{1}})
+    if (const auto& range = rating.load[i])
+      add("static load", fmt::format("{:.6g} … {:.6g} N along e{}", (*range)(0), (*range)(1), i + 1));
+  add_length("static deflection limit", rating.deflection);
+  add_length("dynamic deflection limit", rating.dynamic_deflection);
+  add_length("shock deflection limit", rating.shock_deflection);
+  if (mount.creep > 1) add("creep", fmt::format("{:.4g} times the static deflection after years", mount.creep));
+  if (mount.temperature) add("temperature", celsius_words(*mount.temperature) + ", not judged: the model has none");
+  add_length("height without load", mount.height);
+  if (mount.loss_factor) add("loss factor of the catalogue", fmt::format("{:.4g}", *mount.loss_factor));
+  if (rating.mass) add("mass", fmt::format("{:.6g} kg, not in the model", *rating.mass));
+  if (rating.price) add("price", price_words(*rating.price));
+}
+
 void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& element) {
   const std::string name = element.type.substr(element.type.find(':') + 1);
   std::vector<Catalogue> catalogues;
@@ -41,17 +69,9 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
       elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, 0.5), ends.span.n_from_k);
   if (mount->loss_factor && !reader.has("damping")) element.law.damping = elements::LossFactor{*mount->loss_factor};
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
-  element.rating =
-      model::Rating{mount->static_load, mount->static_deflection_limit, mount->mass, price_from(mount->price)};
-  if (mount->static_load)
-    element.facts.push_back(
-        {"static load", fmt::format("{:.6g} … {:.6g} N along e3", (*mount->static_load)(0), (*mount->static_load)(1))});
-  if (mount->static_deflection_limit)
-    element.facts.push_back({"static deflection limit", fmt::format("{:.6g} m", *mount->static_deflection_limit)});
-  if (mount->loss_factor)
-    element.facts.push_back({"loss factor of the catalogue", fmt::format("{:.4g}", *mount->loss_factor)});
-  if (mount->mass) element.facts.push_back({"mass", fmt::format("{:.6g} kg, not in the model", *mount->mass)});
-  if (!mount->price.empty()) element.facts.push_back({"price", mount->price});
+  element.rating = mount->rating;
+  element.creep = mount->creep;
+  add_facts(*mount, element.facts);
   element.facts.push_back({"source", mount->source});
 }
 

@@ -40,8 +40,10 @@ class ElementReader {
     const std::size_t before = reader_.errors();
     element_.type = reader_.required_text("type");
     law_ = element_law(element_.type);
-    if (law_ && law_->sized)
+    if (law_ && law_->sized) {
       length_ = stiffened(reader_, law_->sized(reader_, element_), element_);  // its length places end N
+      read_creep_of_rubber(reader_, element_);
+    }
     ends_.known = read_ends();  // if not, the law is still read for its own problems
     element_.symmetric = reader_.boolean("symmetric").value_or(true);
     element_.allow_residual = reader_.boolean("allow_residual").value_or(false);

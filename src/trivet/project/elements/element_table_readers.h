@@ -35,4 +35,7 @@ using ElementLength = std::optional<double>;
 /// stiffer in vibration than at rest. The effect of a preload in a rigid motion is unchanged. Returns `length`.
 [[nodiscard]] ElementLength stiffened(TableReader& reader, ElementLength length, model::Element& element);
 
+/// Sets the creep factor of an element of rubber, `material.creep`.
+void read_creep_of_rubber(TableReader& reader, model::Element& element);
+
 }  // namespace trivet::project

@@ -172,6 +172,9 @@ std::optional<elements::Rubber> read_rubber(TableReader& reader) {
       table.error("stiffening", fmt::format("{:.6g}", *stiffening), "dynamic over static modulus is ≥ 1",
                   "rubber is 1.1 to 3 times stiffer in vibration");
   }
+  if (const auto creep = table.number("creep", Quantity::pure); creep && !(*creep >= 1))
+    table.error("creep", fmt::format("{:.6g}", *creep), "static deflection after years over that at once is ≥ 1",
+                "rubber has 1.1 to 1.5");
   table.finish();
   return reader.errors() == before ? std::optional(rubber) : std::nullopt;
 }

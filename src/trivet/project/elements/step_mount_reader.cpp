@@ -93,6 +93,9 @@ std::vector<fem::Material> read_solid_materials(TableReader& reader) {
       if (list->items[i].find("stiffening"))
         reader.error("materials", "stiffening of one material among several", "it applies to the mount as a whole",
                      "multiply G of this material by it, or remove it");
+      if (list->items[i].find("creep"))
+        reader.error("materials", "creep of one material among several", "it applies to the mount as a whole",
+                     "remove it");
       materials.push_back({.c10 = rubber->shear_modulus / 2, .bulk_modulus = rubber->bulk_modulus});
       single.add(fem::check(materials.back()), {{"shear_modulus", "material"}, {"bulk_modulus", "material"}});
     }

@@ -24,4 +24,14 @@ ElementLength stiffened(TableReader& reader, ElementLength length, model::Elemen
   return length;
 }
 
+void read_creep_of_rubber(TableReader& reader, model::Element& element) {
+  const Node* material = reader.has("material") ? reader.node("material") : nullptr;
+  if (!material || !material->find("creep")) return;
+  foundation::Problems reported_with_the_material;
+  TableReader rubber(*material, "", reported_with_the_material);
+  element.creep = rubber.number("creep", Quantity::pure).value_or(1);
+  if (element.creep > 1)
+    element.facts.push_back({"creep", fmt::format("{:.4g} times the static deflection after years", element.creep)});
+}
+
 }  // namespace trivet::project

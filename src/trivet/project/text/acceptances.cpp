@@ -85,7 +85,8 @@ std::vector<Acceptance> read_acceptances(const Node& document, foundation::Probl
 }
 
 foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Suspicion>& suspicions,
-                                              const std::vector<Acceptance>& acceptances, const Node& document) {
+                                              const std::vector<Acceptance>& acceptances, const Node& document,
+                                              const std::string& case_name) {
   for (const Acceptance& a : acceptances)
     if (known_.insert(key(a)).second) all_.push_back(a);
   foundation::Problems result;
@@ -99,13 +100,17 @@ foundation::Problems AcceptanceBook::warnings(const std::vector<plausibility::Su
     }
     foundation::Problems one;
     one.warning(
-        s.subject, s.finding, fmt::format("suspicion \"{}\": {}", s.kind, s.rule),
+        s.subject,
+        s.by_case && !case_name.empty() ? s.finding + " in case " + foundation::quoted(case_name) : s.finding,
+        fmt::format("suspicion \"{}\": {}", s.kind, s.rule),
         fmt::format("{}; if it is right: accept = {{\"{}\" = \"reason\"}} {}", s.probable, s.kind, header(table)));
     locate(one, document);
     const foundation::Origin& origin = one.list().front().origin;
-    result.add(
-        reported_.try_emplace(Key{origin.source, origin.line, origin.column, s.subject, s.kind}, one.list().front())
-            .first->second);
+    result.add(reported_
+                   .try_emplace(Key{origin.source, origin.line, origin.column, s.subject,
+                                    s.by_case ? s.kind + s.finding : s.kind},
+                                one.list().front())
+                   .first->second);
   }
   return result;
 }

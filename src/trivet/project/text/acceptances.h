@@ -30,9 +30,10 @@ struct Acceptance {
 class AcceptanceBook {
  public:
   /// Warnings of the suspicions that are not accepted, with their places in the document. A number of the file has the
-  /// same warning in all cases.
+  /// same warning in all cases; if it belongs to a case, each case has its own, with the name of the case.
   [[nodiscard]] foundation::Problems warnings(const std::vector<plausibility::Suspicion>& suspicions,
-                                              const std::vector<Acceptance>& acceptances, const Node& document);
+                                              const std::vector<Acceptance>& acceptances, const Node& document,
+                                              const std::string& case_name);
   /// An error for each acceptance that suppresses no warning in any case. @param changed  the command line changes
   /// numbers: only its own acceptances are checked
   [[nodiscard]] foundation::Problems unused_acceptances(bool changed) const;
