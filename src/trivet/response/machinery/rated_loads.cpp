@@ -6,7 +6,7 @@
 #include <string>
 
 #include "trivet/foundation/index.h"
-#include "trivet/response/steady/static_response.h"
+#include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
 
@@ -16,24 +16,19 @@ Eigen::Matrix3d mount_axes(const model::System& system, const model::Element& el
 
 std::vector<RatedLoad> rated_loads(const model::System& system, const assembly::Assembled& assembled) {
   std::vector<RatedLoad> result;
-  std::vector<std::string> words;
-  for (std::size_t e = 0; e < system.elements().size(); ++e) {
-    const model::Element& element = system.elements()[e];
-    if (!element.rating) continue;
-    result.push_back({e});
-    words.insert(words.end(), {element.name, element.name + ".deflection"});
-  }
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    if (system.elements()[e].rating) result.push_back({e});
   if (result.empty()) return result;
-  const StaticResponse rest = static_response(
-      system, assembled, assembly::channels(system, assembled, words, assembly::MotionQuantity::displacement));
-  constexpr std::size_t values_per_mount = 12, deflection_along_axis = 8;  // six of the wrench, six of the deflection
-  for (std::size_t m = 0; m < result.size(); ++m) {
-    const model::Element& element = system.elements()[result[m].element];
-    const std::size_t first = values_per_mount * m;
+  const StaticSolution rest = static_solution(system, assembled);
+  for (RatedLoad& one : result) {  // one after another: the rows of all mounts of a large system take gigabytes
+    const model::Element& element = system.elements()[one.element];
+    const std::vector<assembly::Channel> channels = assembly::channels(
+        system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
     Eigen::Vector3d force;  // on the N side, ground axes
-    for (std::size_t j = 0; j < 3; ++j) force(to_index(j)) = rest.values[first + j].value;
-    result[m].load = -(mount_axes(system, element).transpose() * force);
-    result[m].deflection = element.creep * rest.values[first + deflection_along_axis].value;
+    for (std::size_t j = 0; j < 3; ++j) force(to_index(j)) = value_at_rest(channels[j], assembled, rest);
+    one.load = -(mount_axes(system, element).transpose() * force);
+    constexpr std::size_t deflection_along_axis = 8;  // after six of the wrench
+    one.deflection = element.creep * value_at_rest(channels[deflection_along_axis], assembled, rest);
   }
   remove_round_off(result);
   return result;

@@ -5,11 +5,11 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
+#include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
 
-StaticResponse static_response(const model::System& system, const assembly::Assembled& assembled,
-                               const std::vector<assembly::Channel>& channels) {
+StaticSolution static_solution(const model::System& system, const assembly::Assembled& assembled) {
   if (!system.description().gravity && system.description().constant_forces.empty())
     throw foundation::NotComputable(
         "static: the model has no static load; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
@@ -34,18 +34,27 @@ StaticResponse static_response(const model::System& system, const assembly::Asse
   // which its matrices contain.
   const numerics::SweepResult solved = numerics::sweep(stiffness_only, load, {0.0});
   if (solved.singular > 0) throw foundation::NotComputable("static: the stiffness matrix is singular");
-  const Eigen::VectorXd q = solved.response.col(0).real();
+  return {solved.response.col(0).real(), solved.backward_error(0)};
+}
+
+double value_at_rest(const assembly::Channel& channel, const assembly::Assembled& assembled,
+                     const StaticSolution& rest) {
+  double value = channel.on_displacement.real().dot(rest.coordinates) + channel.at_rest;
+  for (const assembly::DynamicForce& force : channel.dynamic_forces) {
+    const assembly::ElementMap& map = assembled.elements[force.element];
+    value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(rest.coordinates));
+  }
+  return value;
+}
+
+StaticResponse static_response(const model::System& system, const assembly::Assembled& assembled,
+                               const std::vector<assembly::Channel>& channels) {
+  const StaticSolution rest = static_solution(system, assembled);
   StaticResponse result;
-  result.backward_error = solved.backward_error(0);
+  result.backward_error = rest.backward_error;
   for (const assembly::Channel& channel : channels)
-    if (channel.derivative == 0) {
-      double value = channel.on_displacement.real().dot(q) + channel.at_rest;
-      for (const assembly::DynamicForce& force : channel.dynamic_forces) {
-        const assembly::ElementMap& map = assembled.elements[force.element];
-        value += force.row * (map.matrices.stiffness.topRows<12>() * map.coordinates(q));
-      }
-      result.values.push_back({channel.name, channel.unit, value});
-    }
+    if (channel.derivative == 0)
+      result.values.push_back({channel.name, channel.unit, value_at_rest(channel, assembled, rest)});
   return result;
 }
 
