@@ -97,8 +97,9 @@ std::string front_settings(const DesignFront& front, std::size_t point) {
   return text;
 }
 
-std::string front_json(const DesignFront& front) {
-  using json::Json;
+std::string front_json(const DesignFront& front) { return json::text(json::front(front), 1) + "\n"; }
+
+json::Json json::front(const DesignFront& front) {
   Json result = {{"objectives", Json::array()},
                  {"parameters", Json::array()},
                  {"points", Json::array()},
@@ -134,7 +135,7 @@ std::string front_json(const DesignFront& front) {
                                 {"values", json::list(point.values)},
                                 {"residual", json::number(point.residual)},
                                 {"exchange", json::optional(point.exchange)}});
-  return json::text(result, 1) + "\n";
+  return result;
 }
 
 }  // namespace trivet::results

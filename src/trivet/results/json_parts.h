@@ -74,4 +74,8 @@ Json rows(const Matrix& matrix) {
 /// Least and largest static values over all cases.
 [[nodiscard]] Json envelope(const study::Envelope& envelope);
 
+/// The best design, and a front; as the command prints them.
+[[nodiscard]] Json optimization(const study::Optimization& found);
+[[nodiscard]] Json front(const study::DesignFront& front);
+
 }  // namespace trivet::results::json

@@ -127,10 +127,20 @@ std::string frequencies_text(const Optimization& found) {
   return text;
 }
 
+std::string gone_peaks_text(const Optimization& found) {
+  if (found.gone_peaks.empty()) return "";
+  TextTable table({"no peak of", "gone by", "nearest to one at"});
+  for (const study::GonePeak& one : found.gone_peaks)
+    table.add({case_prefix(found.after[one.result_case]) + one.name, fmt::format("{:.4g}", -one.measure),
+               fmt::format("{:.4g} Hz", one.angular_frequency / foundation::two_pi)});
+  return "The search went on to the design furthest from a peak, by the fall of the curves (docs/design.md):\n" +
+      table.text();
+}
+
 std::string conditions_text(const Optimization& found) {
   if (!found.no_slopes.empty())
     return "What holds the optimum is not known: there are no slopes next to it (" + found.no_slopes + ").\n";
-  if (found.active.empty()) return "Nothing holds the optimum: no requirement limits it.\n";
+  if (found.active.empty()) return "Nothing holds the optimum: no requirement limits it.\n" + gone_peaks_text(found);
   TextTable held({"what holds the optimum", "1 % more of its bound brings"});
   for (const study::ActiveRequirement& one : found.active)
     held.add({case_prefix(found.after[one.result_case]) + one.words,
@@ -202,8 +212,9 @@ std::string optimization_settings(const Optimization& found) {
   return text;
 }
 
-std::string optimization_json(const Optimization& found) {
-  using json::Json;
+std::string optimization_json(const Optimization& found) { return json::text(json::optimization(found), 1) + "\n"; }
+
+json::Json json::optimization(const Optimization& found) {
   const auto number = [](double value) { return json::number(value); };
   Json result = {{"objective", found.minimizes ? Json(minimized_names(found)) : Json("margin")},
                  {"falls_short", found.falls_short},
@@ -215,6 +226,7 @@ std::string optimization_json(const Optimization& found) {
                  {"parameters", Json::array()},
                  {"cases", Json::array()},
                  {"active", Json::array()},
+                 {"gone_peaks", Json::array()},
                  {"residual", found.no_slopes.empty() ? number(found.residual) : Json(nullptr)},
                  {"no_slopes", found.no_slopes},
                  {"conflicts", Json::array()},
@@ -266,6 +278,11 @@ std::string optimization_json(const Optimization& found) {
                                 {"requirement", one.words},
                                 {"minimized", one.minimized},
                                 {"multiplier", one.multiplier}});
+  for (const study::GonePeak& one : found.gone_peaks)
+    result["gone_peaks"].push_back({{"case", found.after[one.result_case].case_name},
+                                    {"name", one.name},
+                                    {"measure", number(one.measure)},
+                                    {"angular_frequency", number(one.angular_frequency)}});
   for (const study::MinimizedAmplitude& one : found.minimized)
     result["minimized"].push_back({{"case", found.after[one.result_case].case_name},
                                    {"name", one.name},
@@ -281,7 +298,7 @@ std::string optimization_json(const Optimization& found) {
   for (const study::OtherOptimum& other : found.others)
     result["others"].push_back(
         {{"values", json::list(other.values)}, {"objective", number(other.objective)}, {"starts", other.starts}});
-  return json::text(result, 1) + "\n";
+  return result;
 }
 
 }  // namespace trivet::results

@@ -19,6 +19,9 @@ namespace {
 /// Places of a requirement with several candidates: the nearest ones count.
 constexpr std::size_t most_candidates = 8;
 
+/// Room for measures above 0: of peaks that are not gone, but lower than the least prominence that counts.
+constexpr double not_gone = 5;
+
 /// Requirements with exact slopes.
 bool is_exact(RequirementKind kind) {
   return kind == RequirementKind::amplitude || kind == RequirementKind::no_peak ||
@@ -32,6 +35,7 @@ std::size_t places_of(RequirementKind kind) {
 
 double logarithm(double margin) {
   if (!(margin > 0)) return DesignObjective::unusable;
+  if (std::isinf(margin)) return DesignObjective::unlimited;
   return std::clamp(std::log(margin), DesignObjective::unusable, DesignObjective::most);
 }
 
@@ -85,6 +89,14 @@ void refuse_further_results(const std::vector<RequirementResult>& found, std::si
   throw foundation::NotComputable("it has other requirements than the given design");
 }
 
+double lowest_natural_frequency(const model::System& system) {
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  for (const modal::Mode& mode : context.modes.list)
+    if (mode.angular_frequency.value_or(0) > 0) return *mode.angular_frequency;
+  return 1;
+}
+
 /// A case must not set a number that a parameter moves: the parameter would undo the case.
 void refuse_overruled_cases(const DesignSpace& space, const project::Project& project,
                             const std::vector<const project::Case*>& cases) {
@@ -116,6 +128,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     asked_.push_back(variant->analyses);
     add_objectives(asked_.back(), request);
   }
+  for (const project::Case* variant : cases_) references_.push_back(lowest_natural_frequency(variant->system));
   for (std::size_t c = 0; c < cases_.size(); ++c) {
     const std::vector<RequirementResult>& given = given_.emplace_back(results(c, cases_[c]->system));
     std::vector<std::size_t>& width = width_.emplace_back();
@@ -232,7 +245,7 @@ void DesignObjective::evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& v
                                const std::optional<Place>& ignored) const {
   ++evaluations_;
   const auto count = to_index(places_.size());
-  values = Eigen::VectorXd::Constant(count, most);
+  values = Eigen::VectorXd::Constant(count, unlimited);
   if (slopes) slopes->setZero(count, shares.size());
   try {
     Eigen::Index first = 0;
@@ -264,26 +277,31 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   for (std::size_t r = 0; r < found.size(); ++r) {
     const Eigen::Index end = place + to_index(width_[c][r]);
     const bool is_ignored = ignored && ignored->result_case == c && ignored->result == r;
-    if (is_ignored) values.segment(place, end - place).setConstant(most);
+    if (is_ignored) values.segment(place, end - place).setConstant(unlimited);
     else if (!found[r].value) values.segment(place, end - place).setConstant(unusable);
     else smooth[r] = set_values(found[r], place, values);
     place = end;
   }
+  const std::vector<Absence> absences = set_absences(c, context, found, first, ignored, values);
   if (!slopes) return;
-  double least_objective = most;
+  double least_objective = unlimited;
   for (Eigen::Index i = first; i < place; ++i)
     if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
   for (Smooth& one : smooth) one.keep_near(values, is_objective_, separate_ ? one.least(values) : least_objective);
-  set_slopes(c, context, design, found, smooth, *slopes);
+  std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
+  set_slopes(c, context, design, found, smooth, neighbours, *slopes);
+  if (!absences.empty()) {
+    if (!neighbours) neighbours.emplace(space_, *cases_[c], design);
+    add_absences(absences, found, *neighbours, references_[c], *slopes);
+  }
   for (std::size_t j = 0; j < space_.size(); ++j)
     slopes->block(first, to_index(j), place - first, 1) *= space_.slope(j, shares(to_index(j)));
 }
 
 void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
                                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                                 Eigen::MatrixXd& slopes) const {
+                                 std::optional<DesignNeighbours>& neighbours, Eigen::MatrixXd& slopes) const {
   std::optional<PackedSlopes> of_family;
-  std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
     if (smooth[r].candidates.empty() || is_constant(found[r].kind)) continue;
@@ -332,6 +350,54 @@ DesignObjective::Smooth DesignObjective::set_values(const RequirementResult& res
     ++place;
   }
   return smooth;
+}
+
+std::vector<DesignObjective::Absence> DesignObjective::set_absences(std::size_t c, const CaseContext& context,
+                                                                    const std::vector<RequirementResult>& found,
+                                                                    Eigen::Index first,
+                                                                    const std::optional<Place>& ignored,
+                                                                    Eigen::VectorXd& values) const {
+  std::vector<Absence> absences;
+  Eigen::Index width = 0;
+  for (const std::size_t one : width_[c]) width += to_index(one);
+  if (minimizes_ || values.segment(first, width).minCoeff() < most) return absences;
+  Eigen::Index place = first;
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    const bool is_ignored = ignored && ignored->result_case == c && ignored->result == r;
+    if (found[r].kind == RequirementKind::no_peak && found[r].candidates.empty() && !is_ignored) {
+      const std::vector<AbsentPeak> absent = absent_peaks(context, found[r], references_[c]);
+      for (std::size_t i = 0; i < std::min(absent.size(), width_[c][r]); ++i) {
+        const Eigen::Index row = place + to_index(i);
+        values(row) = std::clamp(most + not_gone - absent[i].measure, most, unlimited);
+        absences.push_back({r, row, absent[i]});
+      }
+    }
+    place += to_index(width_[c][r]);
+  }
+  return absences;
+}
+
+void DesignObjective::add_absences(const std::vector<Absence>& absences, const std::vector<RequirementResult>& found,
+                                   const DesignNeighbours& neighbours, double reference, Eigen::MatrixXd& slopes) {
+  for (const Absence& one : absences)
+    for (std::size_t j = 0; j < neighbours.all().size(); ++j)
+      for (const DesignNeighbours::Neighbour& next : neighbours.all()[j])
+        slopes(one.row, to_index(j)) -=
+            next.weight * absence_measure(*next.system, next.assembled, found[one.result], one.place, reference);
+}
+
+std::vector<std::optional<AbsentPeak>> DesignObjective::absent_peaks_at(std::size_t result_case,
+                                                                        const model::System& system) const {
+  const foundation::Progress silent;
+  const CaseContext context(system, silent);
+  std::vector<std::optional<AbsentPeak>> nearest_places;
+  for (const RequirementResult& result : results(result_case, system)) {
+    auto& nearest_place = nearest_places.emplace_back();
+    if (result.kind != RequirementKind::no_peak || !result.candidates.empty()) continue;
+    for (const AbsentPeak& one : absent_peaks(context, result, references_[result_case]))
+      if (!nearest_place || one.measure > nearest_place->measure) nearest_place = one;
+  }
+  return nearest_places;
 }
 
 void DesignObjective::add_differences(std::size_t c, const std::vector<RequirementResult>& found,

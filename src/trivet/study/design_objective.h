@@ -12,6 +12,7 @@
 #include "trivet/study/case_family.h"
 #include "trivet/study/design_neighbours.h"
 #include "trivet/study/design_space.h"
+#include "trivet/study/peak_absence.h"
 #include "trivet/study/verdict.h"
 
 namespace trivet::study {
@@ -34,11 +35,12 @@ class DesignObjective {
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
   [[nodiscard]] const std::vector<bool>& is_objective() const { return is_objective_; }
 
-  /// ln(margin) at the places, at most `most`; designs without a model have `unusable` everywhere.
+  /// ln(margin) at the places, at most `most`, or `unlimited`; designs without a model have `unusable` everywhere. If
+  /// nothing but peaks could limit a case, and it has none, their places are above `most` by how far they are gone.
   /// @param ignored  a requirement that counts as met
   void evaluate(const Eigen::VectorXd& shares, Eigen::VectorXd& values, Eigen::MatrixXd* slopes,
                 const std::optional<Place>& ignored = std::nullopt) const;
-  static constexpr double most = 30, unusable = -30;
+  static constexpr double most = 30, unlimited = 60, unusable = -30;
   /// Values further above the least objective, or constraints further above 0, have no slopes.
   static constexpr double far = 5;
 
@@ -54,6 +56,10 @@ class DesignObjective {
   [[nodiscard]] double given_amplitude(std::size_t number) const;
   /// The minimised amplitudes have limits, and count as shares of these.
   [[nodiscard]] bool has_limits() const { return limited_ > 0; }
+  /// Where curves without a peak are nearest to one, at a design that nothing else limits: per result, the nearest
+  /// place.
+  [[nodiscard]] std::vector<std::optional<AbsentPeak>> absent_peaks_at(std::size_t result_case,
+                                                                       const model::System& system) const;
   /// The results at the given design.
   [[nodiscard]] const std::vector<std::vector<RequirementResult>>& given() const { return given_; }
   /// "machine.z ≤ 1 mm", or "the largest amplitude of machine.z"
@@ -86,7 +92,18 @@ class DesignObjective {
   /// Slopes of what is near deciding, per unit of the axes.
   void set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
                   const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
-                  Eigen::MatrixXd& slopes) const;
+                  std::optional<DesignNeighbours>& neighbours, Eigen::MatrixXd& slopes) const;
+  /// A curve that is to have no peak, near to having one.
+  struct Absence {
+    std::size_t result = 0;
+    Eigen::Index row = 0;  ///< of the values
+    AbsentPeak place;
+  };
+  [[nodiscard]] std::vector<Absence> set_absences(std::size_t c, const CaseContext& context,
+                                                  const std::vector<RequirementResult>& found, Eigen::Index first,
+                                                  const std::optional<Place>& ignored, Eigen::VectorXd& values) const;
+  static void add_absences(const std::vector<Absence>& absences, const std::vector<RequirementResult>& found,
+                           const DesignNeighbours& neighbours, double reference, Eigen::MatrixXd& slopes);
   void add_differences(std::size_t c, const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
                        const DesignNeighbours& neighbours, Eigen::MatrixXd& slopes) const;
   void evaluate_case(std::size_t c, const Eigen::VectorXd& shares, Eigen::Index first, Eigen::VectorXd& values,
@@ -97,8 +114,9 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
   std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
   bool minimizes_ = false;
-  bool separate_ = false;    ///< each minimised amplitude is an objective of its own: a front
-  std::size_t limited_ = 0;  ///< minimised amplitudes with a limit
+  bool separate_ = false;           ///< each minimised amplitude is an objective of its own: a front
+  std::size_t limited_ = 0;         ///< minimised amplitudes with a limit
+  std::vector<double> references_;  ///< per case: lowest natural frequency of the given design, for peaks that are gone
   std::vector<std::vector<RequirementResult>> given_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places
   std::vector<Place> places_;

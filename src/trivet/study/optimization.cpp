@@ -59,6 +59,7 @@ class Description {
     describe_parameters();
     describe_verdicts();
     describe_conditions();
+    describe_gone_peaks();
     describe_ends();
     result_.evaluations = objective_.evaluations();
     result_.failed = objective_.failed();
@@ -199,6 +200,17 @@ class Description {
     const MaxMinPoint others = max_min(problem_of_requirements(objective_, place), best_.x);
     const double factor = result.kind == RequirementKind::no_peak ? *result.value / result.allowed : 1 / result.margin;
     result_.conflicts.push_back({place.result_case, objective_.words(place), factor, whole(others.objective)});
+  }
+
+  void describe_gone_peaks() {
+    if (best_.objective < DesignObjective::most || objective_.minimizes()) return;
+    const Eigen::VectorXd values = objective_.space().values(best_.x);
+    for (std::size_t c = 0; c < at_best_.size(); ++c) {
+      const auto absent = objective_.absent_peaks_at(c, objective_.space().system(*objective_.cases()[c], values));
+      for (std::size_t r = 0; r < absent.size(); ++r)
+        if (absent[r])
+          result_.gone_peaks.push_back({c, at_best_[c][r].subject, absent[r]->measure, absent[r]->angular_frequency});
+    }
   }
 
   void describe_ends() {

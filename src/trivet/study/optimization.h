@@ -28,6 +28,14 @@ struct ActiveRequirement {
   double multiplier = 0;        ///< the objective gains this many percent if the bound is relaxed by 1 %
 };
 
+/// A curve that is to have no peak, and how far the optimum is from having one.
+struct GonePeak {
+  std::size_t result_case = 0;  ///< index in Optimization::after
+  std::string name;
+  double measure = 0;            ///< (x + x₀) f′/f, below 0
+  double angular_frequency = 0;  ///< where a peak would appear first [rad/s]
+};
+
 /// Another local optimum.
 struct OtherOptimum {
   std::vector<double> values;  ///< of the parameters
@@ -79,6 +87,7 @@ struct Optimization {
   std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
   std::vector<std::vector<double>> frequencies_before, frequencies_after;  ///< natural ones of these [rad/s]
   std::vector<ActiveRequirement> active;
+  std::vector<GonePeak> gone_peaks;         ///< if nothing else limits the optimum
   double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
   std::string no_slopes;                    ///< why these conditions were not computed
   std::vector<Conflict> conflicts;          ///< if no design meets all requirements
