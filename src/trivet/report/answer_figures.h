@@ -52,4 +52,7 @@ namespace trivet::report {
   return answers.case_name.empty() ? what : what + ", " + answers.case_name;
 }
 
+/// The front of two results.
+[[nodiscard]] std::vector<Figure> front_figures(const study::Answers& answers);
+
 }  // namespace trivet::report

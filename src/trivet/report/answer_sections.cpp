@@ -30,6 +30,8 @@ struct Shown {
 const std::vector<Shown>& all_shown() {
   static const std::vector<Shown> list = {
       {"Map of designs", map_tables, {map_figures}},
+      {"Best design", optimum_tables, {}},
+      {"Front", front_tables, {front_figures}},
       {"Random response", random_table, {random_figures}},
       {"Time history", transient_table, {transient_figures}},
       {"Run-up", run_up_tables, {campbell_figures, waterfall_figures, run_up_figures}},

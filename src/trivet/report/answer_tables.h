@@ -34,6 +34,12 @@ namespace trivet::report {
 /// Governing rules of a map, its best design, and the verdict on every case.
 [[nodiscard]] std::string map_tables(const study::Answers& answers);
 
+/// The best design: parameters, minimised amplitudes, requirements, and what holds it.
+[[nodiscard]] std::string optimum_tables(const study::Answers& answers);
+
+/// The points of a front.
+[[nodiscard]] std::string front_tables(const study::Answers& answers);
+
 [[nodiscard]] std::string load_sharing_table(const study::Answers& answers);
 
 }  // namespace trivet::report

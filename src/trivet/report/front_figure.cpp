@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/report/answer_figures.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/curve_panel.h"
 
@@ -71,6 +72,11 @@ Figure front_figure(const study::DesignFront& front, const std::string& title) {
     canvas.text({given.x, given.y + 17}, "given", "text-anchor=\"middle\"");
   }
   return {title, "front.svg", canvas.svg("front between two results")};
+}
+
+std::vector<Figure> front_figures(const study::Answers& answers) {
+  if (!answers.front || answers.front->objectives.size() != 2) return {};
+  return {front_figure(*answers.front, case_title("Front", answers))};
 }
 
 }  // namespace trivet::report

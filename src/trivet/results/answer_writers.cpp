@@ -4,8 +4,10 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/results/answer_writer.h"
+#include "trivet/results/front_results.h"
 #include "trivet/results/map_json.h"
 #include "trivet/results/map_text.h"
+#include "trivet/results/optimization_results.h"
 #include "trivet/results/written_answers.h"
 
 namespace trivet::results {
@@ -48,13 +50,28 @@ const AnswerWriter map_results = {
         },
 };
 
+/// The best design, or the front, as one of the answers of a run; the command `optimize` writes it alone.
+const AnswerWriter optimize_results = {
+    .has_answer = [](const project::Case&,
+                     const study::Answers& answers) { return answers.optimization || answers.front; },
+    .json =
+        [](const project::Case&, const study::Answers& answers) {
+          return answers.front ? json::front(*answers.front) : json::optimization(*answers.optimization);
+        },
+    .text =
+        [](const project::Case&, const study::Answers& answers) {
+          return answers.front ? front_text(*answers.front) : optimization_text(*answers.optimization);
+        },
+};
+
 }  // namespace
 
 const std::vector<AnswerWriter>& answer_writers() {
 #define TRIVET_WRITER(name) project::named(#name, name##_results),
   static const std::vector<AnswerWriter> list = {
       TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
-          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(load_sharing)};
+          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(optimize)
+              TRIVET_WRITER(load_sharing)};
 #undef TRIVET_WRITER
   return list;
 }

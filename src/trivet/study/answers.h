@@ -3,6 +3,7 @@
 
 #include <any>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@
 #include "trivet/study/verdict.h"
 
 namespace trivet::study {
+
+struct DesignFront;
+struct Optimization;
 
 struct ResponseAnswer {
   response::FrequencyResponse curves;
@@ -79,6 +83,8 @@ struct Answers {
   std::optional<LoadCase> load_case;   ///< for the envelope of a run with several cases
   std::optional<DesignMap> map;        ///< map of the base model, if a run computes it
   std::vector<DesignMap> map_pairs;    ///< instead of it, the maps of several pairs of parameters
+  std::shared_ptr<const Optimization> optimization;  ///< of the base model, if the file has [analyses.optimize]
+  std::shared_ptr<const DesignFront> front;          ///< the same with `front`
   std::vector<std::string> failures;   ///< requests that could not be computed, with the reason
   std::map<std::string, std::any>
       of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name

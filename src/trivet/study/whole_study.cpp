@@ -15,7 +15,9 @@
 #include "trivet/plausibility/suspicion.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/study/case_context.h"
+#include "trivet/study/design_front.h"
 #include "trivet/study/element_summary.h"
+#include "trivet/study/optimization.h"
 
 namespace trivet::study {
 namespace {
@@ -55,6 +57,21 @@ LoadCase load_case_of(const project::Case& variant, const Answers& answers) {
   return load_case(variant.name, variant.system, assembly::assemble(variant.system), variant.analyses);
 }
 
+/// Searches the best design, or the front, that the file requests.
+void add_optimum(const project::Project& project, const foundation::Progress& step, Answers& answers) {
+  const auto& request = project.base().analyses.optimize;
+  if (!request) return;
+  try {
+    if (request->front.empty())
+      answers.optimization = std::make_shared<const Optimization>(optimization(project, step));
+    else answers.front = std::make_shared<const DesignFront>(design_front(project, step));
+  } catch (const foundation::NotComputable& reason) {
+    answers.failures.emplace_back(reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    answers.failures.emplace_back(reason.what());
+  }
+}
+
 /// @param lowest  lowest scaled eigenvalue; negative if the element generates energy
 void add_matrix_lines(const std::string& subject, const std::string& quantity, const elements::MatrixVerdict& v,
                       double lowest, bool symmetric, std::vector<CheckLine>& lines) {
@@ -89,6 +106,7 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
       all.back().verdict = case_verdict(variant, requirements.value_or(project::Requirements()).hold_in, step);
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
+    if (i == 0) add_optimum(project, step, all.back());
     if (done) done(i, all.back());
   }
   return all;

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The best design and the front as parts of `trivet run`: results.json, report and pictures."""
+import json
+import unittest
+
+from front_test import BAND, TWO
+from trivet_test import InTemporaryFolder, answer, trivet
+
+
+class ReportOptimum(InTemporaryFolder):
+    def run_of(self, text):
+        project = self.file(text)
+        done = trivet("run", project, "-o", self.folder / "out")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        results = json.loads((self.folder / "out/results.json").read_text())
+        cases = results["cases"] if "cases" in results else [results]
+        return project, cases, (self.folder / "out/report.html").read_text(), done.stdout
+
+    def test_best_design(self):
+        text = TWO.replace('front = ["a.z", "b.z"]', 'minimize = "a.z"\nstarts = 2')
+        text += BAND + '[requirements]\nlimits = {"b.z" = 3e-5}\n[cases.heavy]\nbodies.a.mass = 3\n'
+        project, cases, page, screen = self.run_of(text)
+        self.assertEqual(cases[0]["optimize"], answer("optimize", project))
+        self.assertNotIn("optimize", cases[1])
+        for words in ("Best design", "b.z ≤ ", "What holds the optimum", "1 % more of its bound brings"):
+            self.assertTrue(words in page, words)
+        self.assertIn("what holds the optimum", screen)
+
+    def test_front(self):
+        project, cases, page, screen = self.run_of(TWO + "points = 5\n" + BAND)
+        self.assertEqual(cases[0]["optimize"], answer("optimize", project))
+        self.assertTrue("Less of one result is more of another" in page)
+        self.assertTrue(list((self.folder / "out").glob("*/*front*.svg")))
+        self.assertIn("Knee: point", screen)
+
+    def test_search_that_is_not_possible_is_reported(self):
+        done = trivet(
+            "run",
+            self.file(TWO + BAND + '[requirements]\nlimits = {"b.z" = 1e-9}\n'),
+            "-o",
+            self.folder / "out",
+        )
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("NOT COMPUTED: optimize: no design looked at meets every requirement", done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
