@@ -108,8 +108,8 @@ std::string map_pairs_text(const std::vector<study::DesignMap>& maps) {
     row.resize(7);
     table.add(row);
   }
-  std::string text = fmt::format("Maps of {} pairs of parameters; all others have the values of the file\n{}\n",
-                                 maps.size(), table.text());
+  std::string text = fmt::format("Maps of {} pair{} of parameters; all others have the values of the file\n{}\n",
+                                 maps.size(), maps.size() == 1 ? "" : "s", table.text());
   for (const study::DesignMap& map : maps) text += map_text(map) + "\n";
   return text;
 }
