@@ -10,7 +10,7 @@
 #include "trivet/report/front_figure.h"
 #include "trivet/results/front_results.h"
 #include "trivet/results/optimization_results.h"
-#include "trivet/study/optimization.h"
+#include "trivet/study/optimum_warnings.h"
 
 namespace trivet::cli {
 namespace {
@@ -30,8 +30,10 @@ std::vector<project::Node> trial_changes(const project::Analyses& asked) {
 /// The search for one design.
 int write_optimum(const Options& options, const project::Project& project, const NewProjectFile& file) {
   const study::Optimization found = study::optimization(project, progress());
+  foundation::Problems warnings = project.base().warnings;
+  warnings.add(study::optimum_warnings(project, found));
   const std::string written = file.write(study::optimum_changes(found));
-  if (!options.json) write_problems(project.base().warnings);
+  if (!options.json) write_problems(warnings);
   write_output(options.json ? results::optimization_json(found)
                             : results::optimization_text(found) + "\nThe optimum as settings:\n" +
                        results::optimization_settings(found) + written);

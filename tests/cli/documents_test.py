@@ -234,7 +234,9 @@ class Documents(unittest.TestCase):
         if "trivet" in part:
             project.write_text(block.text)
             return project
-        self.assertTrue(where in BASES, f"{block.place}: a part of a project file needs a base in document_fragments.py")
+        self.assertTrue(
+            where in BASES, f"{block.place}: a part of a project file needs a base in document_fragments.py"
+        )
         base = tomllib.loads(self.shell("trivet new", folder).stdout if BASES[where] is STARTER else BASES[where])
         if where in NOT_A_PROJECT:
             (folder / NOT_A_PROJECT[where]).write_text(block.text)

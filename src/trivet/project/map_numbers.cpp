@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "trivet/project/model_number.h"
+#include "trivet/project/parameter_conflicts.h"
 #include "trivet/project/text/changes.h"
 #include "trivet/project/text/model_path.h"
 
@@ -85,6 +86,7 @@ void check_map_numbers(const Node& document, const MapRequest& map, const ReadMo
 
 void check_parameters(const Node& document, const std::vector<DesignAxis>& parameters, const ReadModel& read,
                       foundation::Problems& problems) {
+  refuse_derived_numbers(document, parameters, problems);
   constexpr int tried = 8;  // parts of the range: a model may be valid in a part of it only
   for (const DesignAxis& axis : parameters) {
     const std::string subject = "parameters." + axis.name;

@@ -79,13 +79,13 @@ struct Answers {
   std::optional<response::LoadSharing> load_sharing;
   std::vector<LimitLineResult> limit_lines;
   std::vector<LimitAnswer> limits;
-  std::optional<CaseVerdict> verdict;  ///< on the requirements of the file, if a run judges them
-  std::optional<LoadCase> load_case;   ///< for the envelope of a run with several cases
-  std::optional<DesignMap> map;        ///< map of the base model, if a run computes it
-  std::vector<DesignMap> map_pairs;    ///< instead of it, the maps of several pairs of parameters
+  std::optional<CaseVerdict> verdict;                ///< on the requirements of the file, if a run judges them
+  std::optional<LoadCase> load_case;                 ///< for the envelope of a run with several cases
+  std::optional<DesignMap> map;                      ///< map of the base model, if a run computes it
+  std::vector<DesignMap> map_pairs;                  ///< instead of it, the maps of several pairs of parameters
   std::shared_ptr<const Optimization> optimization;  ///< of the base model, if the file has [analyses.optimize]
   std::shared_ptr<const DesignFront> front;          ///< the same with `front`
-  std::vector<std::string> failures;   ///< requests that could not be computed, with the reason
+  std::vector<std::string> failures;                 ///< requests that could not be computed, with the reason
   std::map<std::string, std::any>
       of_questions;  ///< answers to the questions of project/analyses/question_table.h, by name
 

@@ -103,8 +103,7 @@ double share_of_range(double load, const Eigen::Vector2d& range) {
 }
 
 MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled, const model::Element& element) {
-  const std::vector<assembly::Channel> channels =
-      assembly::channels(
+  const std::vector<assembly::Channel> channels = assembly::channels(
       system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
   Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes
   Eigen::Vector3d force_at_rest;

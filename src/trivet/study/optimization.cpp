@@ -10,6 +10,7 @@
 #include "trivet/study/design_objective.h"
 #include "trivet/study/design_search.h"
 #include "trivet/study/mount_search.h"
+#include "trivet/study/unbounded_peaks.h"
 
 namespace trivet::study {
 namespace {
@@ -268,6 +269,7 @@ class Description {
 Optimization optimization(const project::Project& project, const foundation::Progress& progress) {
   const project::OptimizeRequest request = project.base().analyses.optimize.value_or(project::OptimizeRequest());
   const DesignObjective given(project, request);
+  for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
   std::optional<MountSearch> mounts = mount_search(project, request, progress);
   if (!mounts) return Description(project, given, given, design_search(given, request.starts, progress)).optimization();
   const DesignObjective objective(mounts->best, request);

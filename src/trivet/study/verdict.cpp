@@ -66,9 +66,23 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
 }
 
 const char* name(RequirementKind kind) {
-  static constexpr std::array names = {
-      "amplitude", "no_peak", "limit_line", "avoided_frequencies", "separation", "damping_ratio", "decoupling", "rms",
-      "largest",   "static",  "mount_load", "mount_deflection", "mount_dynamic_deflection", "mount_shock_deflection", "price",      "mount_mass",    "clearance"};
+  static constexpr std::array names = {"amplitude",
+                                       "no_peak",
+                                       "limit_line",
+                                       "avoided_frequencies",
+                                       "separation",
+                                       "damping_ratio",
+                                       "decoupling",
+                                       "rms",
+                                       "largest",
+                                       "static",
+                                       "mount_load",
+                                       "mount_deflection",
+                                       "mount_dynamic_deflection",
+                                       "mount_shock_deflection",
+                                       "price",
+                                       "mount_mass",
+                                       "clearance"};
   return names[static_cast<std::size_t>(kind)];
 }
 

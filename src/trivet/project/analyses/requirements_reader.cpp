@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include "trivet/foundation/plain_text.h"
@@ -50,6 +51,19 @@ double read_least(TableReader& reader, const std::string& key, double from, doub
   return value.value_or(0);
 }
 
+/// Windows that together reach from 0 to where no body of a machine moves as a rigid one.
+void refuse_windows_without_gap(TableReader& reader, std::vector<response::Band> windows) {
+  constexpr double highest = 2 * std::numbers::pi * 1e6;
+  std::sort(windows.begin(), windows.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
+  double covered = 0;
+  for (const response::Band& window : windows)
+    if (window.from <= covered) covered = std::max(covered, window.to);
+  if (covered >= highest)
+    reader.error("avoid", fmt::format("windows that cover 0 … {:.4g} Hz", covered / (2 * std::numbers::pi)),
+                 "they leave no natural frequency to any design, so nothing can meet them",
+                 "leave a gap for the natural frequencies, or lower the end of the last window");
+}
+
 void read_natural_frequencies(TableReader& requirements, Requirements& result) {
   const Node* table = requirements.table("natural_frequencies");
   if (!table) return;
@@ -73,6 +87,7 @@ void read_natural_frequencies(TableReader& requirements, Requirements& result) {
         if (*from >= 0 && *to > *from) result.avoided.push_back({*from, *to});
         else refuse(fmt::format("{} … {}", value_text(window.items[0]), value_text(window.items[1])));
       }
+    refuse_windows_without_gap(reader, result.avoided);
   }
   result.separation =
       read_least(reader, "separation", 1, 1e3, "a ratio of neighbouring natural frequencies is 1 … 1000",

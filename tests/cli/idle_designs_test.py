@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Parameters and requirements that decide nothing: warnings, and errors where no design could be better than another."""
+import unittest
+
+from optimize_test import OSCILLATOR
+from trivet_test import InTemporaryFolder, answer, trivet
+
+SEARCH = "[analyses.optimize]\nstarts = 2\n"
+SIDE = '[parameters.side]\npath = "elements.s.translation.x"\nfrom = 0.5\nto = 5\n'
+SMALL = '[requirements]\nlimits = {"m.z" = "1 mm"}\n'
+
+
+class IdleDesigns(InTemporaryFolder):
+    def test_parameter_that_changes_nothing_stays_with_a_warning(self):
+        project = self.file(OSCILLATOR + SEARCH + SIDE + SMALL)
+        done = trivet("optimize", project)
+        line = 1 + project.read_text().splitlines().index("[parameters.side]")
+        self.assertIn(f"project.toml:{line}: warning: parameters.side: changes nothing at the optimum", done.stderr)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual([p["name"] for p in answer("optimize", project)["parameters"]], ["stiffness", "side"])
+
+    def test_axis_that_changes_no_requirement_has_a_warning(self):
+        axes = '[analyses.map]\npairs = [["stiffness", "side"]]\npoints = 4\n'
+        for required in (SMALL, '[requirements]\nstatic = {"m.z" = "1 mm"}\ndamping_ratio = 0.1\n'):
+            done = trivet("map", self.file(OSCILLATOR + SIDE + axes + required))
+            self.assertIn("map: side: no result changes along this axis", done.stderr)
+            self.assertNotIn("map: stiffness: no result", done.stderr)
+            self.assertIn("Maps of 1 pair of parameters", done.stdout)
+
+    def test_peak_that_every_design_has_is_an_error(self):
+        always = '[requirements]\nno_peak = "m.z"\nquantity = "velocity"\n'
+        mass = '[parameters.mass]\npath = "bodies.m.mass"\nfrom = 20\nto = 80\n'
+        axes = '[analyses.map]\npairs = [["stiffness", "mass"]]\npoints = 3\n'
+        for command, more in (("optimize", SEARCH), ("map", mass + axes)):
+            done = trivet(command, self.file(OSCILLATOR + more + always))
+            self.assertEqual(done.returncode, 1)
+            self.assertIn("requirements.no_peak: velocity of m.z: a curve that vanishes at ω = 0", done.stderr)
+            self.assertIn("has a peak in every design", done.stderr)
+
+    def test_result_that_is_zero_in_every_design(self):
+        still = SMALL.replace("{", '{"s.force.x" = "1 N", ')
+        done = trivet("optimize", self.file(OSCILLATOR + SEARCH + still))
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("optimize: s.force.x ≤ 1 N: the result is zero except for round-off", done.stderr)
+        done = trivet("optimize", self.file(OSCILLATOR + SEARCH + still.replace(', "m.z" = "1 mm"', "")))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("zero in every design", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
