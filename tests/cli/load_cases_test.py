@@ -173,7 +173,14 @@ class LoadCases(InTemporaryFolder):
                 value, unit = re.search(r"closed at rest, overlap (\S+) (µ?m+)", result["detail"]).groups()
                 self.near(float(value) * {"mm": 1e-3, "µm": 1e-6}[unit], overlap, 5e-4 * overlap / CLOSE)  # four digits
         self.assertTrue(any(a > 1e-5 for a in approaches.values()))
-        self.assertIn("VIOLATED", trivet("verdict", path).stdout)
+        strict = trivet("verdict", path, "--strict")
+        self.assertEqual(strict.returncode, 3)
+        self.assertIn("VIOLATED", strict.stdout)
+        self.assertTrue(
+            all(case["decides"] for case in found["cases"])
+        )  # no requirements: nothing may touch in any case
+        required = answer("verdict", self.file(genset("[requirements]\ndamping_ratio = 1e-3\n", gap=1e-5)))
+        self.assertEqual([case["decides"] for case in required["cases"]], [True] + [False] * (len(CASES) - 1))
 
     def test_a_case_has_a_force_of_its_own(self):
         own = "[cases.own.excitations.reaction]" + REACTION.partition("]")[2].replace(

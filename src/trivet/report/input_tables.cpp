@@ -235,6 +235,9 @@ std::string input_tables(const project::Case& variant) {
   return part("Bodies", d.bodies.empty() ? "" : bodies_tables(d.bodies)) + (nodes.empty() ? "" : part("Nodes", nodes)) +
       part("Elements", d.elements.empty() ? "" : elements_tables(d)) + part("Excitations", excitations_table(d)) +
       (d.foundations.empty() ? "" : part("Flexible foundations", foundations_table(d.foundations))) +
+      (d.relative_motions.empty() && d.sections.empty() && d.clearances.empty()
+           ? ""
+           : part("Relative motions, sections and clearances", observations_table(d))) +
       paragraph(d.gravity ? "Gravity " + vector_words(*d.gravity) +
                         " m/s², ground axes; it affects static results, and the geometric stiffness if elements are "
                         "preloaded."

@@ -10,4 +10,7 @@ namespace trivet::report {
 /// Bodies, elements with their matrices, excitations, foundations, gravity and system damping of a case.
 [[nodiscard]] std::string input_tables(const project::Case& variant);
 
+/// Relative motions, sections and clearances.
+[[nodiscard]] std::string observations_table(const model::Description& description);
+
 }  // namespace trivet::report

@@ -118,9 +118,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     : space_(project, request.parameters),
       minimizes_(!request.minimize.empty() || !request.front.empty()),
       separate_(!request.front.empty()) {
-  const project::Analyses& base = project.base().analyses;
-  const std::vector<std::string> hold_in =
-      base.requirements ? base.requirements->hold_in : project::Requirements().hold_in;
+  const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases_.push_back(&variant);
   refuse_overruled_cases(space_, project, cases_);

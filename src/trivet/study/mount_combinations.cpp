@@ -154,8 +154,7 @@ void refuse_mounts_without_data(const MountCombinations& all, const project::Pro
 }  // namespace
 
 std::vector<const project::Case*> deciding_cases(const project::Project& project) {
-  const auto& required = project.base().analyses.requirements;
-  const std::vector<std::string> hold_in = required ? required->hold_in : project::Requirements().hold_in;
+  const std::vector<std::string> hold_in = cases_to_hold(project);
   std::vector<const project::Case*> cases;
   for (const project::Case& variant : project.cases)
     if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases.push_back(&variant);

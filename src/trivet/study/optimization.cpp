@@ -108,9 +108,7 @@ class Description {
   }
 
   void describe_verdicts() {
-    const std::vector<std::string> hold_in = project_.base().analyses.requirements
-        ? project_.base().analyses.requirements->hold_in
-        : project::Requirements().hold_in;
+    const std::vector<std::string> hold_in = cases_to_hold(project_);
     const Eigen::VectorXd values = objective_.space().values(best_.x);
     const foundation::Progress silent;
     for (std::size_t c = 0; c < objective_.cases().size(); ++c) {

@@ -46,6 +46,14 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
 
 }  // namespace
 
+std::vector<std::string> cases_to_hold(const project::Project& project) {
+  if (const auto& requirements = project.base().analyses.requirements) return requirements->hold_in;
+  if (project.base().system.description().clearances.empty()) return project::Requirements().hold_in;
+  std::vector<std::string> all;
+  for (const project::Case& variant : project.cases) all.push_back(variant.name);
+  return all;
+}
+
 CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
                          const foundation::Progress& progress) {
   const CaseContext context(variant.system, progress);
@@ -114,8 +122,7 @@ Verdict verdict(const project::Project& project, const foundation::Progress& pro
         "verdict: neither requirements nor limits nor clearances; add [requirements] with limits = {\"BODY.x\" = \"1 "
         "mm\"}, no_peak = "
         "\"coordinates\", damping_ratio = 0.03 …");
-  const std::vector<std::string> hold_in =
-      asked.requirements ? asked.requirements->hold_in : project::Requirements().hold_in;
+  const std::vector<std::string> hold_in = cases_to_hold(project);
   Verdict result;
   for (std::size_t i = 0; i < project.cases.size(); ++i) {
     const project::Case& variant = project.cases[i];

@@ -87,6 +87,10 @@ struct Verdict {
   [[nodiscard]] std::optional<std::size_t> governing_case() const;
 };
 
+/// Names of the cases in which the design has to hold: those of the requirements. Without requirements every case of a
+/// file with clearances, because nothing may touch in any; else the base model.
+[[nodiscard]] std::vector<std::string> cases_to_hold(const project::Project& project);
+
 /// Judges one case. @param hold_in  names of the cases in which the design has to hold
 [[nodiscard]] CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::string>& hold_in,
                                        const foundation::Progress& progress = {});

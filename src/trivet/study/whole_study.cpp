@@ -101,9 +101,8 @@ std::vector<Answers> run(const project::Project& project, const foundation::Prog
                  (static_cast<double>(i) + fraction) / static_cast<double>(project.cases.size()));
     };
     all.push_back(answers(variant, variant.analyses, step));
-    const auto& requirements = project.base().analyses.requirements;
-    if (requirements || !project.base().system.description().clearances.empty())
-      all.back().verdict = case_verdict(variant, requirements.value_or(project::Requirements()).hold_in, step);
+    if (project.base().analyses.requirements || !project.base().system.description().clearances.empty())
+      all.back().verdict = case_verdict(variant, cases_to_hold(project), step);
     if (project.cases.size() > 1) all.back().load_case = load_case_of(variant, all.back());
     if (has_own_map(project, variant)) add_map(project, variant, step, all.back());
     if (i == 0) add_optimum(project, step, all.back());
