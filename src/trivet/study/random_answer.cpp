@@ -59,9 +59,12 @@ RandomResult answer_random(const CaseContext& c, const project::RandomQuestion& 
   response::RandomOptions options;
   const auto axes =
       asked.contact ? excitation::comfort_axes(*asked.contact) : std::array<excitation::WeightedAxis, 6>{};
-  for (std::size_t i = 0; i < channels.size() && (asked.weighting || asked.contact); ++i)
-    if (const auto axis = axis_of(channels[i]))
-      options.weighted.push_back({i, asked.contact ? axes[*axis].weighting : *asked.weighting});
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const auto axis = axis_of(channels[i]);
+    if (asked.contact && axis) options.weighted.push_back({i, axes[*axis].weighting});
+    else if (asked.weighting && !asked.contact && !channels[i].unit.starts_with("N"))
+      options.weighted.push_back({i, *asked.weighting});
+  }
   RandomResult result;
   result.quantity = asked.selection.quantity;
   for (const response::RandomInput& input : loading.inputs) result.inputs.push_back(input.name);
