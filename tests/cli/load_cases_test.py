@@ -23,7 +23,7 @@ GAP = 0.009
 
 
 def tilted(list_angle, trim_angle, factor=1.0):
-    """Gravity in the frame of a ship that lists about x and trims about y."""
+    """Gravity in the frame of a ship with the side of y and the end of x down."""
     sl, cl, st = math.sin(list_angle), math.cos(list_angle), math.sin(trim_angle)
     ct = math.cos(trim_angle)
     return [factor * G * st, factor * G * ct * sl, -factor * G * ct * cl]
