@@ -171,6 +171,12 @@ axis = "z"
     ("docs/map.md", "Several pairs of parameters"): PAIR_OF_MOUNTS,
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
+    ("docs/map.md", "Several pairs of parameters"): FRAME
+    + "".join(
+        mount(name, "frame", at) + "damping = {loss_factor = 0.1}\n"
+        for name, at in (("left", [0.3, 0.3, 0]), ("right", [0.3, -0.3, 0]), ("rear", [-0.5, 0, 0]))
+    )
+    + "[requirements]\nnatural_frequencies = {separation = 1.02}\n",
     (KEYS, "Nodes"): FRAME
     + """[elements.tip]
 type = "bushing"
