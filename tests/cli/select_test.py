@@ -158,6 +158,39 @@ class Select(InTemporaryFolder):
                 load += 1
         self.assertEqual(counts["price"], price)
         self.assertEqual(counts["mount_load"], load)
+        left = self.selected(MACHINE + REQUIREMENTS, "--most", "16")
+        self.assertEqual(sum(counts.values()), sum(not design["met"] for design in left["best"]))
+
+    def test_tables_are_those_of_all_combinations(self):
+        # A place more, turned mounts, losses, and requirements of amplitudes and peaks: 64 combinations.
+        middle = MACHINE[MACHINE.index("[elements.rear]") : MACHINE.index("[excitations.f]")]
+        middle = middle.replace("rear", "middle").replace("[-0.7, 0, 0]", "[0.1, 0.2, 0.1]")
+        middle = middle.replace('axis = "z"', "axis = [0.1, 0.2, 1]")
+        text = MACHINE.replace("[excitations.f]", middle + "[excitations.f]").replace(
+            '["z", "ry"]', '["z", "rx", "ry"]'
+        )
+        text += '[parameters.between]\npath = "elements.middle.type"\ncatalogue = "maker.toml"\n'
+        text += """[requirements]
+band = ["2 Hz", "40 Hz"]
+limits = {"m.z" = "0.12 mm", "front.force.z" = "60 N", "ground.force.z" = "150 N"}
+no_peak = "m.rx"
+peak_tolerance = 40
+natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
+"""
+        every, first = self.selected(text, "--most", "64"), self.selected(text, "--most", "1")
+        self.assertEqual(every["judged"], 64)
+        self.assertLess(first["judged"], 24)
+        self.assertGreaterEqual(first["curves"], first["judged"])
+        self.assertEqual(first["without_curves"], "")
+        self.assertEqual(first["best"], every["best"][:1])
+        margins = [design["margin"] for design in every["best"]]
+        self.assertGreater(len(set(design["governing"] for design in every["best"])), 2)
+        for choice in first["choices"]:
+            for option in choice["mounts"]:
+                of_all = max(d["margin"] for d in every["best"] if d["mounts"][choice["name"]] == option["mount"])
+                self.assertEqual(option["best"]["margin"], of_all)
+        failed = sum(one["combinations"] for one in first["failed"])
+        self.assertEqual(failed, sum(margin < 1 for margin in margins))
 
     def test_largest_transmissibility_in_its_band(self):
         text = (

@@ -62,11 +62,19 @@ std::string search_text(const MountSelection& found) {
   for (std::size_t i = 0; i < found.failed.size(); ++i)
     text +=
         fmt::format("{}{} by {}", i == 0 ? "; falls out: " : ", ", found.failed[i].combinations, found.failed[i].test);
-  text += fmt::format(". Of {} every requirement was computed", found.judged);
+  text += ". ";
+  if (found.curves > 0)
+    text += fmt::format("Of {} amplitudes and peaks were computed exactly, without models. ", found.curves);
+  text += fmt::format("Of {} every requirement was computed", found.judged);
   if (found.judged < found.combinations)
     text += "; a bound of the margin proves that no other one belongs into these tables";
   text += ".\n";
-  if (!found.without_bounds.empty()) text += "All had to be computed one by one: " + found.without_bounds + ".\n";
+  if (!found.without_curves.empty())
+    text += "Amplitudes and peaks were computed one by one: " + found.without_curves + ".\n";
+  if (!found.without_bounds.empty())
+    text += (found.curves > 0 ? "Loads and natural frequencies were computed one by one: "
+                              : "All had to be computed one by one: ") +
+        found.without_bounds + ".\n";
   return text;
 }
 
@@ -145,6 +153,8 @@ std::string selection_settings(const MountSelection& found) {
 std::string selection_json(const MountSelection& found) {
   using json::Json;
   Json result = {{"combinations", found.combinations},
+                 {"curves", found.curves},
+                 {"without_curves", found.without_curves},
                  {"judged", found.judged},
                  {"without_bounds", found.without_bounds},
                  {"cases", found.cases},

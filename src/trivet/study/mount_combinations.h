@@ -11,8 +11,8 @@
 namespace trivet::study {
 
 /// Which test of a combination of mounts fails first, in the order in which they are made.
-enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies };
-inline constexpr std::size_t mount_tests = 6;
+enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies, curves };
+inline constexpr std::size_t mount_tests = 7;
 
 /// All combinations of the mounts of a project's choices, with a bound of the least margin of each that takes
 /// microseconds.

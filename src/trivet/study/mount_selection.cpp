@@ -15,7 +15,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/project/analyses/transmissibility_question.h"
-#include "trivet/study/mount_combinations.h"
+#include "trivet/study/mount_ranking.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_values.h"
 #include "trivet/study/transmissibility_answer.h"
@@ -25,11 +25,8 @@ namespace {
 
 using foundation::infinity;
 
-/// Margins within this of each other are equal: round-off does not choose, the order of the catalogue does.
-constexpr double same_margin = 1e-9;
-
-constexpr std::array<const char*, mount_tests> test_names = {"",           "price",      "mass",
-                                                             "mount_load", "deflection", "natural_frequencies"};
+constexpr std::array<const char*, mount_tests> test_names = {
+    "", "price", "mass", "mount_load", "deflection", "natural_frequencies", "amplitudes_and_peaks"};
 
 /// Adds what the table shows of a case: loads and deflections of the mounts.
 void add_loads(const CaseContext& context, MountDesign& design) {
@@ -82,89 +79,12 @@ MountDesign judged(const std::vector<const project::Case*>& cases,
   return design;
 }
 
-/// Finds the best of sets of combinations, and judges no combination twice.
-class RankedCombinations {
- public:
-  RankedCombinations(const MountCombinations& all, const foundation::Progress& progress)
-      : all_(all), progress_(progress), bounds_(all.bounds(progress)), order_(all.count()) {
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return bounds_[a].margin > bounds_[b].margin; });
-  }
-
-  /// The best `most` of the combinations that `belongs` admits, by descending margin.
-  std::vector<MountDesign> best(std::size_t most, const std::function<bool(std::size_t)>& belongs) {
-    std::vector<std::size_t> found;
-    std::vector<std::size_t> batch;
-    const auto by_margin = [&](std::size_t a, std::size_t b) {
-      return judged_.at(a).margin > judged_.at(b).margin * (1 + same_margin);
-    };
-    const auto finish_batch = [&] {
-      judge(batch);
-      found.insert(found.end(), batch.begin(), batch.end());
-      std::stable_sort(found.begin(), found.end(), by_margin);
-      if (found.size() > most) found.resize(most);
-      batch.clear();
-    };
-    for (const std::size_t combination : order_) {
-      if (!belongs(combination)) continue;
-      const bool full = found.size() == most;
-      if (full && judged_.at(found.back()).margin >= bounds_[combination].margin) break;
-      batch.push_back(combination);
-      if (batch.size() == (found.size() < most ? most : batch_size)) finish_batch();
-    }
-    finish_batch();
-    std::vector<MountDesign> designs;
-    for (const std::size_t combination : found) designs.push_back(judged_.at(combination));
-    return designs;
-  }
-
-  [[nodiscard]] std::size_t judged_count() const { return judged_.size(); }
-
-  [[nodiscard]] std::vector<MountSelection::Failed> failed() const {
-    std::array<std::size_t, mount_tests> counts = {};
-    for (const MountCombinations::Bound& bound : bounds_) ++counts[static_cast<std::size_t>(bound.failed)];
-    std::vector<MountSelection::Failed> result;
-    for (std::size_t test = 1; test < mount_tests; ++test)
-      if (counts[test] > 0) result.push_back({test_names[test], counts[test]});
-    return result;
-  }
-
- private:
-  static constexpr std::size_t batch_size = 16;
-
-  void judge(const std::vector<std::size_t>& batch) {
-    std::vector<std::size_t> missing;
-    std::copy_if(batch.begin(), batch.end(), std::back_inserter(missing),
-                 [&](std::size_t combination) { return !judged_.contains(combination); });
-    std::vector<MountDesign> designs(missing.size());
-    foundation::parallel_for(missing.size(), {.progress = progress_, .task = "all requirements"},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i) designs[i] = judged_design(missing[i]);
-                             });
-    for (std::size_t i = 0; i < missing.size(); ++i) {
-      constexpr double round_off = 1e-6;
-      if (designs[i].margin > bounds_[missing[i]].margin * (1 + round_off))
-        throw foundation::NotComputable(
-            "select: the bound of a combination is below its margin, so that the best could be missed; please report "
-            "this model");
-      judged_.emplace(missing[i], std::move(designs[i]));
-    }
-  }
-
-  [[nodiscard]] MountDesign judged_design(std::size_t combination) const {
-    MountDesign design =
-        judged(all_.cases(), [&](const project::Case& variant) { return all_.system(variant, combination); });
-    design.mounts = all_.mounts(combination);
-    return design;
-  }
-
-  const MountCombinations& all_;
-  const foundation::Progress& progress_;
-  std::vector<MountCombinations::Bound> bounds_;
-  std::vector<std::size_t> order_;  ///< combinations by descending bound
-  std::unordered_map<std::size_t, MountDesign> judged_;
-};
+std::vector<MountSelection::Failed> failed_tests(const MountRanking& ranking) {
+  std::vector<MountSelection::Failed> result;
+  for (std::size_t test = 1; test < mount_tests; ++test)
+    if (ranking.failed()[test] > 0) result.push_back({test_names[test], ranking.failed()[test]});
+  return result;
+}
 
 }  // namespace
 
@@ -183,18 +103,26 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
   result.without_bounds = all.without_bounds();
   result.given = judged(all.cases(), [](const project::Case& variant) { return variant.system; });
   if (!result.given.reason.empty()) throw foundation::NotComputable("select: " + result.given.reason);
-  RankedCombinations ranked(all, progress);
-  result.failed = ranked.failed();
-  result.best = ranked.best(most, [](std::size_t) { return true; });
+  const MountCurves curves(all);
+  result.without_curves = curves.reason();
+  const auto judged_combination = [&](std::size_t combination) {
+    MountDesign design =
+        judged(all.cases(), [&](const project::Case& variant) { return all.system(variant, combination); });
+    design.mounts = all.mounts(combination);
+    return design;
+  };
+  MountRanking ranking(all, curves, judged_combination, progress);
+  result.failed = failed_tests(ranking);
+  result.best = ranking.best(most);
   for (std::size_t c = 0; c < all.choices().size(); ++c) {
     const std::size_t first = result.options.size();
-    for (std::size_t m = 0; m < all.choices()[c].mounts.size(); ++m)
-      result.options.push_back(
-          {c, m, ranked.best(1, [&](std::size_t combination) { return all.mount(combination, c) == m; }).front()});
+    for (MountDesign& best : ranking.best_with_each(c))
+      result.options.push_back({c, result.options.size() - first, std::move(best)});
     std::stable_sort(result.options.begin() + static_cast<std::ptrdiff_t>(first), result.options.end(),
                      [](const MountOption& a, const MountOption& b) { return a.best.margin > b.best.margin; });
   }
-  result.judged = ranked.judged_count();
+  result.curves = ranking.curve_count();
+  result.judged = ranking.judged_count();
   return result;
 }
 

@@ -42,6 +42,8 @@ struct MountSelection {
     std::size_t combinations = 0;
   };
   std::vector<Failed> failed;
+  std::size_t curves = 0;      ///< combinations of which amplitudes and peaks were computed by a kernel
+  std::string without_curves;  ///< why there is no kernel for these
   std::size_t judged = 0;      ///< combinations of which every requirement was computed
   std::string without_bounds;  ///< why all had to be; empty if a bound spared most of them
   MountDesign given;
