@@ -191,6 +191,20 @@ class Element(unittest.TestCase):
         self.assertEqual(done.returncode, 2)
         self.assertIn("there is no folder", done.stderr)
 
+    def test_factors_of_rubber_may_be_given_in_percent(self):
+        disc = """[elements.mount]
+type = "rubber_disc"
+on = "mass"
+at = [0, 0, 0]
+diameter = "50 mm"
+thickness = "20 mm"
+material = {hardness = 55, stiffening = %s, creep = %s}
+"""
+        plain = self.json(self.project(BODY, disc % ("1.3", "1.2")), "mount")
+        percent = self.json(self.project(BODY, disc % ('"130 %"', '"120 %"')), "mount")
+        self.assertEqual(plain["stiffness"], percent["stiffness"])
+        self.assertEqual(plain["facts"], percent["facts"])
+
     def test_principal_stiffnesses_do_not_depend_on_the_attitude(self):
         turned = BUSHING.replace("translation", 'orientation = {axis = [1, 2, 3], angle = "40 deg"}\ntranslation')
         for parts in (BUSHING, turned):

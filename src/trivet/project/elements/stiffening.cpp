@@ -5,31 +5,37 @@
 #include "trivet/project/elements/element_table_readers.h"
 
 namespace trivet::project {
+namespace {
+
+/// A factor in `material`, 1 by default. Reading the material has reported what is wrong with it.
+double factor_of_rubber(TableReader& reader, const std::string& key) {
+  const Node* material = reader.has("material") ? reader.node("material") : nullptr;
+  if (!material || !material->find(key)) return 1;
+  foundation::Problems reported_with_the_material;
+  return TableReader(*material, "", reported_with_the_material).number(key, Quantity::pure).value_or(1);
+}
+
+}  // namespace
 
 ElementLength stiffened(TableReader& reader, ElementLength length, model::Element& element) {
-  const Node* material = reader.has("material") ? reader.node("material") : nullptr;
-  const Node* given = material ? material->find("stiffening") : nullptr;
-  if (!length || !given || given->number == 1) return length;
+  const double stiffening = factor_of_rubber(reader, "stiffening");
+  if (!length || stiffening == 1) return length;
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions({0, 0, *length}, Eigen::Matrix3d::Identity());
   const elements::Matrix6 metric = rigid.transpose() * rigid;
   const elements::Matrix12 deformation =
       elements::Matrix12::Identity() - rigid * numerics::inverse(metric) * rigid.transpose();
   const elements::Matrix12 at_rest = element.law.nominal_stiffness;
-  element.law.nominal_stiffness += (given->number - 1) * deformation.transpose() * at_rest * deformation;
-  if (element.evidence) element.evidence->uncertainty *= given->number;
-  element.stiffening = given->number;
+  element.law.nominal_stiffness += (stiffening - 1) * deformation.transpose() * at_rest * deformation;
+  if (element.evidence) element.evidence->uncertainty *= stiffening;
+  element.stiffening = stiffening;
   element.facts.push_back(
       {"stiffening",
-       fmt::format("in vibration {:.4g} times as stiff as at rest; the 12×12 is that of vibration", given->number)});
+       fmt::format("in vibration {:.4g} times as stiff as at rest; the 12×12 is that of vibration", stiffening)});
   return length;
 }
 
 void read_creep_of_rubber(TableReader& reader, model::Element& element) {
-  const Node* material = reader.has("material") ? reader.node("material") : nullptr;
-  if (!material || !material->find("creep")) return;
-  foundation::Problems reported_with_the_material;
-  TableReader rubber(*material, "", reported_with_the_material);
-  element.creep = rubber.number("creep", Quantity::pure).value_or(1);
+  element.creep = factor_of_rubber(reader, "creep");
   if (element.creep > 1)
     element.facts.push_back({"creep", fmt::format("{:.4g} times the static deflection after years", element.creep)});
 }
