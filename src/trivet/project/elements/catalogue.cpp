@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/load_ranges.h"
@@ -152,6 +155,29 @@ void read_mounts(TableReader& root, const std::string& source, Catalogue& catalo
   }
 }
 
+/// Catalogues by file and text. Every mount of every changed design names its catalogue; to parse it each time took
+/// half of `trivet select`.
+class ParsedCatalogues {
+ public:
+  std::shared_ptr<const Catalogue> find(const std::string& file, const std::string& text) {
+    const std::lock_guard lock(adding_);
+    for (const auto& [of_text, catalogue] : list_)
+      if (catalogue->file == file && of_text == text) return catalogue;
+    return nullptr;
+  }
+
+  void add(const std::string& text, const Catalogue& catalogue) {
+    const std::lock_guard lock(adding_);
+    if (list_.size() >= most_) list_.erase(list_.begin());
+    list_.emplace_back(text, std::make_shared<const Catalogue>(catalogue));
+  }
+
+ private:
+  static constexpr std::size_t most_ = 8;
+  std::mutex adding_;
+  std::vector<std::pair<std::string, std::shared_ptr<const Catalogue>>> list_;
+};
+
 }  // namespace
 
 const Mount* Catalogue::find(const std::string& name) const {
@@ -181,7 +207,11 @@ foundation::Expected<Catalogue> catalogue_from_text(const std::string& text, con
 foundation::Expected<Catalogue> read_catalogue(const std::filesystem::path& path) {
   const auto text = read_source(path, "catalogue");
   if (!text) return tl::make_unexpected(text.error());
-  return catalogue_from_text(*text, path.string());
+  static ParsedCatalogues parsed;
+  if (const auto known = parsed.find(path.string(), *text)) return *known;
+  auto catalogue = catalogue_from_text(*text, path.string());
+  if (catalogue) parsed.add(*text, *catalogue);
+  return catalogue;
 }
 
 const Catalogue& generic_catalogue() {
