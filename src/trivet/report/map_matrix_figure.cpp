@@ -18,7 +18,7 @@
 namespace trivet::report {
 namespace {
 
-constexpr double left = 96, top = 62, between_x = 92, between_y = 84, key_width = 290;
+constexpr double matrix_left = 96, matrix_top = 62, between_x = 92, between_y = 84, key_width = 290;
 
 /// Names in the order in which they first appear.
 std::vector<std::string> distinct(const std::vector<study::DesignMap>& maps,
@@ -43,18 +43,18 @@ class Layout {
     const auto place = [](const std::vector<std::string>& names, const std::string& name) {
       return static_cast<double>(std::find(names.begin(), names.end(), name) - names.begin());
     };
-    return {{left + place(columns_, map.request.x.name) * (width_ + between_x),
-             top + place(rows_, map.request.y.name) * (height_ + between_y)},
+    return {{matrix_left + place(columns_, map.request.x.name) * (width_ + between_x),
+             matrix_top + place(rows_, map.request.y.name) * (height_ + between_y)},
             width_,
             height_,
             drawn_axis(map.request.x),
             drawn_axis(map.request.y)};
   }
   [[nodiscard]] double right() const {
-    return left + static_cast<double>(columns_.size()) * (width_ + between_x) - between_x;
+    return matrix_left + static_cast<double>(columns_.size()) * (width_ + between_x) - between_x;
   }
   [[nodiscard]] double bottom() const {
-    return top + static_cast<double>(rows_.size()) * (height_ + between_y) - between_y;
+    return matrix_top + static_cast<double>(rows_.size()) * (height_ + between_y) - between_y;
   }
 
  private:
@@ -142,7 +142,7 @@ void explain_points(const std::vector<std::vector<PlacedMark>>& placed, const st
       return std::any_of(marks.begin(), marks.end(), [&](const PlacedMark& m) { return m.feasible == feasible; });
     };
     if (std::any_of(placed.begin(), placed.end(), is_there)) {
-      draw_mark(canvas, key.sample(), feasible);
+      draw_case_mark(canvas, key.sample(), feasible);
       key.add_text(feasible ? "given design or case, meets every rule" : "given design or case, violates a rule", "");
     }
     if (std::any_of(maps.begin(), maps.end(), [&](const study::DesignMap& map) {
@@ -185,20 +185,20 @@ Figure map_matrix_figure(const std::vector<study::DesignMap>& maps, const std::s
     });
     draw_frame(picture.canvas, picture.panel);
     placed.push_back(placed_marks(picture));
-    for (const PlacedMark& mark : placed.back()) draw_mark(picture.canvas, mark.point, mark.feasible);
+    for (const PlacedMark& mark : placed.back()) draw_case_mark(picture.canvas, mark.point, mark.feasible);
     draw_best_design(picture);
     picture.canvas.text({picture.panel.corner.x, picture.panel.corner.y - 7}, caption(maps[k]),
                         "font-size=\"10\" fill=\"#333\"");
     canvas = std::move(picture.canvas);
   }
-  Key key(canvas, {layout.right() + 22, top});
+  Key key(canvas, {layout.right() + 22, matrix_top});
   explain(maps, rules, key);
   explain_points(placed, maps, canvas, key);
   double at = notes_from;
   for (const std::string& note : notes) {
-    canvas.text(
-        {left, at}, note,
-        fmt::format("font-size=\"{:.1f}\" fill=\"#333\"", std::clamp(11 * (width - left) / width_of(note), 6.0, 11.0)));
+    canvas.text({matrix_left, at}, note,
+                fmt::format("font-size=\"{:.1f}\" fill=\"#333\"",
+                            std::clamp(11 * (width - matrix_left) / width_of(note), 6.0, 11.0)));
     at += 16;
   }
   return {heading, "map.svg", canvas.svg(heading)};

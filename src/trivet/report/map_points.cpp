@@ -13,7 +13,7 @@
 
 namespace trivet::report {
 
-void draw_mark(SvgCanvas& canvas, PixelPoint p, bool feasible) {
+void draw_case_mark(SvgCanvas& canvas, PixelPoint p, bool feasible) {
   canvas.circle(p, 4.5,
                 feasible ? "fill=\"black\" stroke=\"white\" stroke-width=\"1.5\""
                          : "fill=\"white\" stroke=\"black\" stroke-width=\"1.6\"");
@@ -143,7 +143,7 @@ void draw_best_design(MapPicture& picture) {
 void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key& key) {
   draw_best_design(picture);
   for (const PlacedMark& mark : placed) {
-    draw_mark(picture.canvas, mark.point, mark.feasible);
+    draw_case_mark(picture.canvas, mark.point, mark.feasible);
     place_label(picture, mark.point, mark.names);
   }
   if (placed.empty() && !picture.map.best) return;
@@ -151,7 +151,7 @@ void draw_marks(MapPicture& picture, const std::vector<PlacedMark>& placed, Key&
   for (const bool feasible : {true, false}) {
     if (std::none_of(placed.begin(), placed.end(), [&](const PlacedMark& m) { return m.feasible == feasible; }))
       continue;
-    draw_mark(picture.canvas, key.sample(), feasible);
+    draw_case_mark(picture.canvas, key.sample(), feasible);
     key.add_text(feasible ? "case that meets every rule" : "case that violates a rule", "");
   }
   if (picture.map.best) explain_best(picture, picture.canvas, key);

@@ -24,7 +24,7 @@ void keep_free(MapPicture& picture, const std::vector<PlacedMark>& placed);
 void draw_best_design(MapPicture& picture);
 
 /// Draws the sign of a case: a black point, or a cross in a circle if it violates a rule.
-void draw_mark(SvgCanvas& canvas, PixelPoint at, bool feasible);
+void draw_case_mark(SvgCanvas& canvas, PixelPoint at, bool feasible);
 
 /// Draws the sign of the best design, filled if it is feasible.
 void draw_best(SvgCanvas& canvas, PixelPoint at, bool feasible);
