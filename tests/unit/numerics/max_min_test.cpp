@@ -50,6 +50,8 @@ TEST(MaxMin, FindsASmoothMaximumInside) {
   EXPECT_NEAR(found.x(0), 0.3, place);
   EXPECT_NEAR(found.x(1), 0.6, place);
   EXPECT_NEAR(found.objective, 1, value);
+  // All slopes vanish there, so that the largest of them is no scale. The error of the place times 1/1e-2:
+  EXPECT_LT(multipliers(hill, found, active).residual, 1e-2);
 }
 
 TEST(MaxMin, KeepsConstraintsAndBounds) {

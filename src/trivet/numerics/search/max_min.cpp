@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -109,6 +108,9 @@ class Bounded {
   Eigen::MatrixXd slopes_;      ///< there, or empty
 };
 
+/// Slopes below this are no scale for a residual: at a smooth maximum of one value all of them vanish.
+constexpr double flat = 1e-2;
+
 }  // namespace
 
 MaxMinPoint point_at(const MaxMinProblem& problem, const Eigen::VectorXd& x) {
@@ -182,8 +184,7 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
     const double side = point.x(j) <= at_bound ? 1 : point.x(j) >= 1 - at_bound ? -1 : 0;
     if (side != 0) columns.col(total++) = side * Eigen::VectorXd::Unit(problem.variables, j);
   }
-  const double scale =
-      std::max(columns.leftCols(count).colwise().norm().maxCoeff(), std::numeric_limits<double>::min());
+  const double scale = std::max(columns.leftCols(count).colwise().norm().maxCoeff(), flat);
   columns.leftCols(count) /= scale;
   // The sum over the objectives is a heavy row.
   constexpr double heavy = 1e4;

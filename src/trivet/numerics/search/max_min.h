@@ -32,7 +32,8 @@ struct MaxMinPoint {
 /// With none that balances the slopes except against the bounds, the point is no optimum.
 struct Multipliers {
   Eigen::VectorXd of_values;
-  double residual = 0;  ///< norm of Σ λ_i ∇v_i without what the bounds hold, over the largest norm of a slope
+  double residual =
+      0;  ///< norm of Σ λ_i ∇v_i without what the bounds hold, over the largest norm of a slope, at least 1e-2
 };
 /// @param active  within this of the least objective value, or of 0 for a constraint
 [[nodiscard]] Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, double active);
