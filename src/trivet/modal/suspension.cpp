@@ -10,7 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/motion_words.h"
-#include "trivet/numerics/linalg/massless.h"
+#include "trivet/modal/own_system.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -20,55 +20,8 @@ namespace {
 using spatial::Matrix6;
 using spatial::Vector6;
 
-/// Rows of a body's free coordinates, and of the coordinates that follow it: of nodes, and inner ones of the elements
-/// that hold it or these nodes.
-struct Rows {
-  std::vector<Eigen::Index> body, inner;
-  std::vector<int> coordinates;  // of `body`, 0 … 5
-  std::vector<bool> moving;      // the body, and the nodes that elements join to it
-};
-
-/// The body, and the nodes that elements join to it without another body between.
-std::vector<bool> moving_with(const model::System& system, std::size_t body) {
-  std::vector<bool> moving(system.bodies().size(), false);
-  moving[body] = true;
-  for (bool more = true; more;) {
-    more = false;
-    for (const model::Element& element : system.elements()) {
-      if (!element.n.body || !element.k.body || moving[*element.n.body] == moving[*element.k.body]) continue;
-      const std::size_t other = moving[*element.n.body] ? *element.k.body : *element.n.body;
-      if (!system.bodies()[other].is_node) continue;
-      moving[other] = more = true;
-    }
-  }
-  return moving;
-}
-
-bool is_on(const model::Element& element, const std::vector<bool>& moving) {
-  return (element.n.body && moving[*element.n.body]) || (element.k.body && moving[*element.k.body]);
-}
-
-Rows rows_of(const model::System& system, const assembly::Assembled& assembled, std::size_t body) {
-  Rows rows;
-  for (int j = 0; j < 6; ++j)
-    if (const Eigen::Index row = assembled.layout.row(body, j); row >= 0) {
-      rows.body.push_back(row);
-      rows.coordinates.push_back(j);
-    }
-  rows.moving = moving_with(system, body);
-  for (std::size_t node = 0; node < system.bodies().size(); ++node)
-    for (int j = 0; j < 6 && node != body && rows.moving[node]; ++j)
-      if (const Eigen::Index row = assembled.layout.row(node, j); row >= 0) rows.inner.push_back(row);
-  for (std::size_t e = 0; e < system.elements().size(); ++e) {
-    const assembly::ElementMap& map = assembled.elements[e];
-    if (is_on(system.elements()[e], rows.moving))
-      rows.inner.insert(rows.inner.end(), map.rows.begin() + map.end_columns, map.rows.end());
-  }
-  return rows;
-}
-
 /// K_bb − K_bi K_ii⁻¹ K_ib, as 6×6, zero for constrained coordinates.
-Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const Rows& rows) {
+Matrix6 stiffness_at_rest(const Eigen::MatrixXd& stiffness, const BodyRows& rows) {
   Eigen::MatrixXd free = stiffness(rows.body, rows.body);
   if (!rows.inner.empty()) {
     const Eigen::MatrixXd inner = stiffness(rows.inner, rows.inner), across = stiffness(rows.inner, rows.body);
@@ -109,7 +62,7 @@ RollAxes roll_axes(const model::Body& body, const Matrix6& stiffness, const Eige
   return result;
 }
 
-BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::VectorXd& shape, double lambda,
+BodyMode body_mode(const model::Body& body, const BodyRows& rows, const Eigen::VectorXd& shape, double lambda,
                    double norm) {
   Vector6 at_pole = Vector6::Zero();
   at_pole(rows.coordinates) = shape.head(to_index(rows.coordinates.size()));
@@ -124,19 +77,10 @@ BodyMode body_mode(const model::Body& body, const Rows& rows, const Eigen::Vecto
   return mode;
 }
 
-std::vector<BodyMode> body_modes(const model::Body& body, const numerics::DynamicMatrices& all, const Rows& rows) {
-  std::vector<Eigen::Index> both = rows.body;
-  both.insert(both.end(), rows.inner.begin(), rows.inner.end());
-  numerics::DynamicMatrices own;
-  own.A = all.A(both, both);
-  own.B = all.B(both, both);
-  own.K = all.K(both, both);
-  own.symmetric = all.symmetric;
-  const numerics::MassiveSystem massive = numerics::massive_system(own);
-  const numerics::GeneralizedModes raw = numerics::generalized_modes(massive.K, massive.A, own.symmetric);
+std::vector<BodyMode> body_modes(const model::Body& body, const BodyRows& rows, const OwnModes& own) {
   std::vector<BodyMode> modes;
-  for (Eigen::Index i = 0; i < raw.lambda.size(); ++i)
-    modes.push_back(body_mode(body, rows, massive.recovery * raw.shapes.col(i), raw.lambda(i), raw.norm(i)));
+  for (Eigen::Index i = 0; i < own.lambda.size(); ++i)
+    modes.push_back(body_mode(body, rows, own.shapes.col(i), own.lambda(i), own.norm(i)));
   return modes;
 }
 
@@ -168,11 +112,11 @@ BodySuspension body_suspension(const model::System& system, const assembly::Asse
     if (!(torque.norm() > 0) || !torque.allFinite())
       throw foundation::InvalidInput("body_suspension: the torque has no direction");
   const model::Body& body = system.bodies().at(index);
-  const Rows rows = rows_of(system, assembled, index);
+  const BodyRows rows = rows_of(system, assembled, index);
   BodySuspension result;
   result.body = index;
   result.stiffness = stiffness_at_rest(assembled.matrices.K, rows);
-  result.modes = body_modes(body, assembled.matrices, rows);
+  result.modes = body_modes(body, rows, own_modes(own_system(body, assembled, rows)));
   note_elements(system, rows.moving, result.notes);
   if (rows.body.size() < 6) {
     result.notes.push_back(fmt::format(
