@@ -114,34 +114,6 @@ force = [0, 0, 30]
 [analyses]
 response = {band = ["20 Hz", "40 Hz"]}
 """
-PAIR_OF_MOUNTS = """trivet = 1
-[bodies.machine]
-mass = 400
-inertia = {about = "center_of_mass", xx = 30, yy = 40, zz = 50}
-[elements.left]
-type = "bushing"
-on = "machine"
-at = [0, 0.3, 0]
-translation = [2e5, 2e5, 4e5]
-rotation = [100, 100, 100]
-damping = {loss_factor = 0.1}
-[elements.right]
-type = "bushing"
-on = "machine"
-at = [0, -0.3, 0]
-translation = [2e5, 2e5, 4e5]
-rotation = [100, 100, 100]
-damping = {loss_factor = 0.1}
-[excitations.push]
-type = "harmonic"
-on = "machine"
-at = [0, 0, 0]
-force = [0, 0, 30]
-[analyses]
-response = {band = ["2 Hz", "40 Hz"]}
-[requirements]
-limits = {"machine.z" = "1 mm"}
-"""
 MOUNTS = (SOURCE / "examples/genset/mounts.toml").read_text()
 OBSERVED = (SOURCE / "examples/genset/load_cases.toml").read_text().split("[relative")[0]
 REQUIRED = (SOURCE / "examples/compressor/requirements.toml").read_text().split("[requirements]")
@@ -168,7 +140,6 @@ axis = "z"
     ("docs/design.md", "trivet select"): MOUNTS,
     ("docs/design.md", "trivet optimize"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/design.md", "Fronts"): SUSPENDED,
-    ("docs/map.md", "Several pairs of parameters"): PAIR_OF_MOUNTS,
     ("docs/map.md", "Maps of designs"): (SOURCE / "examples/paper/corrected.toml").read_text(),
     ("docs/plausibility.md", "If the number is right"): STARTER,
     ("docs/map.md", "Several pairs of parameters"): FRAME

@@ -398,6 +398,40 @@ class Optimize(InTemporaryFolder):
         self.assertAlmostEqual(best["stiffness"] / (2 * math.sqrt(1e5 * M)), 1, delta=ABSENCE)
         self.assertAlmostEqual(found["gone_peaks"][0]["measure"], -2, delta=ABSENCE)
 
+    def test_weighted_sum(self):
+        # One stiffness for two masses, below and above resonance: w/(k − m_a ω²) + v/(m_b ω² − k) is least where
+        # √w (m_b ω² − k) = √v (k − m_a ω²).
+        w, v, omega, m_a, m_b = 2.0, 0.5, 100.0, 2.0, 50.0
+        text = "trivet = 1\n"
+        for name, mass in (("a", m_a), ("b", m_b)):
+            text += (
+                f'[bodies.{name}]\nmass = {mass}\nfree = ["z"]\n[elements.s{name}]\ntype = "bushing"\non = "{name}"\n'
+            )
+            text += (
+                f'at = [0, 0, 0]\ntranslation = [1, 1, 1e5]\n[excitations.{name}]\ntype = "harmonic"\non = "{name}"\n'
+            )
+            text += "at = [0, 0, 0]\nforce = [0, 0, 10]\n"
+        text += '[parameters.stiffness]\npath = ["elements.sa.scale", "elements.sb.scale"]\nfrom = 0.5\nto = 4.5\n'
+        text += f"[analyses.response]\nband = [{omega}, {omega * (1 + 1e-9)!r}]\n[analyses.optimize]\nstarts = 4\n"
+        weighted = text + f'minimize = {{weighted = {{"a.z" = {w}, "b.z" = {v}}}}}\n'
+        found, best = self.optimum(weighted)
+        a, b = math.sqrt(v) * m_a, math.sqrt(w) * m_b
+        k = (a + b) * omega**2 / (math.sqrt(v) + math.sqrt(w))
+        least = 10 * (w / (k - m_a * omega**2) + v / (m_b * omega**2 - k))
+        self.assertAlmostEqual(best["stiffness"] * 1e5 / k, 1, delta=PLACE)
+        self.assertAlmostEqual(found["after"] / least, 1, delta=1e-7)  # the width of the band times 10
+        self.assertLess(found["residual"], PLACE)
+        self.assertEqual(found["unit"], "m")
+        # With a bound on one of them.
+        limit = 0.8 * found["minimized"][1]["after"]
+        found, best = self.optimum(weighted + f'[requirements]\nlimits = {{"sb.deflection.z" = {limit}}}\n')
+        k = m_b * omega**2 - 10 / limit
+        self.assertAlmostEqual(best["stiffness"] * 1e5 / k, 1, delta=PLACE)
+        for words in ("{}", '{weighted = {}}', '{weighted = {"a.z" = 0}}', '{weighted = {"c.z" = 1}}', '{sum = 1}'):
+            said = trivet("optimize", self.file(text + f"minimize = {words}\n"))
+            self.assertEqual(said.returncode, 2)
+            self.assertIn("analyses.optimize.minimize", said.stderr)
+
     def test_hopeless_searches_are_refused(self):
         undamped = OSCILLATOR.replace("damping = {translation = [1e-3, 1e-3, 400]}\n", "")
         said = trivet(

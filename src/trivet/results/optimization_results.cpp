@@ -39,6 +39,13 @@ std::vector<std::string> minimized_names(const Optimization& found) {
 std::string objective_words(const Optimization& found) {
   if (found.falls_short) return "no design looked at meets every requirement. Largest least margin instead";
   if (!found.minimizes) return "least margin of all requirements";
+  if (!found.weights.empty()) {
+    std::string words = "weighted sum of the largest amplitudes over the band: ";
+    const std::vector<std::string> names = minimized_names(found);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      words += fmt::format("{}{:.6g} × {}", i ? " + " : "", found.weights[i], names[i]);
+    return words + (found.objective_unit.empty() ? ", as shares of their limits" : "");
+  }
   return "largest amplitude of " + foundation::comma_separated(minimized_names(found)) + " over the band" +
       (found.objective_unit.empty() ? ", as a share of its limit" : "");
 }
@@ -217,6 +224,7 @@ std::string optimization_json(const Optimization& found) { return json::text(jso
 json::Json json::optimization(const Optimization& found) {
   const auto number = [](double value) { return json::number(value); };
   Json result = {{"objective", found.minimizes ? Json(minimized_names(found)) : Json("margin")},
+                 {"weights", found.weights},
                  {"falls_short", found.falls_short},
                  {"minimized", Json::array()},
                  {"before", found.objective_before ? number(*found.objective_before) : Json(nullptr)},

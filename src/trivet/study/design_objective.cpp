@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
@@ -117,7 +118,8 @@ void refuse_overruled_cases(const DesignSpace& space, const project::Project& pr
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
     : space_(project, request.parameters),
       minimizes_(!request.minimize.empty() || !request.front.empty()),
-      separate_(!request.front.empty()) {
+      weights_(request.weights),
+      separate_(!request.front.empty() || !request.weights.empty()) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases_.push_back(&variant);
@@ -177,7 +179,7 @@ project::Analyses DesignObjective::differenced_requirements(std::size_t c) const
 }
 
 void DesignObjective::refuse_mixed_objectives() const {
-  if (!minimizes_ || separate_ || limited_ == objectives_) return;
+  if (!minimizes_ || (separate_ && weights_.empty()) || limited_ == objectives_) return;
   const std::vector<RequirementResult>& given = given_.front();
   bool mixed = limited_ > 0;
   for (std::size_t i = 0; i < objectives_; ++i)
@@ -202,7 +204,7 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
   }
   project::Requirements& required = *analyses.requirements;
   first_objective_ = analyses.limits.size() + required.limits.size();
-  const std::vector<std::string>& names = separate_ ? request.front : request.minimize;
+  const std::vector<std::string>& names = request.front.empty() ? request.minimize : request.front;
   objectives_ = names.size();
   limited_ = 0;
   for (const std::string& name : names) {
@@ -223,6 +225,19 @@ bool DesignObjective::is_objective(std::size_t result) const {
 
 const RequirementResult& DesignObjective::given_objective(std::size_t number) const {
   return given_.front()[first_objective_ + number];
+}
+
+std::optional<double> DesignObjective::weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < objectives_; ++i) {
+    double least = foundation::infinity;
+    for (const std::vector<RequirementResult>& results : found) {
+      if (!results[first_objective_ + i].value) return std::nullopt;
+      least = std::min(least, results[first_objective_ + i].margin);
+    }
+    sum += weights_[i] / least;
+  }
+  return sum;
 }
 
 double DesignObjective::given_amplitude(std::size_t number) const {

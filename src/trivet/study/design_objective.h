@@ -51,6 +51,10 @@ class DesignObjective {
   /// Number of minimised amplitudes, and which of them a result is.
   [[nodiscard]] std::size_t objectives() const { return objectives_; }
   [[nodiscard]] std::size_t objective_number(std::size_t result) const { return result - first_objective_; }
+  /// Weights of the minimised amplitudes; empty: the largest share counts.
+  [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
+  /// Σ weight × largest amplitude (or share of its limit) over the cases; none if one of them was not judged.
+  [[nodiscard]] std::optional<double> weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const;
   /// A minimised amplitude in the first case, and its largest value at the given design in all.
   [[nodiscard]] const RequirementResult& given_objective(std::size_t number) const;
   [[nodiscard]] double given_amplitude(std::size_t number) const;
@@ -114,6 +118,7 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
   std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
   bool minimizes_ = false;
+  std::vector<double> weights_;
   bool separate_ = false;           ///< each minimised amplitude is an objective of its own: a front
   std::size_t limited_ = 0;         ///< minimised amplitudes with a limit
   std::vector<double> references_;  ///< per case: lowest natural frequency of the given design, for peaks that are gone

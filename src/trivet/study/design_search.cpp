@@ -29,6 +29,27 @@ MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<P
           }};
 }
 
+/// The largest −Σ weight × amplitude, in amplitudes at the given design.
+MaxMinProblem weighted_problem(const DesignObjective& objective) {
+  MaxMinProblem problem = problem_of(objective);
+  problem.weights = objective.weights();
+  for (const Place& place : objective.places())
+    problem.group.push_back(objective.is_objective(place.result) ? objective.objective_number(place.result) : 0);
+  problem.evaluate = [&objective, unit = weighted_unit(objective)](const Eigen::VectorXd& x, Eigen::VectorXd& values,
+                                                                   Eigen::MatrixXd* slopes) {
+    objective.evaluate(x, values, slopes);
+    for (std::size_t i = 0; i < objective.places().size(); ++i) {
+      if (!objective.is_objective()[i]) continue;
+      double& value = values(to_index(i));
+      constexpr double far_below = -1e3;
+      const double amplitude = value <= DesignObjective::unusable ? -far_below : std::exp(-value) / unit;
+      value = std::max(far_below, -amplitude);
+      if (slopes) slopes->row(to_index(i)) *= amplitude;
+    }
+  };
+  return problem;
+}
+
 constexpr double met_within = -1e-9;  // ln of a margin
 
 /// Climbs from all starts; the results in their order.
@@ -46,7 +67,7 @@ class Search {
  public:
   Search(const DesignObjective& objective, int starts, const foundation::Progress& progress)
       : objective_(objective), wanted_(starts), progress_(progress) {
-    result_.problem = problem_of(objective);
+    result_.problem = objective.weights().empty() ? problem_of(objective) : weighted_problem(objective);
   }
 
   DesignSearch run() {
@@ -181,6 +202,11 @@ std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size
 }
 
 int looks_for(int starts) { return std::clamp(looks_per_start * starts, fewest_looks, most_looks); }
+
+double weighted_unit(const DesignObjective& objective) {
+  const double given = objective.weighted_sum(objective.given()).value_or(0);
+  return std::isfinite(given) && given > 0 ? given : 1;
+}
 
 double rank(const MaxMinPoint& point) { return rank(point.objective, point.constraint); }
 

@@ -40,6 +40,9 @@ struct DesignSearch {
 [[nodiscard]] std::vector<numerics::MaxMinPoint> chosen_starts(std::vector<numerics::MaxMinPoint> looks,
                                                                std::size_t starts);
 
+/// The weighted sum at the given design, in which a search counts it; 1 if it is unbounded there.
+[[nodiscard]] double weighted_unit(const DesignObjective& objective);
+
 /// Violated constraints first count, then the objective.
 [[nodiscard]] double rank(const numerics::MaxMinPoint& point);
 

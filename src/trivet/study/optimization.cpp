@@ -52,6 +52,7 @@ class Description {
     result_.starts = found.starts;
     result_.falls_short = found.falls_short;
     result_.looked_at = found.looked_at;
+    if (!result_.falls_short) result_.weights = objective.weights();
   }
 
   Optimization optimization() {
@@ -139,6 +140,7 @@ class Description {
 
   /// The least margin, or the largest minimised amplitude, or share of its limit.
   [[nodiscard]] std::optional<double> objective_of(const std::vector<std::vector<RequirementResult>>& found) const {
+    if (is_weighted()) return objective_.weighted_sum(found);
     double least = foundation::infinity;
     for (const std::vector<RequirementResult>& results : found)
       for (std::size_t r = 0; r < results.size(); ++r) {
@@ -164,6 +166,15 @@ class Description {
     return result.kind == RequirementKind::no_peak && result.margin < 1 ? result.allowed / (1 + result.allowed) : 1;
   }
 
+  [[nodiscard]] bool is_weighted() const { return result_.minimizes && !objective_.weights().empty(); }
+
+  /// The objective of an end of the search, as it is reported.
+  [[nodiscard]] double reported(double objective) const {
+    if (is_weighted()) return -objective * weighted_unit(objective_);
+    const double least = whole(objective);
+    return result_.minimizes ? 1 / least : least;
+  }
+
   void describe_conditions() {
     if (best_.objective >= DesignObjective::most || !result_.no_slopes.empty()) return;  // nothing holds it
     const numerics::Multipliers found = numerics::multipliers(problem_, best_, active_within);
@@ -174,7 +185,7 @@ class Description {
     };
     std::vector<Held> held;
     for (std::size_t i = 0; i < objective_.places().size(); ++i) {
-      const double multiplier = found.of_values(to_index(i));
+      const double multiplier = found.of_values(to_index(i)) / (is_weighted() ? -best_.objective : 1);
       constexpr double some = 1e-6;
       if (multiplier <= some) continue;
       const Place& place = objective_.places()[i];
@@ -245,9 +256,7 @@ class Description {
     constexpr std::size_t shown = 3;
     for (std::size_t i = 0; i < places.size() && i < shown; ++i) {
       const Eigen::VectorXd values = objective_.space().values(places[i].point.x);
-      const double least = whole(places[i].point.objective);
-      result_.others.push_back(
-          {{values.begin(), values.end()}, result_.minimizes ? 1 / least : least, places[i].starts});
+      result_.others.push_back({{values.begin(), values.end()}, reported(places[i].point.objective), places[i].starts});
     }
   }
 

@@ -31,19 +31,30 @@ bool is_better(const MaxMinPoint& a, const MaxMinPoint& b, double tolerance) {
   return violation_a != violation_b ? violation_a > violation_b : a.objective > b.objective;
 }
 
+/// The least objective value of each group.
+Eigen::VectorXd least_of_groups(const MaxMinProblem& problem, const Eigen::VectorXd& values) {
+  Eigen::VectorXd least = Eigen::VectorXd::Constant(to_index(problem.groups()), foundation::infinity);
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (problem.is_objective[to_size(i)]) {
+      double& one = least(to_index(problem.group_of(to_size(i))));
+      one = std::min(one, values(i));
+    }
+  return least;
+}
+
 MaxMinPoint point_with(const MaxMinProblem& problem, const Eigen::VectorXd& x, const Eigen::VectorXd& values) {
-  MaxMinPoint point{x, foundation::infinity, foundation::infinity};
-  for (Eigen::Index i = 0; i < values.size(); ++i) {
-    double& least = problem.is_objective[to_size(i)] ? point.objective : point.constraint;
-    least = std::min(least, values(i));
-  }
+  MaxMinPoint point{x, 0, foundation::infinity};
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+    if (!problem.is_objective[to_size(i)]) point.constraint = std::min(point.constraint, values(i));
+  const Eigen::VectorXd least = least_of_groups(problem, values);
+  for (Eigen::Index g = 0; g < least.size(); ++g) point.objective += problem.weight(to_size(g)) * least(g);
   return point;
 }
 
 constexpr double slack_tolerance = 1e-11;
 
-/// The problem with its bound t as last variable, for the callbacks of NLopt. The values do not depend on t, with which
-/// a line search ends: they are kept.
+/// The problem with its bounds t as last variables, for the callbacks of NLopt. The values do not depend on them, with
+/// which a line search ends: they are kept.
 class Bounded {
  public:
   Bounded(const MaxMinProblem& problem, nlopt_opt optimizer, MaxMinPoint start)
@@ -52,12 +63,17 @@ class Bounded {
   /// The best point that was evaluated: NLopt's own result lacks a point whose t exceeds a value by round-off.
   [[nodiscard]] const MaxMinPoint& best() const { return best_; }
 
-  static double bound(unsigned n, const double* x, double* slope, void*) {
-    if (slope) {
-      std::fill(slope, slope + n - 1, 0.0);
-      slope[n - 1] = 1;
+  /// Σ w_g t_g
+  static double bound(unsigned n, const double* x, double* slope, void* self) {
+    const MaxMinProblem& problem = static_cast<Bounded*>(self)->problem_;
+    const auto variables = static_cast<unsigned>(problem.variables);
+    if (slope) std::fill(slope, slope + n, 0.0);
+    double sum = 0;
+    for (unsigned k = variables; k < n; ++k) {
+      sum += problem.weight(k - variables) * x[k];
+      if (slope) slope[k] = problem.weight(k - variables);
     }
-    return x[n - 1];
+    return sum;
   }
 
   /// t − v_i ≤ 0 or −v_i ≤ 0; slopes row by row.
@@ -90,13 +106,17 @@ class Bounded {
   }
 
   void set_slack(unsigned m, double* result, unsigned n, const double* x, double* slope) {
-    evaluate(Eigen::Map<const Eigen::VectorXd>(x, n - 1), slope != nullptr);
+    const auto variables = static_cast<unsigned>(problem_.variables);
+    evaluate(Eigen::Map<const Eigen::VectorXd>(x, problem_.variables), slope != nullptr);
     for (unsigned i = 0; i < m; ++i) {
       const bool objective = problem_.is_objective[i];
-      result[i] = (objective ? x[n - 1] : 0) - values_(i);
+      const unsigned t = variables + static_cast<unsigned>(problem_.group_of(i));
+      result[i] = (objective ? x[t] : 0) - values_(i);
       if (!slope) continue;
-      for (unsigned j = 0; j + 1 < n; ++j) slope[i * n + j] = -slopes_(i, j);
-      slope[i * n + n - 1] = objective ? 1 : 0;
+      double* const row = slope + static_cast<std::size_t>(i) * n;
+      std::fill(row, row + n, 0.0);
+      for (unsigned j = 0; j < variables; ++j) row[j] = -slopes_(i, j);
+      if (objective) row[t] = 1;
     }
   }
 
@@ -128,19 +148,20 @@ MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start) 
   double reach = 1;
   MaxMinPoint best = point_at(problem, start);
   for (int round = 0; round < most_rounds; ++round) {
-    const Optimizer library = optimizer(n + 1);
+    const Eigen::Index all = n + to_index(problem.groups());
+    const Optimizer library = optimizer(all);
     Bounded bounded(problem, library.get(), best);
-    Eigen::VectorXd x(n + 1), low(n + 1), high(n + 1);
-    x << best.x, best.objective;
     constexpr double far = 1e3;
+    Eigen::VectorXd x(all), low = Eigen::VectorXd::Constant(all, -far), high = Eigen::VectorXd::Constant(all, far);
     low.head(n) = (best.x.array() - reach).cwiseMax(0.0);
     high.head(n) = (best.x.array() + reach).cwiseMin(1.0);
-    low(n) = -far;
-    high(n) = far;
+    Eigen::VectorXd values;
+    problem.evaluate(best.x, values, nullptr);
+    x << best.x, least_of_groups(problem, values).cwiseMax(-far).cwiseMin(far);
     const std::vector<double> tolerances(m, slack_tolerance);
     nlopt_set_lower_bounds(library.get(), low.data());
     nlopt_set_upper_bounds(library.get(), high.data());
-    nlopt_set_max_objective(library.get(), Bounded::bound, nullptr);
+    nlopt_set_max_objective(library.get(), Bounded::bound, &bounded);
     nlopt_add_inequality_mconstraint(library.get(), m, Bounded::slack, &bounded, tolerances.data());
     nlopt_set_xtol_rel(library.get(), step_tolerance);
     nlopt_set_maxeval(library.get(), most_evaluations);
@@ -164,11 +185,12 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
   Eigen::VectorXd values;
   Eigen::MatrixXd slopes;
   problem.evaluate(point.x, values, &slopes);
+  const Eigen::VectorXd least = least_of_groups(problem, values);
   std::vector<Eigen::Index> near;
   bool any_objective = false;
   for (Eigen::Index i = 0; i < values.size(); ++i) {
     const bool objective = problem.is_objective[to_size(i)];
-    if (values(i) > (objective ? point.objective : 0.0) + active) continue;
+    if (values(i) > (objective ? least(to_index(problem.group_of(to_size(i)))) : 0.0) + active) continue;
     near.push_back(i);
     any_objective = any_objective || objective;
   }
@@ -186,15 +208,17 @@ Multipliers multipliers(const MaxMinProblem& problem, const MaxMinPoint& point, 
   }
   const double scale = std::max(columns.leftCols(count).colwise().norm().maxCoeff(), flat);
   columns.leftCols(count) /= scale;
-  // The sum over the objectives is a heavy row.
+  // The sum over the objectives of each group is a heavy row.
   constexpr double heavy = 1e4;
-  Eigen::MatrixXd system(problem.variables + 1, total);
+  const Eigen::Index groups = least.size();
+  Eigen::MatrixXd system(problem.variables + groups, total);
   system.topRows(problem.variables) = columns.leftCols(total);
-  system.bottomRows(1).setZero();
+  system.bottomRows(groups).setZero();
   for (Eigen::Index i = 0; i < count; ++i)
-    if (problem.is_objective[to_size(near[to_size(i)])]) system(problem.variables, i) = heavy;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(problem.variables + 1);
-  right(problem.variables) = heavy;
+    if (const std::size_t value = to_size(near[to_size(i)]); problem.is_objective[value])
+      system(problem.variables + to_index(problem.group_of(value)), i) = heavy;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(problem.variables + groups);
+  for (Eigen::Index g = 0; g < groups; ++g) right(problem.variables + g) = heavy * problem.weight(to_size(g));
   const Eigen::VectorXd lambda = nonnegative_least_squares(system, right);
   result.residual = (columns.leftCols(total) * lambda).norm();
   for (Eigen::Index i = 0; i < count; ++i) result.of_values(near[to_size(i)]) = lambda(i);

@@ -8,17 +8,24 @@
 namespace trivet::numerics {
 
 /// Largest t with objective values v_i(x) ≥ t and constraint values v_i(x) ≥ 0, for 0 ≤ x ≤ 1. The values are smooth
-/// but for exchanges of their order.
+/// but for exchanges of their order. With several groups of objective values, the largest Σ w_g t_g with v_i ≥ t_g of
+/// its group.
 struct MaxMinProblem {
   Eigen::Index variables = 0;
   std::vector<bool> is_objective;  ///< per value
   /// Values at x, and where it is not null their slopes (values × variables).
   std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& values, Eigen::MatrixXd* slopes)> evaluate;
+  std::vector<std::size_t> group = {};  ///< per value; empty: all objectives are one group
+  std::vector<double> weights = {};     ///< per group, > 0
+
+  [[nodiscard]] std::size_t groups() const { return group.empty() ? 1 : weights.size(); }
+  [[nodiscard]] std::size_t group_of(std::size_t value) const { return group.empty() ? 0 : group[value]; }
+  [[nodiscard]] double weight(std::size_t of_group) const { return group.empty() ? 1 : weights[of_group]; }
 };
 
 struct MaxMinPoint {
   Eigen::VectorXd x;
-  double objective = 0;   ///< the least objective value
+  double objective = 0;   ///< the least objective value, or the weighted sum of those of the groups
   double constraint = 0;  ///< the least constraint value; infinite without constraints
 };
 
@@ -28,8 +35,8 @@ struct MaxMinPoint {
 /// until it gains nothing. If the first steps lead to nothing better, shorter ones are tried.
 [[nodiscard]] MaxMinPoint max_min(const MaxMinProblem& problem, const Eigen::VectorXd& start);
 
-/// Multipliers λ ≥ 0 of the values with Σλ = 1 over the objectives: the least t grows by λ_i if value i is raised by 1.
-/// With none that balances the slopes except against the bounds, the point is no optimum.
+/// Multipliers λ ≥ 0 of the values with Σλ = 1 over the objectives, w_g over those of a group: the least t grows by λ_i
+/// if value i is raised by 1. With none that balances the slopes except against the bounds, the point is no optimum.
 struct Multipliers {
   Eigen::VectorXd of_values;
   double residual =

@@ -49,6 +49,30 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   return *words;
 }
 
+/// {weighted = {"BODY.z" = 1, "ground.force.z" = 0.5}}
+void read_weighted(TableReader& reader, const Node& minimize, const ResultNames& names, const NamesInFile& in_file,
+                   OptimizeRequest& request) {
+  TableReader table(minimize, reader.path() + ".minimize", reader.problems());
+  const Node* weighted = table.table("weighted");
+  if (!weighted) {
+    if (!table.has("weighted"))
+      table.error("", "no weighted", "braces hold a weighted sum", "minimize = {weighted = {\"BODY.z\" = 1}}");
+    return table.finish();
+  }
+  TableReader weights(*weighted, table.path() + ".weighted", reader.problems());
+  for (const std::string& name : weighted->keys) {
+    const auto weight = weights.number(name, Quantity::pure);
+    if (weight && !(*weight > 0 && std::isfinite(*weight)))
+      weights.error(name, fmt::format("{:.6g}", *weight), "a weight is a number > 0", "remove what has no weight");
+    request.minimize.push_back(name);
+    request.weights.push_back(weight.value_or(1));
+  }
+  if (weighted->keys.empty())
+    table.error("weighted", "no result", "something is made small", "weighted = {\"BODY.z\" = 1}");
+  check_objectives(table, "weighted", request.minimize, names, in_file, request.quantity);
+  table.finish();
+}
+
 /// A whole number from 1 or more to `most`; none if it is not one.
 std::optional<int> read_count(TableReader& reader, const std::string& key, double least, double most,
                               const std::string& remedy) {
@@ -109,7 +133,9 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
   if (!root.has("parameters"))
     reader.error("", "no parameters", "a design varies at least one number",
                  "write [parameters.NAME] with path, from and to");
-  request.minimize = read_objective(reader, names, in_file, request.quantity);
+  if (const Node* minimize = reader.node("minimize"); minimize && minimize->kind == Node::Kind::table)
+    read_weighted(reader, *minimize, names, in_file, request);
+  else request.minimize = read_objective(reader, names, in_file, request.quantity);
   read_front(reader, names, in_file, request);
   request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);
   request.combinations =

@@ -15,6 +15,7 @@ struct OptimizeRequest {
   std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
                                         ///< empty: the largest least margin of the requirements
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  std::vector<double> weights;     ///< of these, for a sum of amplitudes; empty: the largest counts
   std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
   int points = 11;                 ///< of a front of two
   int starts = 32;
