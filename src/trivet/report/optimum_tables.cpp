@@ -52,7 +52,7 @@ std::string optimum_amplitudes_table(const Optimization& found) {
                      one.limit ? quantity_cell(*one.limit, one.unit) : Cell{}},
                     ""});
   if (rows.empty()) return "";
-  return html_table({{"Largest amplitude"}, right("given"), right("optimum"), right("limit")}, rows);
+  return html_table({{"Minimised"}, right("given"), right("optimum"), right("limit")}, rows);
 }
 
 std::string optimum_requirements_table(const Optimization& found) {

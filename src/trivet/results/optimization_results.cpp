@@ -46,13 +46,17 @@ std::string objective_words(const Optimization& found) {
       words += fmt::format("{}{:.6g} × {}", i ? " + " : "", found.weights[i], names[i]);
     return words + (found.objective_unit.empty() ? ", as shares of their limits" : "");
   }
+  if (const auto kind = found.minimized_kind; kind != project::Minimized::amplitude)
+    return (kind == project::Minimized::rms ? "rms of " : "magnitude at rest of ") +
+        foundation::comma_separated(minimized_names(found)) +
+        (found.objective_unit.empty() ? ", as a share of its limit" : "");
   return "largest amplitude of " + foundation::comma_separated(minimized_names(found)) + " over the band" +
       (found.objective_unit.empty() ? ", as a share of its limit" : "");
 }
 
 std::string minimized_text(const Optimization& found) {
   if (found.minimized.empty()) return "";
-  TextTable table({"minimised amplitude", "given", "optimum", "limit", "unit"});
+  TextTable table({"minimised", "given", "optimum", "limit", "unit"});
   for (const study::MinimizedAmplitude& one : found.minimized)
     table.add({case_prefix(found.after[one.result_case]) + one.name, ratio_words(one.before), ratio_words(one.after),
                one.limit ? ratio_words(*one.limit) : "", one.unit});

@@ -118,6 +118,7 @@ void refuse_overruled_cases(const DesignSpace& space, const project::Project& pr
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
     : space_(project, request.parameters),
       minimizes_(!request.minimize.empty() || !request.front.empty()),
+      minimized_(request.minimized),
       weights_(request.weights),
       separate_(!request.front.empty() || !request.weights.empty()) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
@@ -131,6 +132,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
   for (const project::Case* variant : cases_) references_.push_back(lowest_natural_frequency(variant->system));
   for (std::size_t c = 0; c < cases_.size(); ++c) {
     const std::vector<RequirementResult>& given = given_.emplace_back(results(c, cases_[c]->system));
+    if (c == 0) find_objectives(given);
     std::vector<std::size_t>& width = width_.emplace_back();
     for (std::size_t r = 0; r < given.size(); ++r) {
       if (!given[r].value)
@@ -178,6 +180,15 @@ project::Analyses DesignObjective::differenced_requirements(std::size_t c) const
   return without_exact(asked_[c], covered);
 }
 
+/// The objectives are the last results of their kind.
+void DesignObjective::find_objectives(const std::vector<RequirementResult>& given) {
+  if (minimized_ == project::Minimized::amplitude) return;
+  const RequirementKind kind =
+      minimized_ == project::Minimized::rms ? RequirementKind::rms : RequirementKind::static_value;
+  for (std::size_t r = 0; r < given.size(); ++r)
+    if (given[r].kind == kind) first_objective_ = r + 1 - std::min(objectives_, r + 1);
+}
+
 void DesignObjective::refuse_mixed_objectives() const {
   if (!minimizes_ || (separate_ && weights_.empty()) || limited_ == objectives_) return;
   const std::vector<RequirementResult>& given = given_.front();
@@ -193,7 +204,9 @@ void DesignObjective::refuse_mixed_objectives() const {
 
 std::string DesignObjective::words(const Place& place) const {
   const RequirementResult& result = given_[place.result_case][place.result];
-  return is_objective(place.result) ? "the largest amplitude of " + result.subject : result.words;
+  if (!is_objective(place.result)) return result.words;
+  if (minimized_ == project::Minimized::at_rest) return result.subject + " at rest";
+  return (minimized_ == project::Minimized::rms ? "the rms of " : "the largest amplitude of ") + result.subject;
 }
 
 void DesignObjective::add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request) {
@@ -207,15 +220,19 @@ void DesignObjective::add_objectives(project::Analyses& analyses, const project:
   const std::vector<std::string>& names = request.front.empty() ? request.minimize : request.front;
   objectives_ = names.size();
   limited_ = 0;
+  const bool amplitudes = minimized_ == project::Minimized::amplitude;
+  std::vector<project::AmplitudeLimit>& list = amplitudes ? required.limits
+      : minimized_ == project::Minimized::rms             ? required.rms
+                                                          : required.statics;
+  const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
   for (const std::string& name : names) {
     double allowed = 0;
-    for (const project::AmplitudeLimit& limit : required.limits)
+    for (const project::AmplitudeLimit& limit : list)
       if (limit.name == name && limit.quantity == request.quantity) allowed = limit.amplitude;
-    const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
     for (const project::Limit& limit : analyses.limits)
-      if (limit.name == name && same_quantity) allowed = limit.amplitude;
+      if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
     if (allowed > 0) ++limited_;
-    required.limits.push_back({name, request.quantity, allowed > 0 ? allowed : 1});
+    list.push_back({name, request.quantity, allowed > 0 ? allowed : 1});
   }
 }
 

@@ -80,6 +80,7 @@ class DesignObjective {
 
  private:
   void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
+  void find_objectives(const std::vector<RequirementResult>& given);
   void refuse_mixed_objectives() const;
   /// The places of one requirement that have slopes.
   struct Smooth {
@@ -118,6 +119,7 @@ class DesignObjective {
   std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
   std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
   bool minimizes_ = false;
+  project::Minimized minimized_ = project::Minimized::amplitude;
   std::vector<double> weights_;
   bool separate_ = false;           ///< each minimised amplitude is an objective of its own: a front
   std::size_t limited_ = 0;         ///< minimised amplitudes with a limit

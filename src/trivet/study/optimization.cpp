@@ -278,10 +278,14 @@ Optimization optimization(const project::Project& project, const foundation::Pro
   const DesignObjective given(project, request);
   for (const project::Case* variant : given.cases()) refuse_unbounded_peaks(*variant, given.space().axes());
   std::optional<MountSearch> mounts = mount_search(project, request, progress);
-  if (!mounts) return Description(project, given, given, design_search(given, request.starts, progress)).optimization();
-  const DesignObjective objective(mounts->best, request);
-  Optimization result =
-      Description(project, given, objective, design_search(objective, request.starts, progress)).optimization();
+  const auto searched = [&](const DesignObjective& objective) {
+    Optimization result =
+        Description(project, given, objective, design_search(objective, request.starts, progress)).optimization();
+    result.minimized_kind = request.minimized;
+    return result;
+  };
+  if (!mounts) return searched(given);
+  Optimization result = searched(DesignObjective(mounts->best, request));
   result.mounts = std::move(mounts->found);
   return result;
 }

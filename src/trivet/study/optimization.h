@@ -80,6 +80,7 @@ struct Optimization {
   /// Amplitudes were to be minimised, but no design met the requirements: it is that with their largest least margin.
   bool falls_short = false;
   std::vector<MinimizedAmplitude> minimized;
+  project::Minimized minimized_kind = project::Minimized::amplitude;
   std::vector<double> weights;             ///< of these, if their sum was minimised
   std::string objective_unit;              ///< SI, of amplitudes without limits; otherwise shares of these
   std::optional<double> objective_before;  ///< least margin, or largest amplitude or share of a limit

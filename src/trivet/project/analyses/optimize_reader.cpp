@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
@@ -24,18 +25,23 @@ std::vector<std::string> names_of_choices(TableReader& root) {
   return names;
 }
 
-/// Amplitudes of the list under a key.
-void check_objectives(TableReader& reader, const std::string& key, const std::vector<std::string>& words,
-                      const ResultNames& names, const NamesInFile& in_file, assembly::MotionQuantity quantity) {
-  if (in_file.harmonic_excitations.empty())
-    reader.error(key, "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
-                 "add [excitations.NAME] with type = \"harmonic\"");
+void check_names(TableReader& reader, const std::string& key, const std::vector<std::string>& words,
+                 const ResultNames& names, assembly::MotionQuantity quantity) {
   for (auto word = words.begin(); word != words.end(); ++word) {
     if (!names.component(*word, quantity))
       names.refuse(reader, key, *word, "one component of a body, BODY.POINT, an element or the ground");
     if (std::find(words.begin(), word, *word) != word)
       reader.error(key, foundation::quoted(*word), "it is named twice", "name it once");
   }
+}
+
+/// Amplitudes of the list under a key.
+void check_objectives(TableReader& reader, const std::string& key, const std::vector<std::string>& words,
+                      const ResultNames& names, const NamesInFile& in_file, assembly::MotionQuantity quantity) {
+  if (in_file.harmonic_excitations.empty())
+    reader.error(key, "no harmonic excitation in the model", "these are amplitudes under harmonic forces",
+                 "add [excitations.NAME] with type = \"harmonic\"");
+  check_names(reader, key, words, names, quantity);
 }
 
 /// Results to minimise; "margin" alone stands for none.
@@ -49,17 +55,11 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   return *words;
 }
 
-/// {weighted = {"BODY.z" = 1, "ground.force.z" = 0.5}}
-void read_weighted(TableReader& reader, const Node& minimize, const ResultNames& names, const NamesInFile& in_file,
-                   OptimizeRequest& request) {
-  TableReader table(minimize, reader.path() + ".minimize", reader.problems());
+/// {"BODY.z" = 1, "ground.force.z" = 0.5}
+void read_weights(TableReader& table, const ResultNames& names, const NamesInFile& in_file, OptimizeRequest& request) {
   const Node* weighted = table.table("weighted");
-  if (!weighted) {
-    if (!table.has("weighted"))
-      table.error("", "no weighted", "braces hold a weighted sum", "minimize = {weighted = {\"BODY.z\" = 1}}");
-    return table.finish();
-  }
-  TableReader weights(*weighted, table.path() + ".weighted", reader.problems());
+  if (!weighted) return;
+  TableReader weights(*weighted, table.path() + ".weighted", table.problems());
   for (const std::string& name : weighted->keys) {
     const auto weight = weights.number(name, Quantity::pure);
     if (weight && !(*weight > 0 && std::isfinite(*weight)))
@@ -70,6 +70,29 @@ void read_weighted(TableReader& reader, const Node& minimize, const ResultNames&
   if (weighted->keys.empty())
     table.error("weighted", "no result", "something is made small", "weighted = {\"BODY.z\" = 1}");
   check_objectives(table, "weighted", request.minimize, names, in_file, request.quantity);
+}
+
+/// {weighted = {…}}, {rms = […]} or {static = […]}
+void read_other_objective(TableReader& reader, const Node& minimize, const ResultNames& names,
+                          const NamesInFile& in_file, OptimizeRequest& request) {
+  TableReader table(minimize, reader.path() + ".minimize", reader.problems());
+  const std::vector<std::pair<const char*, Minimized>> kinds = {{"rms", Minimized::rms},
+                                                                {"static", Minimized::at_rest}};
+  int found = table.has("weighted") ? 1 : 0;
+  read_weights(table, names, in_file, request);
+  for (const auto& [key, kind] : kinds) {
+    const auto words = table.texts(key, R"(["BODY.POINT.z"])");
+    if (!words) continue;
+    ++found;
+    request.minimized = kind;
+    request.minimize = *words;
+    if (kind == Minimized::at_rest) request.quantity = assembly::MotionQuantity::displacement;
+    if (words->empty()) table.error(key, "an empty list", "something is made small", "name a result");
+    check_names(table, key, *words, names, request.quantity);
+  }
+  if (found != 1)
+    table.error("", fmt::format("{} of weighted, rms and static", found), "braces hold one of them",
+                "minimize = {weighted = {\"BODY.z\" = 1}}, {rms = [\"BODY.z\"]} or {static = [\"BODY.z\"]}");
   table.finish();
 }
 
@@ -134,7 +157,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     reader.error("", "no parameters", "a design varies at least one number",
                  "write [parameters.NAME] with path, from and to");
   if (const Node* minimize = reader.node("minimize"); minimize && minimize->kind == Node::Kind::table)
-    read_weighted(reader, *minimize, names, in_file, request);
+    read_other_objective(reader, *minimize, names, in_file, request);
   else request.minimize = read_objective(reader, names, in_file, request.quantity);
   read_front(reader, names, in_file, request);
   request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);

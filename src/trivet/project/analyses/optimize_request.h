@@ -9,12 +9,17 @@
 
 namespace trivet::project {
 
+/// What of the results of `minimize` is made small: the largest amplitude over the band, the root mean square under the
+/// random excitations, or the magnitude under gravity and constant forces.
+enum class Minimized { amplitude, rms, at_rest };
+
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {
   std::vector<std::string> parameters;  ///< names in [parameters], of numbers and choices; empty: all
   std::vector<std::string> minimize;    ///< results with the amplitude to minimise over the band of the requirements;
                                         ///< empty: the largest least margin of the requirements
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of these
+  Minimized minimized = Minimized::amplitude;
   std::vector<double> weights;     ///< of these, for a sum of amplitudes; empty: the largest counts
   std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
   int points = 11;                 ///< of a front of two
