@@ -67,7 +67,7 @@ class Search {
  public:
   Search(const DesignObjective& objective, int starts, const foundation::Progress& progress)
       : objective_(objective), wanted_(starts), progress_(progress) {
-    result_.problem = objective.weights().empty() ? problem_of(objective) : weighted_problem(objective);
+    result_.problem = search_problem(objective);
   }
 
   DesignSearch run() {
@@ -168,7 +168,15 @@ class Search {
 
 }  // namespace
 
-MaxMinProblem search_problem(const DesignObjective& objective) { return problem_of(objective); }
+MaxMinProblem search_problem(const DesignObjective& objective) {
+  return objective.weights().empty() ? problem_of(objective) : weighted_problem(objective);
+}
+
+double reported_objective(const DesignObjective& objective, double of_search) {
+  if (!objective.weights().empty()) return -of_search * weighted_unit(objective);
+  const double least = of_search >= DesignObjective::most ? foundation::infinity : std::exp(of_search);
+  return objective.minimizes() ? 1 / least : least;
+}
 
 MaxMinProblem problem_of_requirements(const DesignObjective& objective, const std::optional<Place>& ignored) {
   MaxMinProblem problem = problem_of(objective, ignored);

@@ -28,6 +28,10 @@ struct DesignSearch {
 /// The search as asked.
 [[nodiscard]] numerics::MaxMinProblem search_problem(const DesignObjective& objective);
 
+/// The objective of such a search as it is reported: the least margin, the largest amplitude or share, the weighted
+/// sum.
+[[nodiscard]] double reported_objective(const DesignObjective& objective, double of_search);
+
 /// The largest least margin of the requirements, whatever is minimised.
 /// @param ignored  a requirement that counts as met
 [[nodiscard]] numerics::MaxMinProblem problem_of_requirements(

@@ -17,6 +17,9 @@ namespace {
 /// So many times the combinations that are optimised are judged completely with the given numbers.
 constexpr std::size_t considered_per_optimized = 4;
 constexpr std::size_t listed_others = 4;
+constexpr double met_requirements = -1e-9;  // ln of a margin
+
+using numerics::MaxMinPoint;
 
 /// A copy of the project whose only choices are those that take part.
 project::Project with_choices_of(const project::Project& project, const project::OptimizeRequest& request) {
@@ -54,8 +57,13 @@ class Combinations {
  private:
   struct Reached {
     std::size_t combination = 0;
-    double rank = -foundation::infinity;  ///< see study::rank
-    std::string reason;                   ///< why it cannot be judged
+    double constraint = -foundation::infinity;  ///< ln of the least margin of what has to be met, at most 0
+    double merit = -foundation::infinity;       ///< the least margin, or minus what is minimised
+    std::string reason;                         ///< why it cannot be judged
+
+    [[nodiscard]] bool is_better_than(const Reached& other) const {
+      return constraint != other.constraint ? constraint > other.constraint : merit > other.merit;
+    }
   };
 
   [[nodiscard]] std::vector<std::size_t> by_bound() const {
@@ -82,25 +90,30 @@ class Combinations {
   [[nodiscard]] std::vector<Reached> reached(const std::vector<std::size_t>& combinations, const char* task,
                                              const Point& point) const {
     std::vector<Reached> result(combinations.size());
-    foundation::parallel_for(combinations.size(), {.progress = progress_, .task = task},
-                             [&](std::size_t first, std::size_t last) {
-                               for (std::size_t i = first; i < last; ++i) {
-                                 result[i].combination = combinations[i];
-                                 try {
-                                   const project::Project here = all_.project(project_, combinations[i]);
-                                   const DesignObjective objective(here, request_);
-                                   result[i].rank = rank(point(objective));
-                                 } catch (const foundation::NotComputable& refused) {
-                                   result[i].reason = refused.what();
-                                 }
-                               }
-                             });
-    std::stable_sort(result.begin(), result.end(), [](const Reached& a, const Reached& b) { return a.rank > b.rank; });
+    foundation::parallel_for(
+        combinations.size(), {.progress = progress_, .task = task}, [&](std::size_t first, std::size_t last) {
+          for (std::size_t i = first; i < last; ++i) {
+            result[i].combination = combinations[i];
+            try {
+              const project::Project here = all_.project(project_, combinations[i]);
+              const DesignObjective objective(here, request_);
+              const MaxMinPoint found = point(objective);
+              result[i].constraint = found.constraint >= met_requirements ? 0 : found.constraint;
+              if (found.objective <= DesignObjective::unusable)
+                result[i].reason = objective.first_failure().empty() ? "a margin is 0" : objective.first_failure();
+              else result[i].merit = (minimizes() ? -1 : 1) * reported_objective(objective, found.objective);
+            } catch (const foundation::NotComputable& refused) {
+              result[i].reason = refused.what();
+            }
+          }
+        });
+    std::stable_sort(result.begin(), result.end(),
+                     [](const Reached& a, const Reached& b) { return a.is_better_than(b); });
     return result;
   }
 
   static void refuse_hopeless(const std::vector<Reached>& optimized) {
-    if (!std::isinf(optimized.front().rank)) return;
+    if (std::isfinite(optimized.front().constraint)) return;
     throw foundation::NotComputable("optimize: no combination of mounts can be judged: " + optimized.front().reason);
   }
 
@@ -113,14 +126,14 @@ class Combinations {
     found.combinations = all_.count();
     found.considered = considered;
     found.optimized = optimized.size();
-    const bool minimizes = !request_.minimize.empty();
     for (std::size_t i = 1; i < optimized.size() && i <= listed_others; ++i) {
-      if (optimized[i].rank <= DesignObjective::unusable) break;  // it violates a requirement, or cannot be judged
-      const double least = std::exp(optimized[i].rank);
-      found.others.push_back({all_.mounts(optimized[i].combination), minimizes ? 1 / least : least});
+      if (optimized[i].constraint < 0 || std::isinf(optimized[i].merit)) break;  // a requirement is violated
+      found.others.push_back({all_.mounts(optimized[i].combination), std::abs(optimized[i].merit)});
     }
     return result;
   }
+
+  [[nodiscard]] bool minimizes() const { return !request_.minimize.empty(); }
 
   const project::Project& project_;
   const project::OptimizeRequest& request_;

@@ -170,9 +170,7 @@ class Description {
 
   /// The objective of an end of the search, as it is reported.
   [[nodiscard]] double reported(double objective) const {
-    if (is_weighted()) return -objective * weighted_unit(objective_);
-    const double least = whole(objective);
-    return result_.minimizes ? 1 / least : least;
+    return result_.falls_short ? whole(objective) : reported_objective(objective_, objective);
   }
 
   void describe_conditions() {
