@@ -181,7 +181,8 @@ void add_verdict(CLI::App& app, Options& options) {
 void add_optimize(CLI::App& app, Options& options) {
   CLI::App* optimize = add_command(
       app, "optimize", "the values of [parameters] with the largest least margin, or the smallest amplitudes", options);
-  optimize->add_flag("--json", options.json, "JSON");
+  CLI::Option* json = optimize->add_flag("--json", options.json, "JSON");
+  optimize->add_flag("--csv", options.csv, "CSV: the parameters, or the points of a front")->excludes(json);
   add_write(*optimize, "optimum", options);
   add_picture(*optimize, "front", options);
   add_strict(optimize, options);

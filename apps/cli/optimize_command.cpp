@@ -34,8 +34,9 @@ int write_optimum(const Options& options, const project::Project& project, const
   warnings.add(study::optimum_warnings(project, found));
   const std::string written = file.write(study::optimum_changes(found));
   if (!options.json) write_problems(warnings);
-  write_output(options.json ? results::optimization_json(found)
-                            : results::optimization_text(found) + "\nThe optimum as settings:\n" +
+  write_output(options.json      ? results::optimization_json(found)
+                   : options.csv ? results::optimization_csv(found)
+                                 : results::optimization_text(found) + "\nThe optimum as settings:\n" +
                        results::optimization_settings(found) + written);
   return options.strict && !found.feasible ? over_a_limit : done;
 }
@@ -47,8 +48,9 @@ int write_front(const Options& options, const project::Project& project, const N
   const std::size_t chosen = study::chosen_point(front);
   const std::string written = file.write(study::front_changes(front, chosen));
   if (!options.json) write_problems(project.base().warnings);
-  write_output(options.json ? results::front_json(front)
-                            : results::front_text(front) +
+  write_output(options.json      ? results::front_json(front)
+                   : options.csv ? results::front_csv(front)
+                                 : results::front_text(front) +
                        fmt::format("\nPoint {}{} as settings:\n", chosen + 1, front.knee ? ", the knee," : "") +
                        results::front_settings(front, chosen) + written);
   if (picture) picture->publish(report::front_figure(front, project.title).svg);

@@ -58,6 +58,10 @@ const AnswerWriter optimize_results = {
         [](const project::Case&, const study::Answers& answers) {
           return answers.front ? json::front(*answers.front) : json::optimization(*answers.optimization);
         },
+    .tables = {{"optimum.csv",
+                [](const project::Case&, const study::Answers& answers) {
+                  return answers.front ? front_csv(*answers.front) : optimization_csv(*answers.optimization);
+                }}},
     .text =
         [](const project::Case&, const study::Answers& answers) {
           return answers.front ? front_text(*answers.front) : optimization_text(*answers.optimization);

@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
+#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/results/text_table.h"
 
@@ -136,6 +137,21 @@ json::Json json::front(const DesignFront& front) {
                                 {"residual", json::number(point.residual)},
                                 {"exchange", json::optional(point.exchange)}});
   return result;
+}
+
+std::string front_csv(const study::DesignFront& front) {
+  std::string text;
+  for (const study::FrontObjective& objective : front.objectives)
+    text += csv_field(objective.name + " [" + objective.unit + "]") + ",";
+  for (const project::DesignAxis& axis : front.parameters)
+    text += csv_field(axis.name + (axis_unit(axis).empty() ? "" : " [" + axis_unit(axis) + "]")) + ",";
+  text += "residual,knee\n";
+  for (std::size_t i = 0; i < front.points.size(); ++i) {
+    for (const double amplitude : front.points[i].amplitudes) text += csv_number(amplitude) + ",";
+    for (const double value : front.points[i].values) text += csv_number(value) + ",";
+    text += csv_number(front.points[i].residual) + (front.knee == i ? ",1\n" : ",0\n");
+  }
+  return text;
 }
 
 }  // namespace trivet::results

@@ -13,6 +13,9 @@ namespace trivet::results {
 /// A point as --set of any command.
 [[nodiscard]] std::string front_settings(const study::DesignFront& front, std::size_t point);
 
+/// One row per point: amplitudes in SI, then the parameters in their units, then the residual.
+[[nodiscard]] std::string front_csv(const study::DesignFront& front);
+
 /// Amplitudes in SI, parameters in their units.
 [[nodiscard]] std::string front_json(const study::DesignFront& front);
 

@@ -11,6 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/results/axis_words.h"
+#include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
 #include "trivet/results/selection_results.h"
 #include "trivet/results/text_table.h"
@@ -311,6 +312,17 @@ json::Json json::optimization(const Optimization& found) {
     result["others"].push_back(
         {{"values", json::list(other.values)}, {"objective", number(other.objective)}, {"starts", other.starts}});
   return result;
+}
+
+std::string optimization_csv(const Optimization& found) {
+  std::string text = "parameter,unit,from,to,given,optimum\n";
+  for (const study::OptimizedParameter& p : found.parameters)
+    text += csv_field(p.axis.name) + "," + csv_field(axis_unit(p.axis)) + "," + csv_number(p.axis.from) + "," +
+        csv_number(p.axis.to) + "," + csv_number(p.given) + "," + csv_number(p.best) + "\n";
+  for (std::size_t c = 0; found.mounts && c < found.mounts->choices.size(); ++c)
+    text += csv_field(found.mounts->choices[c].name) + ",,,,," +
+        csv_field(found.mounts->choices[c].mounts[found.mounts->chosen[c]]) + "\n";
+  return text;
 }
 
 }  // namespace trivet::results

@@ -14,4 +14,7 @@ namespace trivet::results {
 /// The settings that give the optimum: --set 'elements.mount.scale = 1.25', one per line.
 [[nodiscard]] std::string optimization_settings(const study::Optimization& found);
 
+/// One row per parameter, values in its unit, and one per choice of mounts.
+[[nodiscard]] std::string optimization_csv(const study::Optimization& found);
+
 }  // namespace trivet::results
