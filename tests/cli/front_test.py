@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fronts of `trivet optimize` against fronts in closed form."""
 import json
+import csv
+import io
 import math
 import re
 import unittest
@@ -67,6 +69,16 @@ class Front(InTemporaryFolder):
         low, high = ([f(p[i] for p in points) for i in (0, 1)] for f in (min, max))
         scaled = [[(p[i] - low[i]) / (high[i] - low[i]) for i in (0, 1)] for p in points]
         return [math.dist(a, b) for a, b in zip(scaled, scaled[1:])]
+
+    def test_csv_has_the_points(self):
+        project = self.file(TWO + BAND)
+        found = answer("optimize", project)
+        rows = list(csv.reader(io.StringIO(trivet("optimize", project, "--csv").stdout)))
+        self.assertEqual(len(rows), 1 + len(found["points"]))
+        self.assertEqual(rows[0][-2:], ["residual", "knee"])
+        for row, point in zip(rows[1:], found["points"]):
+            self.assertEqual([float(x) for x in row[:2]], point["amplitudes"])
+        self.assertEqual(sum(int(row[-1]) for row in rows[1:]), 1)
 
     def test_hyperbola_with_its_knee(self):
         found, points = self.front(TWO)
