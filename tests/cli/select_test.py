@@ -245,6 +245,46 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
         self.assertIn("NO combination", trivet("select", project).stdout)
         self.assertEqual(trivet("select", project, "--strict").returncode, 3)
 
+    def test_exchange_where_there_are_too_many_combinations(self):
+        # Two equal machines that do not touch: the best of both is twice the best of one, which is proven.
+        def machine(name, shift):
+            text = MACHINE[MACHINE.index("[bodies.m]") : MACHINE.index("[excitations.f]")]
+            text = text.replace("bodies.m]", f"bodies.{name}]\nposition = [{shift}, 0, 0]").replace('"m"', f'"{name}"')
+            text = text.replace("catalogue:soft", "catalogue:m9").replace("maker.toml", "many.toml")
+            text = text.replace("elements.front", f"elements.{name}front").replace(
+                "elements.rear", f"elements.{name}rear"
+            )
+            middle = text[text.index(f"[elements.{name}rear]") :].replace(f"{name}rear", f"{name}middle")
+            text += middle.replace("at = [-0.7, 0, 0]", "at = [0.1, 0, 0]")
+            for place in ("front", "middle", "rear"):
+                text += f"[parameters.{name}{place}]\npath = 'elements.{name}{place}.type'\ncatalogue = 'many.toml'\n"
+            return text
+
+        many = "catalogue = 1\ntitle = 'many'\nsource = 'made up'\n"
+        for k in range(36):
+            stiffness = 3e5 * 1.06**k
+            many += f"[mounts.m{k}]\nmaker = 'none'\ntranslation = [1e6, 1e6, {stiffness}]\nloss_factor = 0.1\n"
+            many += f"static_load = [{0.0015 * stiffness}, {0.0075 * stiffness}]\n"
+        self.file(many, "many.toml")
+        head = f"trivet = 1\ngravity = [0, 0, -{G}]\n"
+        required = '[requirements]\nmount_load = "catalogue"\nnatural_frequencies = {avoid = [["5 Hz", "6 Hz"]]}\n'
+        one = self.selected(head + machine("a", 0) + required, "--most", "1")
+        both = self.selected(head + machine("a", 0) + machine("b", 5) + required, "--most", "3")
+        self.assertEqual(one["combinations"], 36**3)
+        self.assertEqual(both["all_combinations"], 36**6)
+        self.assertLess(both["combinations"], 36**5)
+        self.assertAlmostEqual(both["best"][0]["margin"] / one["best"][0]["margin"], 1, DIGITS)
+        self.assertEqual(len(both["choices"]), 6)
+        self.assertTrue(all(len(choice["mounts"]) == 36 for choice in both["choices"]))
+
+    def test_loads_across_mounts_without_a_range_are_not_judged(self):
+        inclined = MACHINE.replace('axis = "z"\n[excitations', 'axis = [0.3, 0, 1]\n[excitations').replace(
+            'free = ["z", "ry"]', 'free = ["x", "z", "ry"]'
+        )
+        done = trivet("select", self.file(inclined + '[requirements]\nmount_load = "catalogue"\n'))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no combination of mounts can be judged", done.stderr)
+
     def test_genset_of_the_examples(self):
         found = answer("select", str(SOURCE / "examples/genset/mounts.toml"))
         self.assertEqual(found["combinations"], 12**3)

@@ -57,18 +57,31 @@ std::vector<std::string> design_row(const MountSelection& found, const std::stri
   return row;
 }
 
-std::string search_text(const MountSelection& found) {
+bool is_exchange(const MountSelection& found) { return found.all_combinations > found.combinations; }
+
+std::string judged_text(const MountSelection& found) {
   std::string text = fmt::format("{} combination{} of mounts", found.combinations, found.combinations == 1 ? "" : "s");
   for (std::size_t i = 0; i < found.failed.size(); ++i)
-    text +=
-        fmt::format("{}{} by {}", i == 0 ? "; falls out: " : ", ", found.failed[i].combinations, found.failed[i].test);
+    text += fmt::format("{}{} {}", i == 0 ? "; first failed requirement: " : ", ", found.failed[i].test,
+                        found.failed[i].combinations);
   text += ". ";
   if (found.curves > 0)
-    text += fmt::format("Of {} amplitudes and peaks were computed exactly, without models. ", found.curves);
-  text += fmt::format("Of {} every requirement was computed", found.judged);
+    text +=
+        fmt::format("Amplitudes and peaks of {} combinations were computed exactly, without models. ", found.curves);
+  text += fmt::format("All requirements of {} were computed", found.judged);
   if (found.judged < found.combinations)
-    text += "; a bound of the margin proves that no other one belongs into these tables";
-  text += ".\n";
+    text += "; a bound of the margin proves that no other combination can be in these tables";
+  return text + ".\n";
+}
+
+std::string search_text(const MountSelection& found) {
+  std::string text = is_exchange(found)
+      ? fmt::format(
+            "Best found of {} combinations, too many to judge all: mounts of a few choices at a time were "
+            "exchanged and {} combinations judged, all requirements of {}. No such exchange gains anything; that "
+            "proves nothing about the others.\n",
+            found.all_combinations, found.combinations, found.judged)
+      : judged_text(found);
   if (!found.without_curves.empty())
     text += "Amplitudes and peaks were computed one by one: " + found.without_curves + ".\n";
   if (!found.without_bounds.empty())
@@ -90,7 +103,7 @@ std::string options_text(const MountSelection& found) {
         ++left_out;
         continue;
       }
-      table.add({found.choices[c].mounts[option.mount], margin_words(option.best), option.best.met ? "" : "falls out",
+      table.add({found.choices[c].mounts[option.mount], margin_words(option.best), option.best.met ? "" : "infeasible",
                  governing_words(option.best)});
     }
     text += table.text();
@@ -130,8 +143,10 @@ std::string selection_text(const MountSelection& found) {
   for (std::size_t i = 0; i < found.best.size(); ++i)
     table.add(design_row(found, std::to_string(i + 1), found.best[i]));
   table.add(design_row(found, "given", found.given));
-  return text + table.text() + "\n" + "What each mount reaches with the best of the others:\n" + options_text(found) +
-      search_text(found);
+  return text + table.text() + "\n" +
+      (is_exchange(found) ? "What each mount reaches with the others of the first combination:\n"
+                          : "What each mount reaches with the best of the others:\n") +
+      options_text(found) + search_text(found);
 }
 
 std::string mount_settings(const std::vector<project::MountChoice>& choices, const std::vector<std::size_t>& mounts) {
@@ -152,7 +167,8 @@ std::string selection_settings(const MountSelection& found) {
 
 std::string selection_json(const MountSelection& found) {
   using json::Json;
-  Json result = {{"combinations", found.combinations},
+  Json result = {{"all_combinations", found.all_combinations},
+                 {"combinations", found.combinations},
                  {"curves", found.curves},
                  {"without_curves", found.without_curves},
                  {"judged", found.judged},

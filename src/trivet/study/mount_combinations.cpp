@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "trivet/assembly/loads.h"
@@ -21,7 +22,8 @@
 namespace trivet::study {
 namespace {
 
-constexpr std::size_t most_combinations = 1000000;
+/// Of more their numbers overflow.
+constexpr std::size_t most_combinations = 1000000000000000000;
 /// Sums differ from assembled models by at most this share of the largest entry.
 constexpr double sum_tolerance = 1e-11;
 /// Smaller ω² as a share of the largest are those of free motions.
@@ -170,9 +172,9 @@ MountCombinations::MountCombinations(const project::Project& project, std::vecto
   for (const project::MountChoice& choice : choices_) {
     if (choice.mounts.size() > most_combinations / count_)
       throw foundation::InvalidInput(fmt::format(
-          "choices of mounts: more than {} combinations of mounts; let more places share one choice, or name fewer "
+          "choices of mounts: more than {:.0e} combinations; let more places share one choice, or name fewer "
           "mounts in choices",
-          most_combinations));
+          static_cast<double>(most_combinations)));
     strides_.push_back(count_);
     count_ *= choice.mounts.size();
   }
@@ -261,7 +263,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
 void MountCombinations::compare_with_assembled() const {
   constexpr std::size_t compared = 6;
   for (std::size_t i = 0; i < compared; ++i) {
-    const std::size_t combination = (count_ - 1) * i / (compared - 1);
+    const std::size_t combination = i + 1 == compared ? count_ - 1 : (count_ - 1) / (compared - 1) * i;
     const std::vector<std::size_t> numbers = mounts(combination);
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
@@ -331,19 +333,32 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   return result;
 }
 
-std::vector<MountCombinations::Bound> MountCombinations::bounds(const foundation::Progress& progress) const {
-  std::vector<Bound> result(count_, {foundation::infinity, MountTest::none});
+std::vector<MountCombinations::Bound> MountCombinations::bounds(const std::vector<std::size_t>& combinations,
+                                                                const foundation::Progress& progress) const {
+  std::vector<Bound> result(combinations.size(), {foundation::infinity, MountTest::none});
   if (!without_bounds_.empty()) return result;
   constexpr std::size_t piece = 256;
-  foundation::parallel_for(count_, {.size = piece, .progress = progress, .task = "loads and natural frequencies"},
+  foundation::parallel_for(combinations.size(),
+                           {.size = piece, .progress = progress, .task = "loads and natural frequencies"},
                            [&](std::size_t first, std::size_t last) {
                              for (std::size_t i = first; i < last; ++i)
                                for (const Sums& sums : sums_) {
-                                 const Bound here = bound(sums, mounts(i));
+                                 const Bound here = bound(sums, mounts(combinations[i]));
                                  result[i].margin = std::min(result[i].margin, here.margin);
                                  if (result[i].failed == MountTest::none) result[i].failed = here.failed;
                                }
                            });
+  return result;
+}
+
+std::vector<std::size_t> MountCombinations::all() const {
+  if (count_ > most_judged_combinations)
+    throw foundation::InvalidInput(
+        fmt::format("choices of mounts: {:.3g} combinations, more than {}; let more places share one choice, or name "
+                    "fewer mounts in choices",
+                    static_cast<double>(count_), most_judged_combinations));
+  std::vector<std::size_t> result(count_);
+  std::iota(result.begin(), result.end(), std::size_t{0});
   return result;
 }
 

@@ -14,6 +14,9 @@ namespace trivet::study {
 enum class MountTest : std::uint8_t { none, price, mass, load, deflection, natural_frequencies, curves };
 inline constexpr std::size_t mount_tests = 7;
 
+/// More combinations than this are not all judged.
+inline constexpr std::size_t most_judged_combinations = 1000000;
+
 /// All combinations of the mounts of a project's choices, with a bound of the least margin of each that takes
 /// microseconds.
 ///
@@ -37,6 +40,10 @@ class MountCombinations {
   }
   /// Of each choice.
   [[nodiscard]] std::vector<std::size_t> mounts(std::size_t combination) const;
+  /// The combination with another mount of one choice.
+  [[nodiscard]] std::size_t with(std::size_t combination, std::size_t choice, std::size_t mount) const {
+    return combination + strides_[choice] * mount - strides_[choice] * this->mount(combination, choice);
+  }
   /// The model of a case with one mount of one choice, otherwise as given.
   /// @throws foundation::NotComputable if it is not valid
   [[nodiscard]] model::System system_with(const project::Case& variant, std::size_t choice, std::size_t mount) const;
@@ -52,7 +59,10 @@ class MountCombinations {
     double margin = 0;
     MountTest failed = MountTest::none;
   };
-  [[nodiscard]] std::vector<Bound> bounds(const foundation::Progress& progress) const;
+  [[nodiscard]] std::vector<Bound> bounds(const std::vector<std::size_t>& combinations,
+                                          const foundation::Progress& progress) const;
+  /// The numbers of all. @throws foundation::InvalidInput if there are more than `most_judged_combinations`
+  [[nodiscard]] std::vector<std::size_t> all() const;
   /// Why there are no bounds; empty if there are.
   [[nodiscard]] const std::string& without_bounds() const { return without_bounds_; }
 

@@ -11,15 +11,17 @@
 #include "trivet/foundation/parallel_for.h"
 
 namespace trivet::study {
-MountRanking::MountRanking(const MountCombinations& all, const MountCurves& curves, Judge judge,
-                           const foundation::Progress& progress)
+
+MountRanking::MountRanking(const MountCombinations& all, const MountCurves& curves,
+                           std::vector<std::size_t> combinations, Judge judge, const foundation::Progress& progress)
     : all_(all),
       curves_(curves),
+      list_(std::move(combinations)),
       judge_(std::move(judge)),
       progress_(progress),
-      sums_(all.bounds(progress)),
-      has_curves_(all.count(), false),
-      order_(all.count()) {
+      sums_(all.bounds(list_, progress)),
+      has_curves_(list_.size(), false),
+      order_(list_.size()) {
   for (const MountCombinations::Bound& bound : sums_) bounds_.push_back(bound.margin);
   Combinations left;
   for (std::size_t i = 0; i < sums_.size(); ++i)
@@ -39,7 +41,9 @@ void MountRanking::lower(const Combinations& batch) {
   Combinations unknown;
   std::copy_if(batch.begin(), batch.end(), std::back_inserter(unknown),
                [&](std::size_t combination) { return !has_curves_[combination]; });
-  const std::vector<double> margins = curves_.margins(unknown, progress_);
+  std::vector<std::size_t> numbers;
+  for (const std::size_t place : unknown) numbers.push_back(list_[place]);
+  const std::vector<double> margins = curves_.margins(numbers, progress_);
   for (std::size_t i = 0; i < unknown.size(); ++i) {
     bounds_[unknown[i]] = std::min(bounds_[unknown[i]], margins[i]);
     has_curves_[unknown[i]] = true;
@@ -96,7 +100,7 @@ std::vector<MountDesign> MountRanking::best_of(const Combinations& ordered, std:
 
 std::vector<MountDesign> MountRanking::best_with_each(std::size_t choice) {
   std::vector<Combinations> with(all_.choices()[choice].mounts.size());
-  for (const std::size_t combination : order_) with[all_.mount(combination, choice)].push_back(combination);
+  for (const std::size_t combination : order_) with[all_.mount(list_[combination], choice)].push_back(combination);
   std::vector<MountDesign> designs;
   for (const Combinations& ordered : with) designs.push_back(best_of(ordered, 1).front());
   return designs;
@@ -109,7 +113,7 @@ void MountRanking::judge(const Combinations& batch) {
   std::vector<MountDesign> designs(missing.size());
   foundation::parallel_for(missing.size(), {.progress = progress_, .task = "all requirements"},
                            [&](std::size_t first, std::size_t last) {
-                             for (std::size_t i = first; i < last; ++i) designs[i] = judge_(missing[i]);
+                             for (std::size_t i = first; i < last; ++i) designs[i] = judge_(list_[missing[i]]);
                            });
   for (std::size_t i = 0; i < missing.size(); ++i) {
     constexpr double round_off = 1e-6;

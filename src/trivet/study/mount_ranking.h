@@ -21,12 +21,12 @@ class MountRanking {
   /// All requirements of one combination.
   using Judge = std::function<MountDesign(std::size_t)>;
 
-  /// Computes the curves of all combinations that meet the other tests. @param all, curves, progress  used by the
-  /// result
-  MountRanking(const MountCombinations& all, const MountCurves& curves, Judge judge,
-               const foundation::Progress& progress);
+  /// Computes the curves of those combinations that meet the other tests.
+  /// @param all, curves, progress  used by the result
+  MountRanking(const MountCombinations& all, const MountCurves& curves, std::vector<std::size_t> combinations,
+               Judge judge, const foundation::Progress& progress);
 
-  /// The best `most` of all combinations, by descending margin.
+  /// The best `most` of the combinations, by descending margin.
   [[nodiscard]] std::vector<MountDesign> best(std::size_t most) { return best_of(order_, most); }
   /// The best combination with each mount of a choice.
   [[nodiscard]] std::vector<MountDesign> best_with_each(std::size_t choice);
@@ -38,7 +38,7 @@ class MountRanking {
   [[nodiscard]] const std::array<std::size_t, mount_tests>& failed() const { return failed_; }
 
  private:
-  using Combinations = std::vector<std::size_t>;
+  using Combinations = std::vector<std::size_t>;  ///< places in `list_`
 
   /// @param ordered  by descending bound from the sums
   [[nodiscard]] std::vector<MountDesign> best_of(const Combinations& ordered, std::size_t most);
@@ -48,6 +48,7 @@ class MountRanking {
 
   const MountCombinations& all_;
   const MountCurves& curves_;
+  std::vector<std::size_t> list_;
   Judge judge_;
   const foundation::Progress& progress_;
   std::vector<MountCombinations::Bound> sums_;  ///< bounds from the sums

@@ -67,9 +67,8 @@ class Combinations {
   };
 
   [[nodiscard]] std::vector<std::size_t> by_bound() const {
-    const std::vector<MountCombinations::Bound> bounds = all_.bounds(progress_);
-    std::vector<std::size_t> order(all_.count());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order = all_.all();
+    const std::vector<MountCombinations::Bound> bounds = all_.bounds(order, progress_);
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return bounds[a].margin > bounds[b].margin; });
     return order;

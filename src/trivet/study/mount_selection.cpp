@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/mount_selection.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
-#include <numeric>
-#include <unordered_map>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/foundation/parallel_for.h"
 #include "trivet/project/analyses/transmissibility_question.h"
+#include "trivet/study/mount_exchange.h"
 #include "trivet/study/mount_ranking.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_values.h"
@@ -86,6 +81,23 @@ std::vector<MountSelection::Failed> failed_tests(const MountRanking& ranking) {
   return result;
 }
 
+/// The best combinations, and the best with each mount of each choice.
+MountSelection ranked(MountRanking& ranking, std::size_t choices, std::size_t most) {
+  MountSelection result;
+  result.failed = failed_tests(ranking);
+  result.best = ranking.best(most);
+  for (std::size_t c = 0; c < choices; ++c) {
+    const std::size_t first = result.options.size();
+    for (MountDesign& best : ranking.best_with_each(c))
+      result.options.push_back({c, result.options.size() - first, std::move(best)});
+    std::stable_sort(result.options.begin() + static_cast<std::ptrdiff_t>(first), result.options.end(),
+                     [](const MountOption& a, const MountOption& b) { return a.best.margin > b.best.margin; });
+  }
+  result.curves = ranking.curve_count();
+  result.judged = ranking.judged_count();
+  return result;
+}
+
 }  // namespace
 
 MountSelection mount_selection(const project::Project& project, std::size_t most,
@@ -96,33 +108,29 @@ MountSelection mount_selection(const project::Project& project, std::size_t most
         "select: neither requirements nor limits; add [requirements] with mount_load = \"catalogue\", limits = "
         "{\"BODY.x\" = \"1 mm\"}, natural_frequencies = {avoid = [[\"22 Hz\", \"28 Hz\"]]} …");
   const MountCombinations all(project, deciding_cases(project));
-  MountSelection result;
-  result.choices = all.choices();
-  for (const project::Case* variant : all.cases()) result.cases.push_back(variant->name);
-  result.combinations = all.count();
-  result.without_bounds = all.without_bounds();
-  result.given = judged(all.cases(), [](const project::Case& variant) { return variant.system; });
-  if (!result.given.reason.empty()) throw foundation::NotComputable("select: " + result.given.reason);
   const MountCurves curves(all);
-  result.without_curves = curves.reason();
   const auto judged_combination = [&](std::size_t combination) {
     MountDesign design =
         judged(all.cases(), [&](const project::Case& variant) { return all.system(variant, combination); });
     design.mounts = all.mounts(combination);
     return design;
   };
-  MountRanking ranking(all, curves, judged_combination, progress);
-  result.failed = failed_tests(ranking);
-  result.best = ranking.best(most);
-  for (std::size_t c = 0; c < all.choices().size(); ++c) {
-    const std::size_t first = result.options.size();
-    for (MountDesign& best : ranking.best_with_each(c))
-      result.options.push_back({c, result.options.size() - first, std::move(best)});
-    std::stable_sort(result.options.begin() + static_cast<std::ptrdiff_t>(first), result.options.end(),
-                     [](const MountOption& a, const MountOption& b) { return a.best.margin > b.best.margin; });
+  MountSelection result;
+  if (all.count() > most_judged_combinations) {
+    result = MountExchange(all, curves, judged_combination, most, progress).run();
+  } else {
+    MountRanking ranking(all, curves, all.all(), judged_combination, progress);
+    result = ranked(ranking, all.choices().size(), most);
+    result.combinations = all.count();
   }
-  result.curves = ranking.curve_count();
-  result.judged = ranking.judged_count();
+  result.choices = all.choices();
+  for (const project::Case* variant : all.cases()) result.cases.push_back(variant->name);
+  result.all_combinations = all.count();
+  result.without_bounds = all.without_bounds();
+  result.without_curves = curves.reason();
+  result.given = judged(all.cases(), [](const project::Case& variant) { return variant.system; });
+  if (const std::string& reason = result.best.front().reason; !reason.empty())
+    throw foundation::NotComputable("select: no combination of mounts can be judged: " + reason);
   return result;
 }
 

@@ -35,7 +35,9 @@ struct MountOption {
 struct MountSelection {
   std::vector<project::MountChoice> choices;
   std::vector<std::string> cases;  ///< in which a design has to hold
-  std::size_t combinations = 0;
+  std::size_t combinations = 0;    ///< that were judged, completely or by a bound
+  std::size_t all_combinations =
+      0;  ///< more than these if mounts were exchanged: then nothing is proven about the others
   /// Combinations that fail a test, each counted at the first one.
   struct Failed {
     std::string test;
@@ -51,8 +53,8 @@ struct MountSelection {
   std::vector<MountOption> options;  ///< every mount, in the order of the choices, each by descending margin
 };
 
-/// The combinations of mounts with the largest least margins. All are judged: completely, or by a bound below which
-/// they cannot be among the best.
+/// The combinations of mounts with the largest least margins. Up to a million all are judged: completely, or by a bound
+/// below which they cannot be among the best. Of more, mounts are exchanged (mount_exchange.h).
 /// @param most  number of designs in `best`
 /// @throws foundation::InvalidInput without choices or requirements; NotComputable if a requirement cannot be judged
 [[nodiscard]] MountSelection mount_selection(const project::Project& project, std::size_t most,
