@@ -11,15 +11,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// dZ/dλ by a central difference along the real axis of λ; Z is analytic, so the step may be as coarse as ε^(1/3).
-Eigen::MatrixXcd slope(const assembly::Assembled& assembled, Complex lambda) {
-  const double step = 6e-6 * std::abs(lambda), near = lambda.imag();
-  const Complex minus_i(0, -1);
-  return (assembled.dynamic_stiffness(minus_i * (lambda + step), near) -
-          assembled.dynamic_stiffness(minus_i * (lambda - step), near)) /
-      (2 * step);
-}
-
 /// True if all elements have a dynamic stiffness at this frequency.
 bool is_defined(const assembly::Assembled& assembled, double omega) {
   return omega > 0 &&
@@ -29,6 +20,15 @@ bool is_defined(const assembly::Assembled& assembled, double omega) {
 }
 
 }  // namespace
+
+Eigen::MatrixXcd stiffness_slope(const assembly::Assembled& assembled, Complex lambda) {
+  // A central difference along the real axis of λ; Z is analytic, so the step may be as coarse as ε^(1/3).
+  const double step = 6e-6 * std::abs(lambda), near = lambda.imag();
+  const Complex minus_i(0, -1);
+  return (assembled.dynamic_stiffness(minus_i * (lambda + step), near) -
+          assembled.dynamic_stiffness(minus_i * (lambda - step), near)) /
+      (2 * step);
+}
 
 ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const Eigen::VectorXcd& shape) {
   constexpr int most_steps = 25;
@@ -44,7 +44,7 @@ ExactRoot exact_root(const assembly::Assembled& assembled, Complex start, const 
       return {start, shape, false};
     const Eigen::MatrixXcd z =
         scale.asDiagonal() * assembled.dynamic_stiffness(Complex(0, -1) * lambda, lambda.imag()) * scale.asDiagonal();
-    const Eigen::MatrixXcd rate = scale.asDiagonal() * slope(assembled, lambda) * scale.asDiagonal();
+    const Eigen::MatrixXcd rate = scale.asDiagonal() * stiffness_slope(assembled, lambda) * scale.asDiagonal();
     const Eigen::VectorXcd right = rate * v, u = numerics::lu_solution(z, right);
     const Complex share = v.dot(u);
     if (!std::isfinite(std::abs(share))) {

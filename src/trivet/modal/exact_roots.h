@@ -20,4 +20,7 @@ struct ExactRoot {
 [[nodiscard]] ExactRoot exact_root(const assembly::Assembled& assembled, std::complex<double> start,
                                    const Eigen::VectorXcd& shape);
 
+/// dZ/dλ of the exact Z(−iλ), to about ten digits.
+[[nodiscard]] Eigen::MatrixXcd stiffness_slope(const assembly::Assembled& assembled, std::complex<double> lambda);
+
 }  // namespace trivet::modal

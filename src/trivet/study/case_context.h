@@ -51,6 +51,9 @@ class CaseContext {
 /// ground is not defined
 void require_rigid_ground(const CaseContext& context, const std::string& question);
 
+/// The quantity that a limit line bounds, from its unit.
+[[nodiscard]] assembly::MotionQuantity quantity_of(const response::LimitLine& line);
+
 /// @throws foundation::NotComputable with the reason if there is no answer
 [[nodiscard]] std::vector<LimitLineResult> limit_line_answer(const CaseContext& context,
                                                              const std::vector<project::LimitLineRequest>& requests,

@@ -8,12 +8,22 @@
 
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/study/nearest_to_line.h"
 
 namespace trivet::study {
 namespace {
 
 using assembly::MotionQuantity;
 using foundation::infinity;
+
+/// True if a maximum is there already, as a peak: it must not take two places.
+bool is_known(const std::vector<RequirementResult::Candidate>& candidates, double omega) {
+  constexpr double same = 1e-9;
+  return std::any_of(candidates.begin(), candidates.end(), [&](const RequirementResult::Candidate& one) {
+    return std::abs(one.angular_frequency - omega) <= same * omega;
+  });
+}
 
 class CurveRequirements {
  public:
@@ -87,6 +97,9 @@ class CurveRequirements {
         result.margin = found.comparison.least_margin;
         result.value = result.margin > 0 ? 1 / result.margin : infinity;  // share of the line
         result.angular_frequency = found.comparison.least_margin_at;
+        result.quantity = quantity_of(line.line);
+        result.excitations = analyses_.response->selection.excitations;
+        result.candidates = maxima_below_line(result, line.line, found.comparison);
       });
     }
   }
@@ -118,9 +131,28 @@ class CurveRequirements {
     std::vector<RequirementResult::Candidate> result;
     for (const design::LargestAmplitude& one :
          design::maxima_in_band(c_.assembled, channels, loading, found, rule, set.band))
-      if (std::isfinite(one.angular_frequency))
+      if (std::isfinite(one.angular_frequency) && !is_known(result, one.angular_frequency))
         result.push_back({design::margin(set.rules[rule], one.amplitude), one.angular_frequency, 0, 0});
     return result;
+  }
+
+  /// The places where a curve comes near its line, refined: their frequencies decide the slopes.
+  std::vector<RequirementResult::Candidate> maxima_below_line(const RequirementResult& result,
+                                                              const response::LimitLine& line,
+                                                              const response::LimitComparison& found) const {
+    constexpr double near = 2;  // times the least margin
+    const DrivenResult driven(c_.system, c_.assembled, result.subject, result.quantity, result.excitations);
+    std::vector<RequirementResult::Candidate> places;
+    const auto margin = [&](std::size_t i) { return found.margin(to_index(i)); };
+    for (std::size_t i = 0; i < found.angular_frequency.size(); ++i) {
+      const bool least = (i == 0 || margin(i) < margin(i - 1)) &&
+          (i + 1 == found.angular_frequency.size() || margin(i) <= margin(i + 1));
+      if (!least || !(margin(i) > 0 && margin(i) <= near * found.least_margin)) continue;
+      const ComparedPlace place =
+          nearest_to_line(driven, line, found.compared, {found.angular_frequency[i], margin(i)});
+      places.push_back({place.margin, place.angular_frequency, 0, 0});
+    }
+    return places;
   }
 
   static std::vector<RequirementResult::Candidate> peaks_beside_minima(const design::DesignRule& rule,

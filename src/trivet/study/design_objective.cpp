@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -11,7 +10,9 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_neighbours.h"
+#include "trivet/study/frequency_slopes.h"
 #include "trivet/study/packed_slopes.h"
+#include "trivet/study/requirement_slopes.h"
 #include "trivet/study/requirement_values.h"
 
 namespace trivet::study {
@@ -23,15 +24,20 @@ constexpr std::size_t most_candidates = 8;
 /// Room for measures above 0: of peaks that are not gone, but lower than the least prominence that counts.
 constexpr double not_gone = 5;
 
-/// Requirements with exact slopes.
-bool is_exact(RequirementKind kind) {
-  return kind == RequirementKind::amplitude || kind == RequirementKind::no_peak ||
-      kind == RequirementKind::avoided_frequencies || kind == RequirementKind::separation;
-}
-
 std::size_t places_of(RequirementKind kind) {
-  const bool several = is_exact(kind) || kind == RequirementKind::damping_ratio || kind == RequirementKind::decoupling;
-  return several ? most_candidates : 1;
+  switch (kind) {
+    case RequirementKind::amplitude:
+    case RequirementKind::no_peak:
+    case RequirementKind::limit_line:
+    case RequirementKind::mount_dynamic_deflection:
+    case RequirementKind::avoided_frequencies:
+    case RequirementKind::separation:
+    case RequirementKind::damping_ratio:
+    case RequirementKind::decoupling:
+      return most_candidates;
+    default:
+      return 1;
+  }
 }
 
 double logarithm(double margin) {
@@ -56,30 +62,47 @@ std::vector<RequirementResult::Candidate> nearest(const RequirementResult& resul
 /// Sums over the chosen mounts: no parameter of a search moves them.
 bool is_constant(RequirementKind kind) { return kind == RequirementKind::price || kind == RequirementKind::mount_mass; }
 
-/// Requirements without those that have exact slopes.
-/// @param covered  kinds that a family judges
-project::Analyses without_exact(project::Analyses analyses, const std::set<RequirementKind>& covered) {
+/// Only the requirements whose slopes are differences of their values. The clearances are those of the model.
+project::Analyses differenced_alone(project::Analyses analyses, const std::vector<RequirementResult>& given,
+                                    const model::System& system) {
   analyses.limits.clear();
+  analyses.limit_lines.clear();
   if (!analyses.requirements) return analyses;
-  project::Requirements& required = *analyses.requirements;
-  required.limits.clear();
-  required.no_peak.clear();
-  required.avoided.clear();
-  required.separation = 0;
-  required.price.reset();
-  required.mass = 0;
-  if (covered.contains(RequirementKind::decoupling)) required.decoupling.clear();
-  if (covered.contains(RequirementKind::static_value)) required.statics.clear();
-  if (covered.contains(RequirementKind::mount_load) || covered.contains(RequirementKind::mount_deflection))
-    required.mount_load = false;
+  const project::Requirements& all = *analyses.requirements;
+  project::Requirements differenced;
+  differenced.band = all.band;
+  differenced.excitations = all.excitations;
+  differenced.largest = all.largest;
+  if (RequirementSlopes::are_missing(RequirementKind::rms, system)) differenced.rms = all.rms;
+  differenced.mount_load = std::any_of(given.begin(), given.end(), [](const RequirementResult& result) {
+    return result.kind == RequirementKind::mount_shock_deflection;
+  });
+  analyses.requirements = std::move(differenced);
   return analyses;
 }
 
-/// Margin of the same mode or root next to a design.
-double margin_at(const RequirementResult& there, const RequirementResult::Candidate& candidate) {
-  for (const RequirementResult::Candidate& one : there.candidates)
-    if (one.mode == candidate.mode) return one.margin;
-  return there.margin;
+bool is_same(const RequirementResult& a, const RequirementResult& b) {
+  return a.kind == b.kind && a.subject == b.subject && a.direction == b.direction;
+}
+
+/// A requirement in the list of another model with fewer requirements: of the same kind, subject and direction, and if
+/// there are several, such as limits of displacement and velocity, in the same order.
+const RequirementResult& counterpart(const std::vector<RequirementResult>& found, std::size_t result,
+                                     const std::vector<RequirementResult>& there) {
+  std::size_t before = 0;
+  for (std::size_t r = 0; r < result; ++r)
+    if (is_same(found[r], found[result])) ++before;
+  for (const RequirementResult& one : there)
+    if (is_same(one, found[result]) && before-- == 0) return one;
+  throw foundation::NotComputable("a neighbouring design has other requirements");
+}
+
+/// True if two or more modes share the frequency of a candidate, which a family has no slopes for.
+bool is_of_repeated_frequency(const modal::Modes& modes, RequirementKind kind,
+                              const RequirementResult::Candidate& candidate) {
+  if (kind != RequirementKind::avoided_frequencies && kind != RequirementKind::separation) return false;
+  return is_repeated_frequency(modes, candidate.mode) ||
+      (kind == RequirementKind::separation && is_repeated_frequency(modes, candidate.mode + 1));
 }
 
 /// In some designs a mount has a load in a direction without a range: one more result, which is not judged.
@@ -143,6 +166,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
         is_objective_.push_back(!minimizes_ || is_objective(r));
       }
     }
+    differenced_requirements_.push_back(differenced_alone(asked_[c], given, cases_[c]->system));
   }
   if (places_.empty())
     throw foundation::InvalidInput(
@@ -159,8 +183,7 @@ const std::vector<CaseFamily>& DesignObjective::families() const {
 }
 
 bool DesignObjective::is_differenced(std::size_t c, std::size_t r) const {
-  const RequirementKind kind = given_[c][r].kind;
-  return !is_exact(kind) && !is_constant(kind) && !families()[c].covers(r);
+  return RequirementSlopes::are_missing(given_[c][r].kind, cases_[c]->system);
 }
 
 std::vector<std::string> DesignObjective::differenced() const {
@@ -171,13 +194,6 @@ std::vector<std::string> DesignObjective::differenced() const {
       if (is_differenced(c, r) && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
     }
   return kinds;
-}
-
-project::Analyses DesignObjective::differenced_requirements(std::size_t c) const {
-  std::set<RequirementKind> covered;
-  for (std::size_t r = 0; r < given_[c].size(); ++r)
-    if (families()[c].covers(r)) covered.insert(given_[c][r].kind);
-  return without_exact(asked_[c], covered);
 }
 
 /// The objectives are the last results of their kind.
@@ -332,18 +348,24 @@ void DesignObjective::set_slopes(std::size_t c, const CaseContext& context, cons
                                  const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
                                  std::optional<DesignNeighbours>& neighbours, Eigen::MatrixXd& slopes) const {
   std::optional<PackedSlopes> of_family;
+  std::optional<RequirementSlopes> of_models;
   bool differenced = false;
   for (std::size_t r = 0; r < found.size(); ++r) {
-    if (smooth[r].candidates.empty() || is_constant(found[r].kind)) continue;
-    const bool covered = families()[c].covers(r);
-    if (covered && !of_family)
+    const std::vector<RequirementResult::Candidate>& candidates = smooth[r].candidates;
+    if (candidates.empty() || is_constant(found[r].kind)) continue;
+    const bool by_family = families()[c].covers(r) &&
+        std::none_of(candidates.begin(), candidates.end(), [&](const RequirementResult::Candidate& one) {
+                             return is_of_repeated_frequency(context.modes, found[r].kind, one);
+                           });
+    if (by_family && !of_family)
       of_family.emplace(families()[c].packed(), families()[c].family().at(design),
                         families()[c].family().slopes(design));
-    if (!covered && !neighbours) neighbours.emplace(space_, *cases_[c], design);
+    if (!by_family && !neighbours) neighbours.emplace(space_, *cases_[c], design);
     differenced = differenced || is_differenced(c, r);
     if (is_differenced(c, r)) continue;
-    const Eigen::MatrixXd exact = covered ? of_family->slopes(r, found[r], smooth[r].candidates)
-                                          : neighbours->slopes(context, found[r], smooth[r].candidates);
+    if (!by_family && !of_models) of_models.emplace(context, *neighbours);
+    const Eigen::MatrixXd exact =
+        by_family ? of_family->slopes(r, found[r], candidates) : of_models->of(found[r], candidates);
     for (std::size_t i = 0; i < smooth[r].rows.size(); ++i) slopes.row(smooth[r].rows[i]) = exact.row(to_index(i));
   }
   if (differenced) add_differences(c, found, smooth, *neighbours, slopes);
@@ -372,8 +394,7 @@ DesignObjective::Smooth DesignObjective::set_values(const RequirementResult& res
   Smooth smooth;
   for (const RequirementResult::Candidate& candidate : nearest(result)) {
     values(place) = logarithm(candidate.margin);
-    const bool curve_at_rest = is_exact(result.kind) && candidate.angular_frequency == 0;
-    if (values(place) > unusable && values(place) < most && !curve_at_rest) {
+    if (values(place) > unusable && values(place) < most) {
       smooth.candidates.push_back(candidate);
       smooth.rows.push_back(place);
     }
@@ -410,10 +431,10 @@ std::vector<DesignObjective::Absence> DesignObjective::set_absences(std::size_t 
 void DesignObjective::add_absences(const std::vector<Absence>& absences, const std::vector<RequirementResult>& found,
                                    const DesignNeighbours& neighbours, double reference, Eigen::MatrixXd& slopes) {
   for (const Absence& one : absences)
-    for (std::size_t j = 0; j < neighbours.all().size(); ++j)
-      for (const DesignNeighbours::Neighbour& next : neighbours.all()[j])
+    for (std::size_t j = 0; j < neighbours.parameters(); ++j)
+      for (const response::WeightedModel& next : neighbours.along(j))
         slopes(one.row, to_index(j)) -=
-            next.weight * absence_measure(*next.system, next.assembled, found[one.result], one.place, reference);
+            next.weight * absence_measure(*next.system, *next.assembled, found[one.result], one.place, reference);
 }
 
 std::vector<std::optional<AbsentPeak>> DesignObjective::absent_peaks_at(std::size_t result_case,
@@ -433,20 +454,17 @@ std::vector<std::optional<AbsentPeak>> DesignObjective::absent_peaks_at(std::siz
 void DesignObjective::add_differences(std::size_t c, const std::vector<RequirementResult>& found,
                                       const std::vector<Smooth>& smooth, const DesignNeighbours& neighbours,
                                       Eigen::MatrixXd& slopes) const {
-  std::vector<std::size_t> differenced;
-  for (std::size_t r = 0; r < found.size(); ++r)
-    if (is_differenced(c, r)) differenced.push_back(r);
   const foundation::Progress silent;
   foundation::Problems warnings;
-  const project::Analyses asked = differenced_requirements(c);
   for (std::size_t j = 0; j < space_.size(); ++j)
-    for (const DesignNeighbours::Neighbour& neighbour : neighbours.all()[j]) {
-      const CaseContext context(*neighbour.system, silent);
-      const std::vector<RequirementResult> there = requirement_values(context, asked, warnings);
-      for (std::size_t i = 0; i < there.size(); ++i) {
-        const Smooth& here = smooth[differenced[i]];
-        for (std::size_t k = 0; k < here.rows.size(); ++k)
-          slopes(here.rows[k], to_index(j)) += neighbour.weight * logarithm(margin_at(there[i], here.candidates[k]));
+    for (const response::WeightedModel& model : neighbours.along(j)) {
+      ++differences_;
+      const CaseContext context(*model.system, silent);
+      const std::vector<RequirementResult> there = requirement_values(context, differenced_requirements_[c], warnings);
+      for (std::size_t r = 0; r < found.size(); ++r) {
+        if (!is_differenced(c, r) || smooth[r].rows.empty()) continue;
+        const double change = model.weight * logarithm(counterpart(found, r, there).margin);
+        for (const Eigen::Index row : smooth[r].rows) slopes(row, to_index(j)) += change;
       }
     }
 }

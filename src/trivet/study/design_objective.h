@@ -75,8 +75,9 @@ class DesignObjective {
   [[nodiscard]] std::size_t evaluations() const { return evaluations_; }
   [[nodiscard]] std::size_t failed() const { return failed_; }
   [[nodiscard]] std::string first_failure() const { return first_failure_; }
-  /// Kinds of requirements whose slopes are differences of values.
+  /// Kinds of requirements without exact slopes, and the models solved for the differences of their values.
   [[nodiscard]] std::vector<std::string> differenced() const;
+  [[nodiscard]] std::size_t differences() const { return differences_; }
 
  private:
   void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
@@ -93,7 +94,6 @@ class DesignObjective {
   static Smooth set_values(const RequirementResult& result, Eigen::Index place, Eigen::VectorXd& values);
   /// True if the slopes of a requirement are differences of its values in neighbouring designs.
   [[nodiscard]] bool is_differenced(std::size_t c, std::size_t r) const;
-  [[nodiscard]] project::Analyses differenced_requirements(std::size_t c) const;
   /// Slopes of what is near deciding, per unit of the axes.
   void set_slopes(std::size_t c, const CaseContext& context, const Eigen::VectorXd& design,
                   const std::vector<RequirementResult>& found, const std::vector<Smooth>& smooth,
@@ -116,8 +116,9 @@ class DesignObjective {
 
   DesignSpace space_;
   std::vector<const project::Case*> cases_;
-  std::vector<project::Analyses> asked_;              ///< per case: requirements with the objectives
-  std::size_t first_objective_ = 0, objectives_ = 0;  ///< among the results
+  std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
+  std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
+  std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
   bool minimizes_ = false;
   project::Minimized minimized_ = project::Minimized::amplitude;
   std::vector<double> weights_;
@@ -130,7 +131,7 @@ class DesignObjective {
   std::vector<bool> is_objective_;
   mutable std::once_flag fitting_;
   mutable std::vector<CaseFamily> families_;
-  mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0;
+  mutable std::atomic<std::size_t> evaluations_ = 0, failed_ = 0, differences_ = 0;
   mutable std::mutex noting_;
   mutable std::string first_failure_;
 };

@@ -66,12 +66,14 @@ class FrequencyRequirements {
                   fmt::format("every damping ratio ≥ {:.4g}", required.damping_ratio), "1", required.damping_ratio);
     list_.attempt(first, [&] {
       result.margin = result.value.emplace(infinity);
-      for (const modal::Root& root : c_.roots().list) {
+      const std::vector<modal::Root>& roots = c_.roots().list;
+      for (std::size_t i = 0; i < roots.size(); ++i) {
+        const modal::Root& root = roots[i];
         const bool grows = root.kind == modal::RootKind::growing;
         if (!grows && !(root.kind == modal::RootKind::oscillating && root.damping_ratio)) continue;
         const double ratio = root.damping_ratio.value_or(-1);
         result.candidates.push_back({margin_of_least(required.damping_ratio, ratio), root.angular_frequency.value_or(0),
-                                     0, static_cast<int>(result.candidates.size()) + 1, false});
+                                     0, static_cast<int>(i) + 1, false});
         if (ratio >= *result.value) continue;
         result.value = ratio;
         result.margin = margin_of_least(required.damping_ratio, ratio);

@@ -49,6 +49,8 @@ class MotionRequirements {
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const response::RandomAnswer& answer = found.answers[i];
         RequirementResult& result = list_[first + i];
+        result.quantity = limits[i].quantity;
+        if (asked) result.excitations = asked->selection.excitations;
         if (answer.rms || answer.vanishes || answer.infinite_rms) {
           result.value = answer.infinite_rms ? infinity : answer.rms.value_or(0);
           result.margin = margin_of(result.allowed, *result.value);

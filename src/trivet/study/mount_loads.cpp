@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
 
@@ -96,6 +97,11 @@ double margin_in_range(double load, const Eigen::Vector2d& range) {
   return low > 0 ? std::min(upper, margin_of_least(low, load)) : upper;
 }
 
+bool is_near_lower_end(double load, const Eigen::Vector2d& range) {
+  if (load < 0) return is_near_lower_end(-load, {-range(1), -range(0)});
+  return range(0) > 0 && load / range(0) < range(1) / load;
+}
+
 double share_of_range(double load, const Eigen::Vector2d& range) {
   if (load == 0) return 0;
   const double end = load > 0 ? range(1) : -range(0);
@@ -108,16 +114,18 @@ MountRows mount_rows(const model::System& system, const assembly::Assembled& ass
   Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes
   Eigen::Vector3d force_at_rest;
   for (std::size_t j = 0; j < 3; ++j) {
-    force.row(to_index(j)) = channels[j].on_displacement.real().transpose();
-    force_at_rest(to_index(j)) = channels[j].at_rest;
+    const response::RestRow one = response::rest_row(assembled, channels[j]);
+    force.row(to_index(j)) = one.row;
+    force_at_rest(to_index(j)) = one.at_rest;
   }
   const Eigen::Matrix3d into_mount = response::mount_axes(system, element).transpose();
   MountRows rows;
   rows.load = -(into_mount * force);
   rows.load_at_rest = -(into_mount * force_at_rest);
   constexpr std::size_t deflection_along_axis = 8;  // after six of the wrench
-  rows.deflection = element.creep * channels[deflection_along_axis].on_displacement.real().transpose();
-  rows.deflection_at_rest = element.creep * channels[deflection_along_axis].at_rest;
+  const response::RestRow deflection = response::rest_row(assembled, channels[deflection_along_axis]);
+  rows.deflection = element.creep * deflection.row;
+  rows.deflection_at_rest = element.creep * deflection.at_rest;
   return rows;
 }
 

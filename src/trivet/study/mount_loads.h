@@ -20,6 +20,9 @@ struct MountRows {
 /// Least factor by which a load [N] may grow or fall within its range; 0 on the other side of zero than the range.
 [[nodiscard]] double margin_in_range(double load, const Eigen::Vector2d& range);
 
+/// True where the margin in its range grows with the load: nearer to the end next to zero than to the other one.
+[[nodiscard]] bool is_near_lower_end(double load, const Eigen::Vector2d& range);
+
 /// Share of its range that a load takes: of the end on its side of zero; infinite if the range has none there.
 [[nodiscard]] double share_of_range(double load, const Eigen::Vector2d& range);
 

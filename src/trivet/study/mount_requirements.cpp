@@ -13,8 +13,6 @@
 namespace trivet::study {
 namespace {
 
-constexpr const char* along_axis_of_mount = ".deflection.z";
-
 void note_idle_limit(const std::string& element, const std::string& limit, const std::string& excitation,
                      RequirementList& list) {
   for (std::size_t i = 0; i < list.size(); ++i) {
@@ -37,7 +35,7 @@ std::vector<project::AmplitudeLimit> deflection_limits(const CaseContext& c, con
     if (!element.rating) continue;
     const auto& allowed = shock ? element.rating->shock_deflection : element.rating->dynamic_deflection;
     if (allowed && driven)
-      limits.push_back({element.name + along_axis_of_mount, assembly::MotionQuantity::displacement, *allowed});
+      limits.push_back({element.name + deflection_along_axis, assembly::MotionQuantity::displacement, *allowed});
     else if (allowed)
       note_idle_limit(element.name, shock ? "shock" : "dynamic", shock ? "transient" : "harmonic", list);
   }
@@ -49,7 +47,7 @@ std::size_t add_limits(RequirementKind kind, const std::vector<project::Amplitud
                        const std::string& verb, RequirementList& list) {
   const std::size_t first = list.size();
   for (const project::AmplitudeLimit& limit : limits) {
-    const std::string element = limit.name.substr(0, limit.name.rfind(along_axis_of_mount));
+    const std::string element = limit.name.substr(0, limit.name.rfind(deflection_along_axis));
     list.add(kind, element, fmt::format("{} {} ≤ {}", element, verb, value_words(limit.amplitude, "m")), "m",
              limit.amplitude);
   }

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <complex>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/mount_loads.h"
 #include "trivet/study/packed_margins.h"
 
 namespace trivet::study {
@@ -69,12 +71,13 @@ Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vecto
     const std::size_t curve = to_size(at - results.begin());
     Eigen::MatrixXd slopes(to_index(frequencies.size()), parameters_);
     for (std::size_t i = 0; i < frequencies.size(); ++i) {
-      const CurveAt here = curve_at(here_.searched[s], 0, curve, frequencies[i]);
+      const double omega = std::max(frequencies[i], almost_at_rest());
+      const CurveAt here = curve_at(here_.searched[s], 0, curve, omega);
       const numerics::PivotedLu<Complex> solver(here.stiffness);
       const Eigen::VectorXcd q = solver.solve(here.load), adjoint = solver.solve(here.row);
       const Complex y = with(here.row, q) + here.constant;
       for (Eigen::Index j = 0; j < parameters_; ++j) {
-        const CurveAt change = curve_at(change_.searched[s], j, curve, frequencies[i]);
+        const CurveAt change = curve_at(change_.searched[s], j, curve, omega);
         const Complex dy = with(adjoint, change.load - change.stiffness * q) + with(change.row, q) + change.constant;
         slopes(to_index(i), j) = (std::conj(y) * dy).real() / std::norm(y);
       }
@@ -82,6 +85,15 @@ Eigen::MatrixXd PackedSlopes::height_slopes(std::size_t result, const std::vecto
     return slopes;
   }
   throw foundation::InvalidInput("PackedSlopes: this requirement has no curve");
+}
+
+double PackedSlopes::almost_at_rest() const {
+  constexpr double share = 1e-6;  // of the lowest natural frequency: the slopes are those at rest to 1e-12
+  const Eigen::MatrixXd K = numerics::unpacked(here_.free.K, 0), A = numerics::unpacked(here_.free.A, 0);
+  double square = foundation::infinity;  // not below the lowest ω²
+  for (Eigen::Index i = 0; i < K.rows(); ++i)
+    if (A(i, i) > 0) square = std::min(square, K(i, i) / A(i, i));
+  return std::isfinite(square) ? share * std::sqrt(square) : share;
 }
 
 PackedSlopes::Modes PackedSlopes::modes(const numerics::Designs& here, const numerics::Designs& change) const {
@@ -108,16 +120,6 @@ Eigen::RowVectorXd PackedSlopes::frequency_slopes(int mode) const {
     slopes(j) = (all_->stiffness[to_size(j)](k, k) - square * all_->inertia[to_size(j)](k, k)) / (2 * square);
   return slopes;
 }
-
-namespace {
-
-/// Below the lowest load of a range the margin grows with the load, above the highest it falls.
-bool is_near_lower_end(double load, const Eigen::Vector2d& range) {
-  if (load < 0) return is_near_lower_end(-load, {-range(1), -range(0)});
-  return range(0) > 0 && load / range(0) < range(1) / load;
-}
-
-}  // namespace
 
 Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& values = of_.at_rest();

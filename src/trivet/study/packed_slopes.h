@@ -20,6 +20,8 @@ class PackedSlopes {
 
  private:
   [[nodiscard]] Eigen::MatrixXd height_slopes(std::size_t result, const std::vector<double>& frequencies) const;
+  /// A frequency that stands for 0, where a response to unbalance has no height [rad/s].
+  [[nodiscard]] double almost_at_rest() const;
   [[nodiscard]] Eigen::RowVectorXd frequency_slopes(int mode) const;
   [[nodiscard]] Eigen::RowVectorXd rest_slopes(std::size_t result) const;
   [[nodiscard]] Eigen::RowVectorXd decoupling_slopes(std::size_t result, int mode) const;

@@ -53,11 +53,11 @@ struct RequirementResult {
     double margin = 0;
     double angular_frequency = 0;  ///< [rad/s]
     double minimum_at = 0;         ///< of a peak that should not be: the higher minimum beside it, or near 0 [rad/s]
-    int mode = 0;                  ///< its number; the lower one of two; of a damping ratio the number of the root
-    bool below = false;            ///< of avoided frequencies: the mode is below the window, or nearer to its lower end
+    int mode = 0;  ///< its number; the lower one of two; of a damping ratio that of the root in modal::Roots::list
+    bool below = false;  ///< of avoided frequencies: the mode is below the window, or nearer to its lower end
   };
   std::vector<Candidate> candidates;  ///< for a search; empty where a single value decides
-  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of amplitudes and peaks
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;  ///< of curves and rms
   std::vector<std::string> excitations;                                        ///< of these; empty: all
 
   [[nodiscard]] bool met() const { return value && margin >= 1; }

@@ -2,12 +2,23 @@
 #include "trivet/response/steady/static_response.h"
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/response/steady/static_solution.h"
 
 namespace trivet::response {
+
+RestRow rest_row(const assembly::Assembled& assembled, const assembly::Channel& channel) {
+  RestRow result{channel.on_displacement.real().head(assembled.matrices.size()).transpose(), channel.at_rest};
+  for (const assembly::DynamicForce& force : channel.dynamic_forces) {
+    const assembly::ElementMap& map = assembled.elements[force.element];
+    const Eigen::RowVectorXd of_element = force.row * map.matrices.stiffness.topRows<12>() * map.ends;
+    for (std::size_t j = 0; j < map.rows.size(); ++j) result.row(map.rows[j]) += of_element(to_index(j));
+  }
+  return result;
+}
 
 StaticSolution static_solution(const model::System& system, const assembly::Assembled& assembled) {
   if (!system.description().gravity && system.description().constant_forces.empty())

@@ -15,6 +15,13 @@ struct StaticValue {
   double value = 0;
 };
 
+/// A static result as a linear function of the displacements at rest: row · q + at_rest.
+struct RestRow {
+  Eigen::RowVectorXd row;
+  double at_rest = 0;
+};
+[[nodiscard]] RestRow rest_row(const assembly::Assembled& assembled, const assembly::Channel& channel);
+
 struct StaticResponse {
   std::vector<StaticValue> values;
   double backward_error = 0;

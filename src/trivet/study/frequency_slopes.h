@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/modal/modes.h"
+#include "trivet/response/steady/model_rates.h"
+
+namespace trivet::study {
+
+/// Derivatives of ln ω of undamped natural frequencies: dω² = wᵀ(dK − ω²dA)φ / wᵀAφ, w = φ for symmetric matrices.
+/// Frequencies that agree within 1e-6 belong to one subspace, with the slopes of `separated_motions`.
+class FrequencySlopes {
+ public:
+  /// @param rates    per parameter
+  /// @param towards  how far each parameter may still move, with its sign
+  FrequencySlopes(const modal::Modes& modes, const numerics::DynamicMatrices& matrices,
+                  std::vector<response::MatrixRates> rates, Eigen::VectorXd towards);
+
+  /// Per parameter. @param number  of a mode with ω > 0
+  [[nodiscard]] Eigen::RowVectorXd slopes(int number) const;
+  /// One-sided slopes along a direction of all frequencies that are equal to that of this mode, ascending.
+  [[nodiscard]] Eigen::VectorXd slopes_along(int number, const Eigen::VectorXd& direction) const;
+
+ private:
+  /// Modes of one frequency: the place of the first in the list, and their number.
+  struct Subspace {
+    std::size_t first = 0, size = 1;
+  };
+  [[nodiscard]] Subspace subspace_of(std::size_t mode) const;
+  /// d ln ω as a matrix over the subspace, per parameter.
+  [[nodiscard]] std::vector<Eigen::MatrixXcd> changes(const Subspace& subspace) const;
+
+  const modal::Modes& modes_;
+  const numerics::DynamicMatrices& matrices_;
+  std::vector<response::MatrixRates> rates_;
+  Eigen::VectorXd towards_;
+};
+
+/// True if the frequency of a mode belongs to a neighbouring mode too. @param number  of a mode
+[[nodiscard]] bool is_repeated_frequency(const modal::Modes& modes, int number);
+
+}  // namespace trivet::study

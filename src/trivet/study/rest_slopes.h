@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+
+#include "trivet/response/steady/static_response.h"
+#include "trivet/study/case_context.h"
+#include "trivet/study/design_neighbours.h"
+
+namespace trivet::study {
+
+/// The row of a result at rest in a model.
+using RestRowOf = std::function<response::RestRow(const model::System&, const assembly::Assembled&)>;
+
+/// Derivatives of ln|y| of a result at rest, per parameter: y = cᵀq + y₀, Kq = Q, Kᵀλ = c gives
+/// dy = λᵀ(dQ − dK q) + dcᵀq + dy₀.
+[[nodiscard]] Eigen::RowVectorXd rest_slopes(const CaseContext& context, const DesignNeighbours& neighbours,
+                                             const RestRowOf& row_of);
+
+}  // namespace trivet::study
