@@ -304,7 +304,7 @@ class Clearances(InTemporaryFolder):
         scale = (2 * SAG / 1e-3) ** (2 / 3)
         self.assertAlmostEqual(found["parameters"][0]["optimum"] / scale, 1, 5)  # residual of the search
         self.assertAlmostEqual(found["after"] / (1e-3 * scale / SAG), 1, 5)
-        self.assertIn("clearance", found["differenced"])
+        self.assertIn("clearance", [one["requirement"] for one in found["differenced"]])
 
 
 # A machine on a frame, both turned; the frame stands on the ground.

@@ -137,7 +137,7 @@ class Optimize(InTemporaryFolder):
         self.assertAlmostEqual(multipliers["at rest m.z ≤ 5 mm"], 1 / 3, delta=PLACE)
         self.assertAlmostEqual(multipliers["no natural frequency in 12 … 80 Hz"], 2 / 3, delta=PLACE)
         self.assertEqual(found["conflicts"], [])
-        self.assertEqual(found["differenced"], [])
+        self.assertEqual(found["differenced"], [])  # the sag has its adjoint
         self.assertEqual(found["looked_at"], 100000)
         self.assertRegex(
             found["families"][0], r"^a sum of \d+ terms from \d+ assembled designs, compared with 24 others"
@@ -155,7 +155,20 @@ class Optimize(InTemporaryFolder):
         self.assertEqual(found["families"], [])
         self.assertEqual(found["no_families"], ["coordinates without mass"])
         self.assertEqual(found["looked_at"], 0)
-        self.assertEqual(found["differenced"], ["static"])
+        self.assertEqual(found["differenced"], [])
+
+    def test_slopes_by_differences_are_listed_with_their_number(self):
+        found, best = self.optimum(
+            OSCILLATOR
+            + '[excitations.t]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n'
+            + 'history = {half_sine = {amplitude = 100, duration = "11 ms"}}\n'
+            + '[requirements]\nlargest = {"m.z" = "0.1 mm"}\n[analyses.optimize]\nstarts = 1\n'
+        )
+        (largest,) = found["differenced"]
+        self.assertEqual(largest["requirement"], "largest")
+        # Four or five models per gradient, for one parameter.
+        self.assertGreaterEqual(largest["evaluations"], 4)
+        self.assertLess(largest["evaluations"], 5 * found["designs"])
 
     def test_requirements_that_contradict_each_other(self):
         sag = 1e-3

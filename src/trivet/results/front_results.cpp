@@ -83,7 +83,8 @@ std::string front_text(const DesignFront& front) {
   if (front.failed > 0) text += fmt::format(", {} of them without a result ({})", front.failed, front.first_failure);
   text += ".\n";
   if (!front.differenced.empty())
-    text += "Slopes by differences of values: " + foundation::comma_separated(front.differenced) + ".\n";
+    text += fmt::format("Slopes by differences of values: {}; {} more designs computed for them.\n",
+                        foundation::comma_separated(front.differenced), front.differences);
   return text + "A search finds the best of where it looked; it proves no global optimum.\n";
 }
 
@@ -112,7 +113,7 @@ json::Json json::front(const DesignFront& front) {
                  {"not_found", front.not_found},
                  {"designs", front.evaluations},
                  {"failed", front.failed},
-                 {"differenced", front.differenced}};
+                 {"differenced", json::differenced(front.differenced, front.differences)}};
   for (const study::FrontObjective& one : front.objectives)
     result["objectives"].push_back({{"name", one.name},
                                     {"unit", one.unit},

@@ -153,4 +153,10 @@ Json NumberList::json() && {
   return Json::binary(std::move(text_));
 }
 
+Json differenced(const std::vector<std::string>& kinds, std::size_t evaluations) {
+  Json list = Json::array();
+  for (const std::string& kind : kinds) list.push_back({{"requirement", kind}, {"evaluations", evaluations}});
+  return list;
+}
+
 }  // namespace trivet::results::json

@@ -185,7 +185,8 @@ std::string search_text(const Optimization& found) {
     text += "\n";
   }
   if (!found.differenced.empty())
-    text += "Slopes by differences of values: " + foundation::comma_separated(found.differenced) + ".\n";
+    text += fmt::format("Slopes by differences of values: {}; {} more designs computed for them.\n",
+                        foundation::comma_separated(found.differenced), found.differences);
   if (found.looked_at > 0)
     text += fmt::format("{} designs looked at before the search, without their models.\n", found.looked_at);
   for (const std::string& family : found.families) text += "Designs as " + family + ".\n";
@@ -249,7 +250,7 @@ json::Json json::optimization(const Optimization& found) {
                  {"others", Json::array()},
                  {"designs", found.evaluations},
                  {"failed", found.failed},
-                 {"differenced", found.differenced},
+                 {"differenced", json::differenced(found.differenced, found.differences)},
                  {"looked_at", found.looked_at},
                  {"families", found.families},
                  {"no_families", found.no_families}};

@@ -216,6 +216,7 @@ class FrontSearch {
     result.failed = objective_.failed();
     result.first_failure = objective_.first_failure();
     result.differenced = objective_.differenced();
+    result.differences = objective_.differences();
     return result;
   }
 

@@ -42,6 +42,7 @@ struct DesignFront {
   std::size_t evaluations = 0, failed = 0;
   std::string first_failure;
   std::vector<std::string> differenced;  ///< kinds of requirements whose slopes are differences of values
+  std::size_t differences = 0;           ///< models solved for these differences, besides `evaluations`
 };
 
 /// Searches `front` of [analyses.optimize].

@@ -67,6 +67,7 @@ class Description {
     result_.failed = objective_.failed();
     result_.first_failure = objective_.first_failure();
     result_.differenced = objective_.differenced();
+    result_.differences = objective_.differences();
     describe_families();
     return std::move(result_);
   }

@@ -99,6 +99,7 @@ struct Optimization {
   std::size_t evaluations = 0, failed = 0;  ///< designs computed, and those of them that have no valid model or values
   std::string first_failure;                ///< why, the first in the alphabet
   std::vector<std::string> differenced;     ///< kinds of requirements whose slopes are differences of values
+  std::size_t differences = 0;              ///< models solved for these differences, besides `evaluations`
   std::size_t looked_at = 0;                ///< designs judged by kernels over designs before the search
   /// How these were interpolated, and why cases were not: "a sum of 40 terms …", "case cold: loss factors …"
   std::vector<std::string> families, no_families;
