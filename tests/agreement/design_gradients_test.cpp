@@ -8,6 +8,7 @@
 #include <random>
 
 #include "support/projects.h"
+#include "support/quad_machine.h"
 #include "support/quad_model.h"
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/static_response.h"
@@ -22,9 +23,11 @@ namespace {
 using namespace trivet;
 using study::RequirementKind;
 using study::RequirementResult;
+using test::ChannelNumbers;
 using test::Quad;
 using test::QuadComplex;
 using test::QuadFactors;
+using test::QuadMachine;
 using test::QuadMatrix;
 using test::QuadPair;
 using Candidate = RequirementResult::Candidate;
@@ -32,79 +35,6 @@ using Candidate = RequirementResult::Candidate;
 /// Demanded of every slope over the whole range of its parameter, as a share of the largest slope of the same margin.
 /// Where all are smaller than `noticeable`, such as those of a damping ratio that does not change, of this.
 constexpr double exact = 1e-9, noticeable = 1e-3;
-
-/// Where a number of a model is in the list of a family.
-enum Number { mass, damping, stiffness, loss, at_rest_load, force, random_force, motion, momentum, first_channel };
-/// Per channel: terms of displacement (real, imaginary) and velocity, constant at rest, row at rest.
-constexpr std::size_t per_channel = 4;
-
-struct ChannelNumbers {
-  QuadMatrix re, im, velocity, at_rest;
-};
-
-/// The model of one parameter value in quadruple precision.
-class QuadMachine {
- public:
-  QuadMachine(std::vector<QuadMatrix> numbers, const std::vector<double>& modal_ratios) : m_(std::move(numbers)) {
-    modes_ = test::quad_modes(m_[stiffness], m_[mass]);
-    if (modal_ratios.empty()) return;
-    QuadMatrix twice = QuadMatrix::Zero(m_[mass].rows(), m_[mass].rows());
-    for (Eigen::Index i = 0; i < twice.rows(); ++i)
-      twice(i, i) = 2 * Quad(modal_ratios[to_size(i)]) * sqrt(modes_.lambda(i));
-    const QuadMatrix momentum_of_modes = m_[mass] * modes_.shapes;
-    m_[damping] += momentum_of_modes * twice * momentum_of_modes.transpose();
-  }
-
-  [[nodiscard]] const test::QuadModes& modes() const { return modes_; }
-  [[nodiscard]] const QuadMatrix& number(std::size_t i) const { return m_[i]; }
-  [[nodiscard]] ChannelNumbers channel(std::size_t c) const {
-    const std::size_t first = first_channel + per_channel * c;
-    return {m_[first], m_[first + 1], m_[first + 2], m_[first + 3]};
-  }
-  [[nodiscard]] QuadPair at_root(const QuadComplex& s) const {
-    const QuadComplex square = s * s;
-    return {m_[stiffness] + s.real() * m_[damping] + square.real() * m_[mass],
-            m_[loss] + s.imag() * m_[damping] + square.imag() * m_[mass]};
-  }
-  [[nodiscard]] QuadPair slope_at_root(const QuadComplex& s) const {
-    return {m_[damping] + 2 * s.real() * m_[mass], 2 * s.imag() * m_[mass]};
-  }
-
-  /// ln|y| of a channel and its derivatives with respect to ω.
-  struct Curve {
-    Quad value, first, second;
-  };
-  [[nodiscard]] Curve curve(std::size_t c, int derivative, const Quad& omega, std::size_t load) const {
-    const QuadFactors z(at_root({0, omega}));
-    const auto zero = [&](const QuadMatrix& like) { return QuadMatrix(QuadMatrix::Zero(like.rows(), like.cols())); };
-    const QuadPair h{m_[load], zero(m_[load])}, rate{-2 * omega * m_[mass], m_[damping]},
-        twice{-2 * m_[mass], zero(m_[mass])};
-    const QuadPair q = z.solve(h), q1 = z.solve(rate * q) * QuadComplex(-1),
-                   q2 = z.solve(rate * q1 * QuadComplex(2) + twice * q) * QuadComplex(-1);
-    const ChannelNumbers of = channel(c);
-    const QuadPair row{of.re, of.im + omega * of.velocity}, row1{zero(of.re), of.velocity};
-    const QuadComplex y = (row * q).value(), y1 = (row * q1).value() + (row1 * q).value(),
-                      y2 = (row * q2).value() + QuadComplex(2) * (row1 * q1).value();
-    // (iω)^d adds d/ω and −d/ω² to the derivatives of the logarithm.
-    const QuadComplex r = y1 / y, r2 = y2 / y;
-    const Quad d = derivative;
-    return {log(norm(y)) / 2 + d * log(omega), r.real() + d / omega, (r2 - r * r).real() - d / (omega * omega)};
-  }
-  [[nodiscard]] QuadPair response(const Quad& omega, std::size_t load) const {
-    return QuadFactors(at_root({0, omega})).solve({m_[load], QuadMatrix::Zero(m_[load].rows(), m_[load].cols())});
-  }
-  /// Without time derivatives.
-  [[nodiscard]] QuadComplex value(std::size_t c, const QuadPair& q, const Quad& omega) const {
-    const ChannelNumbers of = channel(c);
-    return (QuadPair{of.re, of.im + omega * of.velocity} * q).value();
-  }
-
- private:
-  static Quad norm(const QuadComplex& y) { return y.real() * y.real() + y.imag() * y.imag(); }
-
-  std::vector<QuadMatrix> m_;
-  test::QuadModes modes_;
-};
 
 /// A skew body and a smaller one on it.
 /// @param of_mounts  their damping
@@ -276,14 +206,14 @@ class Comparison {
                                const Candidate& candidate) const {
     switch (result.kind) {
       case RequirementKind::amplitude:
-        return -height(m, result, candidate.angular_frequency, force, 0);
+        return -height(m, result, candidate.angular_frequency, test::force, 0);
       case RequirementKind::limit_line: {
         const Quad exponent = log(Quad(2e-4) / Quad(1e-2)) / log(Quad(100));
-        return -height(m, result, candidate.angular_frequency, force, exponent);
+        return -height(m, result, candidate.angular_frequency, test::force, exponent);
       }
       case RequirementKind::no_peak: {
-        const Quad ratio = height(m, result, candidate.angular_frequency, force, 0) -
-            height(m, result, candidate.minimum_at, force, 0);
+        const Quad ratio = height(m, result, candidate.angular_frequency, test::force, 0) -
+            height(m, result, candidate.minimum_at, test::force, 0);
         if (candidate.margin < 1) return -ratio;
         return -log(exp(ratio) - 1);
       }
@@ -335,7 +265,7 @@ class Comparison {
 
   [[nodiscard]] Quad at_rest(const QuadMachine& m, const RequirementResult& result) const {
     const ChannelNumbers of = m.channel(channel_of(result));
-    const QuadMatrix q = m.number(stiffness).partialPivLu().solve(m.number(at_rest_load));
+    const QuadMatrix q = m.number(test::stiffness).partialPivLu().solve(m.number(test::at_rest_load));
     return abs((of.re * q)(0, 0) + of.at_rest(0, 0));
   }
 
@@ -343,7 +273,8 @@ class Comparison {
 
   static QuadComplex root_near(const QuadMachine& m, const std::complex<double>& start) {
     QuadComplex root(start.real(), abs(Quad(start.imag())));
-    QuadPair v{QuadMatrix::Constant(m.number(mass).rows(), 1, 1), QuadMatrix::Zero(m.number(mass).rows(), 1)};
+    QuadPair v{QuadMatrix::Constant(m.number(test::mass).rows(), 1, 1),
+               QuadMatrix::Zero(m.number(test::mass).rows(), 1)};
     v = QuadFactors(m.at_root(root * QuadComplex(1 + Quad(1e-12)))).solve(v);
     for (int i = 0; i < 8; ++i) {
       const QuadPair u = QuadFactors(m.at_root(root)).solve(m.slope_at_root(root) * v);
@@ -360,8 +291,9 @@ class Comparison {
   /// Share of the purest coordinate of a mode of the machine, the box held.
   [[nodiscard]] static Quad share(const QuadMachine& m, int mode) {
     const test::QuadModes own =
-        test::quad_modes(m.number(stiffness).topLeftCorner(6, 6), m.number(mass).topLeftCorner(6, 6));
-    const QuadMatrix at_centre = m.number(motion) * own.shapes.col(mode - 1), moved = m.number(momentum) * at_centre;
+        test::quad_modes(m.number(test::stiffness).topLeftCorner(6, 6), m.number(test::mass).topLeftCorner(6, 6));
+    const QuadMatrix at_centre = m.number(test::motion) * own.shapes.col(mode - 1),
+                     moved = m.number(test::momentum) * at_centre;
     return at_centre.cwiseProduct(moved).maxCoeff();
   }
 
@@ -380,7 +312,7 @@ class Comparison {
         for (const int sign : {1, -1}) {
           if (sign < 0 && Rule::abscissa()[i] == 0) continue;
           const Quad omega = spectrum.from() + h * (2 * p + 1 + sign * Rule::abscissa()[i]);
-          const QuadPair q = m.response(omega, random_force);
+          const QuadPair q = m.response(omega, test::random_force);
           for (std::size_t c = 0; c < channels_.size(); ++c) {
             const QuadComplex y = m.value(c, q, omega);
             sums[c] +=

@@ -55,6 +55,7 @@ Eigen::MatrixXd RequirementSlopes::of(const RequirementResult& result, const Can
       result.kind == RequirementKind::limit_line || result.kind == RequirementKind::mount_dynamic_deflection;
   Eigen::MatrixXd slopes(to_index(candidates.size()), to_index(neighbours_.parameters()));
   if (of_a_curve) slopes = of_curve(result, candidates);
+  else if (result.kind == RequirementKind::decoupling) slopes = of_decoupling(result, candidates);
   else
     for (std::size_t i = 0; i < candidates.size(); ++i) slopes.row(to_index(i)) = of_one(result, candidates[i]);
   for (Eigen::Index i = 0; i < slopes.rows(); ++i)
@@ -80,6 +81,12 @@ Eigen::MatrixXd RequirementSlopes::of_curve(const RequirementResult& result, con
   return slopes;
 }
 
+Eigen::MatrixXd RequirementSlopes::of_decoupling(const RequirementResult& result, const Candidates& candidates) const {
+  std::vector<std::size_t> modes;
+  for (const RequirementResult::Candidate& candidate : candidates) modes.push_back(to_size(candidate.mode - 1));
+  return decoupling_slopes(c_, neighbours_, index_by_name(c_.system.bodies(), result.subject), modes);
+}
+
 Eigen::RowVectorXd RequirementSlopes::of_one(const RequirementResult& result,
                                              const RequirementResult::Candidate& candidate) const {
   switch (result.kind) {
@@ -89,9 +96,6 @@ Eigen::RowVectorXd RequirementSlopes::of_one(const RequirementResult& result,
       return frequencies().slopes(candidate.mode + 1) - frequencies().slopes(candidate.mode);
     case RequirementKind::damping_ratio:
       return damping_ratio_slopes(c_, neighbours_, to_size(candidate.mode - 1), neighbours_.towards());
-    case RequirementKind::decoupling:
-      return decoupling_slopes(c_, neighbours_, index_by_name(c_.system.bodies(), result.subject),
-                               to_size(candidate.mode - 1));
     case RequirementKind::rms:
       return -of_rms(result);
     case RequirementKind::static_value:

@@ -28,6 +28,8 @@ class RequirementSlopes {
  private:
   [[nodiscard]] Eigen::MatrixXd of_curve(const RequirementResult& result,
                                          const std::vector<RequirementResult::Candidate>& candidates) const;
+  [[nodiscard]] Eigen::MatrixXd of_decoupling(const RequirementResult& result,
+                                              const std::vector<RequirementResult::Candidate>& candidates) const;
   [[nodiscard]] Eigen::RowVectorXd of_one(const RequirementResult& result,
                                           const RequirementResult::Candidate& candidate) const;
   [[nodiscard]] Eigen::RowVectorXd of_mount(const RequirementResult& result) const;
