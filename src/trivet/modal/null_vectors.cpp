@@ -19,6 +19,7 @@ void make_orthonormal(Eigen::MatrixXcd& x) {
 }
 
 Eigen::MatrixXcd right_null_vectors(const Eigen::MatrixXcd& z, Eigen::Index count) {
+  if (count == z.rows()) return Eigen::MatrixXcd::Identity(count, count);  // z is nothing but round-off, or exactly 0
   const double shift = 4 * std::numeric_limits<double>::epsilon() * z.cwiseAbs().maxCoeff();
   const Eigen::MatrixXcd regular = z + shift * Eigen::MatrixXcd::Identity(z.rows(), z.cols());
   const numerics::PivotedLu<std::complex<double>> lu(regular);
