@@ -17,14 +17,6 @@ namespace {
 using assembly::MotionQuantity;
 using foundation::infinity;
 
-/// True if a maximum is there already, as a peak: it must not take two places.
-bool is_known(const std::vector<RequirementResult::Candidate>& candidates, double omega) {
-  constexpr double same = 1e-9;
-  return std::any_of(candidates.begin(), candidates.end(), [&](const RequirementResult::Candidate& one) {
-    return std::abs(one.angular_frequency - omega) <= same * omega;
-  });
-}
-
 class CurveRequirements {
  public:
   CurveRequirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list)
@@ -131,7 +123,7 @@ class CurveRequirements {
     std::vector<RequirementResult::Candidate> result;
     for (const design::LargestAmplitude& one :
          design::maxima_in_band(c_.assembled, channels, loading, found, rule, set.band))
-      if (std::isfinite(one.angular_frequency) && !is_known(result, one.angular_frequency))
+      if (std::isfinite(one.angular_frequency))
         result.push_back({design::margin(set.rules[rule], one.amplitude), one.angular_frequency, 0, 0});
     return result;
   }
