@@ -2,6 +2,7 @@
 """`trivet select` against hand calculations and against the verdict of every combination."""
 import itertools
 import math
+import shlex
 import unittest
 
 from trivet_test import SOURCE, InTemporaryFolder, answer, trivet
@@ -226,6 +227,33 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
         judged = answer("verdict", project, *settings)
         margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
         self.assertAlmostEqual(answer("select", project)["best"][0]["margin"] / margin, 1, DIGITS)
+
+    def test_settings_of_names_with_quotes(self):
+        name = "M 1\" 40 ShA's"
+        self.file(CATALOGUE.replace("[mounts.hard]", '[mounts."M 1\\" 40 ShA\'s"]'), "maker.toml")
+        text = trivet("select", self.file(MACHINE + '[requirements]\nmount_load = "catalogue"\nprice = "1000 EUR"\n'),
+                      "--set", 'elements.front.type = "catalogue:M 1\\" 40 ShA\'s"')
+        self.assertEqual(text.returncode, 0, text.stderr)
+        settings = [word for line in text.stdout.splitlines() if line.startswith("--set '") for word in shlex.split(line)]
+        self.assertEqual(trivet("verdict", self.folder / "project.toml", *settings).returncode, 0)
+        self.assertIn(name, text.stdout)
+
+    def test_given_mount_that_is_not_judged(self):
+        # The machine leans on its mounts: those without a range along x are not judged, and the others are ranked.
+        text = MACHINE.replace("gravity = [0, 0,", "gravity = [1.5, 0,").replace('free = ["z", "ry"]',
+                                                                                 'free = ["x", "z", "ry"]')
+        with_x = CATALOGUE
+        for name in ("firm", "hard"):
+            at = with_x.index(f"[mounts.{name}]")
+            with_x = with_x[:at] + with_x[at:].replace(
+                f"static_load = [{LOADS[name][0]}, {LOADS[name][1]}]",
+                f"load = {{x = [-2000, 2000], z = [{LOADS[name][0]}, {LOADS[name][1]}]}}", 1)
+        self.file(with_x, "maker.toml")
+        found = self.selected(text + '[requirements]\nmount_load = "catalogue"\n', "--most", "16")
+        self.assertIn("has no range", found["given"]["reason"])
+        judged = [d["mounts"] for d in found["best"] if not d["reason"]]
+        self.assertEqual(len(judged), 4)
+        self.assertTrue(all(set(m.values()) <= {"firm", "hard"} for m in judged))
 
     def test_what_cannot_be_selected(self):
         without = MACHINE.split("[parameters.ahead]")[0] + REQUIREMENTS

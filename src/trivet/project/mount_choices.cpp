@@ -170,7 +170,7 @@ void refuse_shared_places(const std::vector<MountChoice>& choices, TableReader& 
             .error("parameters." + choices[i].name + ".path", foundation::quoted(path),
                    "the choice " + foundation::quoted(choices[j].name) + " sets this mount too",
                    "a place has one choice: remove it from one of them")
-            .origin = deepest(*root.node("parameters"), choices[i].name + ".path").origin;
+            .origin = deepest(*root.node("parameters"), foundation::path_key(choices[i].name) + ".path").origin;
       }
 }
 

@@ -149,14 +149,27 @@ std::string selection_text(const MountSelection& found) {
       options_text(found) + search_text(found);
 }
 
+namespace {
+
+/// One text as --set for a shell.
+std::string setting(const std::string& path, const std::string& text) {
+  std::string words = path + " = \"";
+  for (const char c : text) words += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+  std::string quoted;
+  for (const char c : words + "\"") quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return "--set '" + quoted + "'\n";
+}
+
+}  // namespace
+
 std::string mount_settings(const std::vector<project::MountChoice>& choices, const std::vector<std::size_t>& mounts) {
   std::string text;
   for (std::size_t c = 0; c < choices.size(); ++c)
     for (const std::string& path : choices[c].paths) {
-      text += fmt::format("--set '{} = \"catalogue:{}\"'\n", path, choices[c].mounts[mounts[c]]);
+      text += setting(path, "catalogue:" + choices[c].mounts[mounts[c]]);
       if (choices[c].catalogue)
-        text += fmt::format("--set '{}catalogue = \"{}\"'\n", path.substr(0, path.size() - std::string("type").size()),
-                            choices[c].catalogue->text);
+        text +=
+            setting(path.substr(0, path.size() - std::string("type").size()) + "catalogue", choices[c].catalogue->text);
     }
   return text;
 }

@@ -24,7 +24,7 @@ namespace {
 
 /// Of more their numbers overflow.
 constexpr std::size_t most_combinations = 1000000000000000000;
-/// Sums differ from assembled models by at most this share of the largest entry.
+/// Sums differ from assembled models by at most this share of the scale of an entry.
 constexpr double sum_tolerance = 1e-11;
 /// Smaller ω² as a share of the largest are those of free motions.
 constexpr double at_rest = 1e-9;
@@ -46,11 +46,19 @@ Assembly assembly_of(const model::System& system, const assembly::Assembled& ass
   return {assembled.matrices.A, assembled.matrices.K, assembly::static_load(system, assembled)};
 }
 
-template <typename Matrix>
-bool equal(const Matrix& a, const Matrix& b) {
-  if (a.rows() != b.rows() || a.cols() != b.cols()) return false;
-  const double size = std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
-  return (a - b).cwiseAbs().maxCoeff() <= sum_tolerance * size;
+/// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
+/// digits.
+bool equal(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  if (a.rows() != b.rows()) return false;
+  const Eigen::VectorXd scale = b.diagonal().cwiseAbs().cwiseSqrt();
+  constexpr double round_off = 1e-14;
+  const double floor = round_off * std::max(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff());
+  return ((a - b).cwiseAbs().array() <= sum_tolerance * (scale * scale.transpose()).array() + floor).all();
+}
+
+bool equal(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  if (a.rows() != b.rows()) return false;
+  return (a - b).lpNorm<Eigen::Infinity>() <= sum_tolerance * b.lpNorm<Eigen::Infinity>();
 }
 
 /// Windows without natural frequencies ω, and their separation, from the ω²; `judge` gets each margin.
@@ -101,7 +109,8 @@ Model valid(foundation::Expected<Model> changed) {
   if (changed) return std::move(*changed);
   for (const foundation::Problem& problem : changed.error().list())
     if (problem.severity == foundation::Severity::error)
-      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule);
+      throw foundation::NotComputable(problem.subject + ": " + problem.finding + "; " + problem.rule + "; " +
+                                      problem.remedy);
   throw foundation::NotComputable("the model cannot be read");
 }
 
@@ -118,39 +127,55 @@ void refuse_overruled_cases(const std::vector<project::MountChoice>& choices, co
         };
         if (type_in(*variant) != type_in(project.base()))
           throw foundation::InvalidInput(fmt::format(
-              "choices of mounts: the case {} sets the mount of {}, which the choice {} sets too; remove one of them",
+              "choices of mounts: the case {} sets the mount of {}, which the choice {} sets too; remove one of them, "
+              "or leave the "
+              "case out of hold_in",
               foundation::quoted(variant->name), foundation::quoted(name), foundation::quoted(choice.name)));
       }
 }
 
-/// Every mount of every choice has a price in the required currency, and a mass and a load range, where these count.
-void refuse_mounts_without_data(const MountCombinations& all, const project::Project& project) {
-  const auto& required = project.base().analyses.requirements;
-  if (!required) return;
-  std::vector<std::string> priceless, massless, unrated;
-  for (std::size_t c = 0; c < all.choices().size(); ++c)
-    for (std::size_t m = 0; m < all.choices()[c].mounts.size(); ++m) {
-      const model::System system = all.system_with(project.base(), c, m);
-      for (const model::Element& element : system.elements()) {
-        if (element.name != all.choices()[c].elements.front() || !element.rating) continue;
-        const std::string shown = foundation::quoted(all.choices()[c].mounts[m]);
-        const auto& price = element.rating->price;
-        if (required->price && !(price && price->currency == required->price->currency)) priceless.push_back(shown);
-        if (required->mass > 0 && !element.rating->mass) massless.push_back(shown);
-        if (required->mount_load && !element.rating->has_load_range()) unrated.push_back(shown);
-      }
-    }
-  std::string words;
-  const auto add = [&](const std::vector<std::string>& mounts, const std::string& lack) {
-    if (!mounts.empty()) words += (words.empty() ? "" : "; ") + lack + " of " + foundation::comma_separated(mounts);
+/// What the data of one mount lack for the requirements of a case.
+std::vector<std::string> lacks(const model::Rating& rating, const project::Requirements& required) {
+  std::vector<std::string> result;
+  if (required.mount_load && !rating.has_load_range()) result.emplace_back("load range");
+  if (required.mass > 0 && !rating.mass) result.emplace_back("mass");
+  if (required.price && !(rating.price && rating.price->currency == required.price->currency))
+    result.push_back("price in " + foundation::quoted(required.price->currency));
+  return result;
+}
+
+/// Every mount of every choice can be used at its places, and has a price in the required currency, a mass and a load
+/// range, where these count.
+void refuse_unusable_mounts(const MountCombinations& all) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> lacking;  // data and the mounts without them
+  const auto add = [&](const std::string& data, const std::string& mount) {
+    auto at = std::find_if(lacking.begin(), lacking.end(), [&](const auto& one) { return one.first == data; });
+    if (at == lacking.end()) at = lacking.insert(at, {data, {}});
+    if (std::find(at->second.begin(), at->second.end(), mount) == at->second.end()) at->second.push_back(mount);
   };
-  add(unrated, "no load range");
-  add(massless, "no mass");
-  if (required->price) add(priceless, "no price in " + foundation::quoted(required->price->currency));
-  if (!words.empty())
-    throw foundation::InvalidInput("choices of mounts: the catalogue gives " + words +
-                                   "; add it to the catalogue, name choices without these mounts, or remove the "
-                                   "requirement");
+  for (const project::Case* variant : all.cases()) {
+    const project::Requirements required = variant->analyses.requirements.value_or(project::Requirements());
+    for (std::size_t c = 0; c < all.choices().size(); ++c)
+      for (std::size_t m = 0; m < all.choices()[c].mounts.size(); ++m) {
+        const std::string shown = foundation::quoted(all.choices()[c].mounts[m]);
+        try {
+          const model::System system = all.system_with(*variant, c, m);
+          for (const model::Element& element : system.elements())
+            if (element.name == all.choices()[c].elements.front() && element.rating)
+              for (const std::string& data : lacks(*element.rating, required)) add(data, shown);
+        } catch (const foundation::NotComputable& refused) {
+          throw foundation::InvalidInput("choices of mounts: " + shown + " cannot be used in the choice " +
+                                         foundation::quoted(all.choices()[c].name) + ": " + refused.what());
+        }
+      }
+  }
+  if (lacking.empty()) return;
+  std::string words;
+  for (const auto& [data, mounts] : lacking)
+    words += (words.empty() ? "no " : "; no ") + data + " of " + foundation::comma_separated(mounts);
+  throw foundation::InvalidInput("choices of mounts: the catalogue gives " + words +
+                                 "; add it to the catalogue, name choices without these mounts, or remove the "
+                                 "requirement");
 }
 
 }  // namespace
@@ -179,7 +204,7 @@ MountCombinations::MountCombinations(const project::Project& project, std::vecto
     count_ *= choice.mounts.size();
   }
   refuse_overruled_cases(choices_, project, cases_);
-  refuse_mounts_without_data(*this, project);
+  refuse_unusable_mounts(*this);
   try {
     for (const project::Case* variant : cases_) sums_.push_back(sums_of(*variant));
     compare_with_assembled();
@@ -261,19 +286,17 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
 }
 
 void MountCombinations::compare_with_assembled() const {
-  constexpr std::size_t compared = 6;
-  for (std::size_t i = 0; i < compared; ++i) {
-    const std::size_t combination = i + 1 == compared ? count_ - 1 : (count_ - 1) / (compared - 1) * i;
+  for (const std::size_t combination : spread_combinations()) {
     const std::vector<std::size_t> numbers = mounts(combination);
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
       const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
       const auto& [stiffness, load] = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
-      if (!equal<Eigen::MatrixXd>(stiffness, shapes.transpose() * assembled.stiffness * shapes) ||
-          !equal<Eigen::MatrixXd>(load, shapes.transpose() * assembled.load) ||
-          !equal<Eigen::MatrixXd>(Eigen::MatrixXd::Identity(load.size(), load.size()),
-                                  shapes.transpose() * assembled.inertia * shapes))
+      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)) ||
+          !equal(load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
+          !equal(Eigen::MatrixXd(shapes.transpose() * assembled.inertia * shapes),
+                 Eigen::MatrixXd(Eigen::MatrixXd::Identity(load.size(), load.size()))))
         throw NoSum{"the model of a combination is no sum over its mounts"};
     }
   }
@@ -308,7 +331,7 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   const auto [stiffness, load] = added(sums, mounts);
   const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
   if (wants_loads) {
-    if (squares(0) <= at_rest * squares.tail<1>()(0)) return result;  // no position of rest: the verdict tells why
+    if (squares(0) <= at_rest * squares.tail<1>()(0)) return result;  // no position of rest: the verdict gives the reason
     const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {
@@ -348,6 +371,14 @@ std::vector<MountCombinations::Bound> MountCombinations::bounds(const std::vecto
                                  if (result[i].failed == MountTest::none) result[i].failed = here.failed;
                                }
                            });
+  return result;
+}
+
+std::vector<std::size_t> MountCombinations::spread_combinations() const {
+  constexpr std::size_t count = 6;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i + 1 < count; ++i) result.push_back((count_ - 1) / (count - 1) * i);
+  result.push_back(count_ - 1);
   return result;
 }
 

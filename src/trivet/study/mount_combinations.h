@@ -28,7 +28,7 @@ inline constexpr std::size_t most_judged_combinations = 1000000;
 class MountCombinations {
  public:
   /// @param cases  in which the design has to hold
-  /// @throws foundation::InvalidInput if a mount cannot stand at its places
+  /// @throws foundation::InvalidInput if a mount cannot be used at its places, or lacks data that a requirement needs
   MountCombinations(const project::Project& project, std::vector<const project::Case*> cases);
 
   [[nodiscard]] const std::vector<project::MountChoice>& choices() const { return choices_; }
@@ -61,6 +61,8 @@ class MountCombinations {
   };
   [[nodiscard]] std::vector<Bound> bounds(const std::vector<std::size_t>& combinations,
                                           const foundation::Progress& progress) const;
+  /// A few from the first to the last one, in which sums are compared with assembled models.
+  [[nodiscard]] std::vector<std::size_t> spread_combinations() const;
   /// The numbers of all. @throws foundation::InvalidInput if there are more than `most_judged_combinations`
   [[nodiscard]] std::vector<std::size_t> all() const;
   /// Why there are no bounds; empty if there are.

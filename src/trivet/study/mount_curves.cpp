@@ -72,12 +72,10 @@ Eigen::VectorXd MountCurves::sum(const Case& one, std::size_t combination) const
 }
 
 std::string MountCurves::difference_from_assembled() const {
-  constexpr std::size_t compared = 6;
   constexpr double tolerance = 1e-11;  // of the scale of an entry: sums over the choices
   for (std::size_t v = 0; v < cases_.size(); ++v) {
     if (cases_[v].packed.results().empty()) continue;
-    for (std::size_t i = 0; i < compared; ++i) {
-      const std::size_t combination = (all_.count() - 1) * i / (compared - 1);
+    for (const std::size_t combination : all_.spread_combinations()) {
       const design::PackedDesign exact = packed_or_reason(cases_[v].packed, all_.system(*all_.cases()[v], combination));
       const Eigen::VectorXd difference = sum(cases_[v], combination) - exact.entries;
       if (!(difference.cwiseAbs().array() <= tolerance * exact.scales.array()).all())

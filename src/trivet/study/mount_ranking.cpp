@@ -2,6 +2,7 @@
 #include "trivet/study/mount_ranking.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <utility>
@@ -11,6 +12,16 @@
 #include "trivet/foundation/parallel_for.h"
 
 namespace trivet::study {
+namespace {
+
+/// Round-off does not choose among equal margins.
+double nine_digits(double margin) {
+  if (!std::isfinite(margin) || margin == 0) return margin;
+  const double unit = std::pow(10, std::floor(std::log10(margin)) - 8);
+  return std::round(margin / unit) * unit;
+}
+
+}  // namespace
 
 MountRanking::MountRanking(const MountCombinations& all, const MountCurves& curves,
                            std::vector<std::size_t> combinations, Judge judge, const foundation::Progress& progress)
@@ -55,14 +66,15 @@ std::vector<MountDesign> MountRanking::best_of(const Combinations& ordered, std:
   constexpr std::size_t lowered_together = 256, judged_together = 16;
   Combinations found, waiting;  // waiting: a heap by `bounds_`, the highest first
   const auto by_margin = [&](std::size_t a, std::size_t b) {
-    return judged_.at(a).margin > judged_.at(b).margin * (1 + same_margin);
+    const double margin_a = nine_digits(judged_.at(a).margin), margin_b = nine_digits(judged_.at(b).margin);
+    return margin_a != margin_b ? margin_a > margin_b : a < b;
   };
   const auto by_bound = [&](std::size_t a, std::size_t b) {
     return bounds_[a] != bounds_[b] ? bounds_[a] < bounds_[b] : a > b;
   };
   std::size_t next = 0;
   const auto may_be_among_them = [&](double bound) {
-    return found.size() < most || judged_.at(found.back()).margin < bound;
+    return found.size() < most || judged_.at(found.back()).margin * (1 - same_margin) <= bound;
   };
   for (;;) {
     const double unseen = next < ordered.size() ? sums_[ordered[next]].margin : -1;
@@ -119,8 +131,8 @@ void MountRanking::judge(const Combinations& batch) {
     constexpr double round_off = 1e-6;
     if (designs[i].margin > bounds_[missing[i]] * (1 + round_off))
       throw foundation::NotComputable(
-          "select: the bound of a combination is below its margin, so that the best could be missed; please report "
-          "this model");
+          "select: the bound of a combination is below its margin, so that the best could be missed; judge the "
+          "combinations in question with trivet verdict, and report this model to the authors");
     judged_.emplace(missing[i], std::move(designs[i]));
   }
 }

@@ -91,6 +91,7 @@ const char* name(RequirementKind kind) {
                                        "price",
                                        "mount_mass",
                                        "clearance"};
+  static_assert(names.size() == static_cast<std::size_t>(RequirementKind::clearance) + 1);
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -9,7 +9,7 @@
 
 namespace trivet::project {
 
-/// Which mounts may stand at some places, the same at all of them: [parameters.NAME] with `choices` or `catalogue`.
+/// Which mounts may be used at some places, the same at all of them: [parameters.NAME] with `choices` or `catalogue`.
 struct MountChoice {
   std::string name;
   std::vector<std::string> paths;     ///< elements.NAME.type or element_types.NAME.type

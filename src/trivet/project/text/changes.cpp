@@ -15,14 +15,9 @@ bool is_exclusive_table(const std::string& key) {
   return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
 }
 
-/// Tables of results that are computed from bodies and elements.
-bool is_observed(const std::string& table) {
-  return table == "relative" || table == "sections" || table == "clearances";
-}
-
 bool holds_named_parts(const std::string& path) {
   return path == "bodies" || path == "nodes" || path == "elements" || path == "element_types" ||
-      path == "excitations" || is_observed(path);
+      path == "excitations" || path == "relative" || path == "sections" || path == "clearances";
 }
 
 /// A whole constant force: a load case may have forces of its own.
@@ -101,7 +96,7 @@ void apply_changes(Node& base, const Node& changes, const std::string& path, fou
         change_components(zero, change, here, problems);
         base.keys.push_back(key);
         base.items.push_back(std::move(zero));
-      } else if (path.empty() && is_observed(key) && change.kind == Node::Kind::table) {
+      } else if (path.empty() && holds_named_parts(key) && change.kind == Node::Kind::table) {
         Node none = change;  // the model has no part of this kind
         none.keys.clear();
         none.items.clear();
