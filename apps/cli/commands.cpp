@@ -197,7 +197,7 @@ std::optional<project::Project> read_or_complain(const Options& options, const p
   return std::nullopt;
 }
 
-/// What `check` leaves to `verdict`; empty if the file has nothing to judge.
+/// The note that requirements are judged by `verdict`; empty if the file has nothing to judge.
 std::string judged_by_verdict(const project::Project& project, const std::string& file) {
   const project::Analyses& asked = project.base().analyses;
   const bool clearances = !project.base().system.description().clearances.empty();

@@ -12,7 +12,7 @@ namespace trivet::cli {
 /// The project file that --write asks for: the given one with other numbers.
 class NewProjectFile {
  public:
-  /// Checked before a search starts; nothing without --write.
+  /// Checks the target before a search starts; does nothing without --write.
   /// @param trial  changes of the numbers that the search will set
   /// @throws BadArgument if the file cannot be written there; problems of the numbers are in `problems`
   NewProjectFile(const Options& options, const project::Project& project, const std::vector<project::Node>& trial);

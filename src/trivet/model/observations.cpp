@@ -52,7 +52,7 @@ void check_clearance(const Description& description, const Clearance& clearance,
   constexpr double beyond_rounding = 1e-6;  // of the distance: places beside each other are no mistake
   if (apart < -beyond_rounding * (*to - *from).norm())
     problems.warning(path + ".direction",
-                     fmt::format("{} lies {:.6g} m behind {} in this direction", foundation::quoted(clearance.to.name),
+                     fmt::format("{} is {:.6g} m behind {} in this direction", foundation::quoted(clearance.to.name),
                                  -apart, foundation::quoted(clearance.of.name)),
                      "the direction points from the first place to the second: moving so, the first closes the gap",
                      "turn the direction around, unless the parts reach past each other");

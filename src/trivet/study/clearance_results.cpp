@@ -136,7 +136,7 @@ void judge_approach(const model::Clearance& clearance, const Approach& approach,
   result.detail = parts_words(approach);
   if (at_rest) result.detail += "; closed at rest, overlap " + value_words(approach.at_rest - clearance.gap, "m");
   else if (!result.met() && std::isfinite(left)) result.detail += "; overlap " + value_words(-left, "m");
-  else if (!result.met()) result.detail += "; nothing left";
+  else if (!result.met()) result.detail += "; the gap is closed";
   else result.detail += "; " + value_words(left, "m") + " left";
   if (!ignored.empty()) result.detail += "; not counted: " + ignored;
 }

@@ -13,7 +13,8 @@
 namespace trivet::study {
 namespace {
 
-/// Samples reach so far beyond the natural frequencies on both sides: the measure is that of 0 and ∞ to a millionth.
+/// Samples reach so far beyond the natural frequencies on both sides. There |y| differs from its limits at 0 and ∞ by a
+/// share of 1 / far_beyond², and so does the measure.
 constexpr double far_beyond = 1e3;
 constexpr double samples_per_decade = 24;
 constexpr std::size_t most_absent_peaks = 8;

@@ -50,7 +50,7 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   const auto words = reader.texts("minimize", R"("margin", or ["BODY.POINT.z", "ground.force.z"])");
   if (!words || (words->size() == 1 && words->front() == "margin")) return {};
   if (words->empty())
-    reader.error("minimize", "an empty list", "something is made small", "minimize = \"margin\", or a list of results");
+    reader.error("minimize", "an empty list", "at least one result is minimised", "minimize = \"margin\", or a list of results");
   check_objectives(reader, "minimize", *words, names, in_file, quantity);
   return *words;
 }
@@ -68,7 +68,7 @@ void read_weights(TableReader& table, const ResultNames& names, const NamesInFil
     request.weights.push_back(weight.value_or(1));
   }
   if (weighted->keys.empty())
-    table.error("weighted", "no result", "something is made small", "weighted = {\"BODY.z\" = 1}");
+    table.error("weighted", "no result", "at least one result is minimised", "weighted = {\"BODY.z\" = 1}");
   check_objectives(table, "weighted", request.minimize, names, in_file, request.quantity);
 }
 
@@ -87,11 +87,11 @@ void read_other_objective(TableReader& reader, const Node& minimize, const Resul
     request.minimized = kind;
     request.minimize = *words;
     if (kind == Minimized::at_rest) request.quantity = assembly::MotionQuantity::displacement;
-    if (words->empty()) table.error(key, "an empty list", "something is made small", "name a result");
+    if (words->empty()) table.error(key, "an empty list", "at least one result is minimised", "name a result");
     check_names(table, key, *words, names, request.quantity);
   }
   if (found != 1)
-    table.error("", fmt::format("{} of weighted, rms and static", found), "braces hold one of them",
+    table.error("", fmt::format("{} of weighted, rms and static", found), "minimize has exactly one of them",
                 "minimize = {weighted = {\"BODY.z\" = 1}}, {rms = [\"BODY.z\"]} or {static = [\"BODY.z\"]}");
   table.finish();
 }

@@ -168,7 +168,7 @@ bool has_mounts(const model::System& system, const std::string& key, foundation:
                                [](const model::Element& element) { return element.rating.has_value(); });
   if (!any)
     problems.error("requirements." + key, "no mount of a catalogue", key + " judges the mounts of catalogues",
-                   "take mounts of type \"catalogue:NAME\", or remove " + key);
+                   "use mounts of type \"catalogue:NAME\", or remove " + key);
   return any;
 }
 
