@@ -241,6 +241,9 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
                    "for instance mass = \"4 kg\"");
   }
   read_names(root, reader, "hold_in", "cases", "case", found.hold_in);
+  if (found.hold_in.empty())
+    reader.error("hold_in", "an empty list", "a design has to hold in at least one case",
+                 "name cases; \"\" is the base model, the default");
   reader.finish();
   result.requirements = std::move(found);
 }
