@@ -42,6 +42,12 @@ on = "m"
 at = [0, 0, 0]
 force = [0, 0, 30]
 """
+GAP = 6e-3
+FLOOR = """[clearances.floor]
+between = ["m", "ground"]
+direction = "-z"
+gap = "6 mm"
+"""
 REQUIRED = f"""[requirements]
 damping_ratio = {RATIO}
 static = {{"m.z" = {SAG}}}
@@ -152,6 +158,97 @@ class MapRequirements(InTemporaryFolder):
         self.assertAlmostEqual(base["margin"] / min(margin(1e5, 400, M), margin(1e5, 400, 80)), 1, delta=STORED)
         self.assertAlmostEqual(heavy["margin"] / margin(1e5, 400, 80), 1, delta=STORED)
         self.assertEqual([r["value"] for r in heavy["rules"][3:]], [None] * 3)
+
+    def test_clearance_is_always_a_rule(self):
+        # The mass sinks by m g / k and moves by F / (2 ζ √(1 − ζ²) k) at its peak.
+        def closed(k, c):
+            ratio = c / (2 * math.sqrt(k * M))
+            moves = 30 / k / (2 * ratio * math.sqrt(1 - ratio**2) if ratio < math.sqrt(0.5) else 1)
+            return GAP / (M * G / k + moves), 1e-3 / moves
+
+        limit = 'limits = {"m.z" = "1 mm"}\n'
+        for rules, limited in (("", False), (limit, True), ("[requirements]\n" + limit, True)):
+            found = answer("map", self.file(MODEL + FLOOR + PUSH + ONE + rules))
+            self.assertEqual([r["kind"] for r in found["rules"]], ["amplitude"] * limited + ["clearance"])
+            places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+            for (k, c), stored in zip(places, found["grid"]["margin"]):
+                expected = closed(k, c)
+                self.assertAlmostEqual(stored / (min(expected) if limited else expected[0]), 1, delta=STORED)
+        self.assertIn("clearance", [r["kind"] for r in answer("map", self.file(MODEL + FLOOR + ONE))["rules"]])
+
+    def test_clearance_is_judged_in_the_band_of_the_map(self):
+        own = answer(
+            "map", self.file(MODEL + FLOOR + PUSH + ONE + 'band = ["0 Hz", "2 Hz"]\nlimits = {"m.z" = "1 m"}\n')
+        )
+        places = [(k, c) for c in values(own["y"]) for k in values(own["x"])]
+        omega = 4 * math.pi  # below the peak of every design
+        for (k, c), stored in zip(places, own["grid"]["margin"]):
+            moves = max(30 / k, 30 / math.hypot(k - M * omega**2, c * omega))
+            self.assertAlmostEqual(stored / (GAP / (M * G / k + moves)), 1, delta=STORED)
+
+    def test_clearance_is_one_rule_beside_natural_frequencies(self):
+        found = answer("map", self.file(MODEL + FLOOR + PUSH + ONE + REQUIRED))
+        self.assertEqual(sum(rule["kind"] == "clearance" for rule in found["rules"]), 1)
+        self.assertEqual(len({rule["words"] for rule in found["rules"]}), len(found["rules"]))
+
+    def test_clearances_without_requirements_hold_in_all_cases(self):
+        text = MODEL + FLOOR + ONE + "[cases.heavy]\nbodies.m.mass = 80\n"
+        found = answer("map", self.file(text))
+        places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+        for (k, c), stored in zip(places, found["grid"]["margin"]):
+            self.assertAlmostEqual(stored / (GAP * k / (80 * G)), 1, delta=STORED)
+
+    def test_own_limits_have_the_band_of_the_requirements(self):
+        limits = 'limits = {"m.z" = "0.4 mm"}\n'
+        response = '[analyses.response]\nband = ["9 Hz", "20 Hz"]\n'
+        low = 'band = ["1 Hz", "6 Hz"]\n'
+        own = answer("map", self.file(MODEL + PUSH + ONE + limits + low + response))
+        required = answer("map", self.file(MODEL + PUSH + ONE + limits + response + "[requirements]\n" + low))
+        self.assertEqual(own["band"], required["band"])
+        self.assertEqual(own["grid"], required["grid"])
+        of_response = answer("map", self.file(MODEL + PUSH + ONE + limits + response))
+        self.assertNotEqual(own["grid"], of_response["grid"])
+        self.assertAlmostEqual(of_response["band"][0], 18 * math.pi, delta=1e-9)
+
+    def test_case_whose_own_map_is_wrong_is_still_judged(self):
+        heavy = '[cases.heavy]\nbodies.m.mass = 80\nanalyses.map.x.points = 1.5\n'
+        found = answer("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n' + heavy))
+        places = [(k, c) for c in values(found["y"]) for k in values(found["x"])]
+        for (k, c), stored in zip(places, found["grid"]["margin"]):
+            self.assertAlmostEqual(stored / min(margin(k, c, M), margin(k, c, 80)), 1, delta=STORED)
+
+    def test_case_without_the_numbers_of_the_map_is_named(self):
+        lossy = "[cases.lossy]\nelements.s.damping = {loss_factor = 0.1}\n"
+        done = trivet("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "lossy"]\n' + lossy))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn('case "lossy" has no number', done.stderr)
+        done = trivet("map", self.file(MODEL + FLOOR + ONE + lossy))
+        self.assertEqual(done.returncode, 0)
+        self.assertIn('case "lossy" has no number', done.stderr)
+
+    def test_free_motion_is_no_natural_frequency(self):
+        # Two masses of 40 and 10 kg on a spring k between them, ω² = k (1/40 + 1/10), which a thread of 2e-8 N/m or
+        # nothing holds: the verdict calls their common motion free.
+        window = '[requirements]\nnatural_frequencies = {avoid = [["0 Hz", "5 Hz"]], separation = 1.2}\n'
+        axes = (
+            '[analyses.map]\nx = {parameter = "elements.k.translation.z", from = 1e5, to = 1e6, points = 3}\n'
+            'y = {parameter = "bodies.n.mass", from = 8, to = 12, points = 3}\n'
+        )
+        for thread in ("2e-8", "0"):
+            text = (
+                'trivet = 1\n[bodies.m]\nmass = 40\nfree = ["z"]\n[bodies.n]\nmass = 10\nfree = ["z"]\n'
+                '[elements.k]\ntype = "bushing"\non = "n"\nfrom = "m"\nat = [0, 0, 0]\ntranslation = [1, 1, 1e6]\n'
+                f'[elements.thread]\ntype = "bushing"\non = "m"\nat = [0, 0, 0]\ntranslation = [1, 1, {thread}]\n'
+            )
+            found = answer("map", self.file(text + axes + window))
+            places = [(k, n) for n in values(found["y"]) for k in values(found["x"])]
+            for (k, n), stored in zip(places, found["grid"]["margin"]):
+                hertz = math.sqrt(k * (1 / 40 + 1 / n)) / (2 * math.pi)
+                self.assertAlmostEqual(stored / (hertz / 5), 1, delta=STORED)
+            judged = answer("verdict", self.file(text + window))["cases"][0]["requirements"]
+            self.assertAlmostEqual(
+                found["marks"][0]["margin"] / min(r["margin"] or math.inf for r in judged), 1, delta=STORED
+            )
 
     def test_requirement_that_cannot_be_judged_is_no_result(self):
         moving = '[excitations.w]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = 5, duration = "11 ms"}}\n'

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "trivet/foundation/plain_text.h"
+
 namespace trivet::design {
 namespace {
 
@@ -29,6 +31,13 @@ std::size_t end_of_number(const std::string& text, std::size_t i) {
 }
 
 }  // namespace
+
+void MapRule::set_case(const std::string& name) {
+  in_case = name;
+  words += case_words();
+}
+
+std::string MapRule::case_words() const { return in_case.empty() ? "" : " in case " + foundation::quoted(in_case); }
 
 std::string without_numbers(const std::string& message) {
   std::string kind;

@@ -17,6 +17,11 @@ struct MapRule {
   double allowed = 0;            ///< amplitude [SI], or relative prominence
   std::string words;             ///< "aggregate.rz ≤ 0.08 rad", "no peak of aggregate.rz"
   std::string requirement = {};  ///< kind of a requirement: "damping_ratio"
+  std::string in_case = {};      ///< a further case in which it is judged; its words name that case too
+
+  /// Notes a further case and names it in the words.
+  void set_case(const std::string& name);
+  [[nodiscard]] std::string case_words() const;  ///< " in case \"soft\"", empty in the case of the map
 };
 
 /// Values of the two parameters, in the units of the axes.

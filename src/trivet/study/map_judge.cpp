@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/analyses/map_of_case.h"
 
 namespace trivet::study {
 namespace {
@@ -43,6 +44,37 @@ const foundation::Problem& first_error(const foundation::Problems& problems) {
   });
 }
 
+/// The rules of the map in a case of `hold_in`, on the axes of the base map.
+project::MapRequest request_in(const project::Case& variant, const project::MapRequest& base) {
+  project::MapRequest request =
+      variant.analyses.map ? *variant.analyses.map : project::map_of_case(variant.analyses, base);
+  request.x = base.x;
+  request.y = base.y;
+  return request;
+}
+
+/// Does a further case take both numbers of the map? If not, its designs cannot be judged: a warning, or an error if
+/// the file asks for it.
+bool takes_numbers(const project::Case& variant, const project::MapRequest& request, bool as_asked,
+                   foundation::Problems& warnings) {
+  constexpr double inside = 0.47;  // of the axis
+  for (const project::DesignAxis* axis : {&request.x, &request.y}) {
+    const project::ModelNumber number(*axis);
+    if (number.read(variant)) continue;
+    if (project::changed_system(variant, {{number, axis->at(inside)}})) continue;
+    const std::string finding =
+        fmt::format("case {} has no number {}", foundation::quoted(variant.name), foundation::quoted(axis->parameter));
+    if (as_asked)
+      throw foundation::NotComputable("map: " + finding +
+                                      ", so its designs cannot be judged there; add the number, or "
+                                      "take the case out of requirements.hold_in");
+    warnings.warning("map", finding, "clearances are judged in all cases that have both numbers of the map",
+                     "judge this case separately by verdict, or list the cases in requirements.hold_in");
+    return false;
+  }
+  return true;
+}
+
 std::string words_of(const std::vector<design::MapRule>& rules, std::size_t first, std::size_t last) {
   std::vector<std::string> words;
   for (std::size_t r = first; r < last; ++r) words.push_back(rules[r].words);
@@ -61,19 +93,31 @@ MapJudge::MapJudge(const project::Project& project, const project::Case& variant
                    const design::EvaluationOptions& options)
     : threads_(options.threads) {
   add_part(variant, request, options);
+  const std::vector<std::string> hold_in = cases_to_hold(project);
+  const bool as_asked = variant.analyses.requirements.has_value();
   if (variant.name.empty())
     for (const project::Case& further : project.cases) {
       const bool holds =
-          std::find(request.hold_in.begin(), request.hold_in.end(), further.name) != request.hold_in.end();
-      if (!holds || !further.analyses.map) continue;
-      project::MapRequest there = *further.analyses.map;
-      there.x = request.x;
-      there.y = request.y;
-      add_part(further, there, options);
+          !further.name.empty() && std::find(hold_in.begin(), hold_in.end(), further.name) != hold_in.end();
+      if (holds && takes_numbers(further, request, as_asked, warnings_)) add_further(further, request, options);
     }
   if (rules_.size() > DesignOutcome::most_rules)
     throw foundation::NotComputable(fmt::format("map: {} rules in all cases of hold_in; a map has at most {}",
                                                 rules_.size(), DesignOutcome::most_rules));
+}
+
+void MapJudge::add_further(const project::Case& variant, const project::MapRequest& request,
+                           const design::EvaluationOptions& options) {
+  const auto refused = [&](const std::string& reason) {
+    return foundation::NotComputable("map: in case " + foundation::quoted(variant.name) + " of hold_in: " + reason);
+  };
+  try {
+    add_part(variant, request_in(variant, request), options);
+  } catch (const foundation::NotComputable& reason) {
+    throw refused(reason.what());
+  } catch (const foundation::InvalidInput& reason) {
+    throw refused(reason.what());
+  }
 }
 
 void MapJudge::add_part(const project::Case& variant, const project::MapRequest& request,
@@ -82,7 +126,7 @@ void MapJudge::add_part(const project::Case& variant, const project::MapRequest&
   part.first_rule = rules_.size();
   for (const auto* rules : {&part.evaluation.rules(), &part.requirements.rules()})
     for (design::MapRule rule : *rules) {
-      if (parts_.size() > 1) rule.words += " in case " + foundation::quoted(variant.name);
+      if (parts_.size() > 1) rule.set_case(variant.name);
       rules_.push_back(std::move(rule));
     }
 }
@@ -108,13 +152,13 @@ std::vector<DesignOutcome> MapJudge::evaluate(std::size_t count,
     foundation::parallel_for(count, {.threads = threads_, .progress = progress, .task = "requirements"},
                              [&](std::size_t first, std::size_t last) {
                                for (std::size_t k = first; k < last; ++k)
-                                 if (all[k].known()) judge_separately(*part, k, points[k], all[k]);
+                                 if (all[k].known()) judge_separately(*part, k, points[k], Kinds::others, all[k]);
                              });
   }
   return all;
 }
 
-void MapJudge::judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes) const {
+void MapJudge::judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes) {
   const std::size_t first = part.requirements.first_by_matrices();
   if (first == part.requirements.rules().size()) return;
   constexpr std::size_t piece = 256;
@@ -123,19 +167,20 @@ void MapJudge::judge_frequencies(const Part& part, const Points& points, Outcome
         {points.begin() + static_cast<std::ptrdiff_t>(from), points.begin() + static_cast<std::ptrdiff_t>(to)});
     for (std::size_t k = from; k < to; ++k) {
       if (!outcomes[k].known()) continue;
-      const std::vector<double> margins =
-          part.requirements.frequency_margins(squared->row(to_index(k - from)).transpose());
-      for (std::size_t r = 0; r < margins.size(); ++r)
-        consider(margins[r], part.first_requirement() + first + r, outcomes[k]);
+      const auto margins = part.requirements.frequency_margins(squared->row(to_index(k - from)).transpose());
+      for (std::size_t r = 0; margins && r < margins->size(); ++r)
+        consider((*margins)[r], part.first_requirement() + first + r, outcomes[k]);
+      if (!margins) judge_separately(part, k, points[k], Kinds::frequencies, outcomes[k]);
     }
   });
 }
 
-void MapJudge::judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point,
+void MapJudge::judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point, Kinds kinds,
                                 DesignOutcome& outcome) {
   ++separately_;
+  const std::string of_case = &part == parts_.front().get() ? "" : " in case " + foundation::quoted(part.variant.name);
   const auto refuse = [&](const std::string& rule, const std::string& words, std::uint8_t kind) {
-    missing_.note(index, rule, words);
+    missing_.note(index, rule + of_case, words + of_case);
     outcome = {0, kind};
   };
   const auto system = project::changed_system(
@@ -146,13 +191,16 @@ void MapJudge::judge_separately(const Part& part, std::size_t index, const desig
                   fmt::format("{}: {}; {}", first.subject, first.finding, first.rule), DesignOutcome::no_model);
   }
   try {
-    const std::vector<RequirementResult> results = part.requirements.separate_results(*system);
+    const bool others = kinds == Kinds::others;
+    const std::vector<RequirementResult> results =
+        others ? part.requirements.separate_results(*system) : part.requirements.frequency_results(*system);
+    const std::size_t first = part.first_requirement() + (others ? 0 : part.requirements.first_by_matrices());
     for (std::size_t r = 0; r < results.size(); ++r) {
       if (!results[r].value) {
         const std::string words = results[r].words + ": " + results[r].reason;
         return refuse(words, words, DesignOutcome::not_computed);
       }
-      consider(results[r].margin, part.first_requirement() + r, outcome);
+      consider(results[r].margin, first + r, outcome);
     }
   } catch (const foundation::NotComputable& reason) {
     refuse(reason.what(), reason.what(), DesignOutcome::not_computed);
@@ -219,7 +267,10 @@ design::EvaluationReport MapJudge::report() const {
       of_case = " in case " + foundation::quoted(part->variant.name);
       if (!part->evaluation.rules().empty())
         report.further.push_back(of_case.substr(1) + ": " + part->evaluation.report().summary());
-      for (const design::MissingReason& reason : part->evaluation.report().missing) report.missing.push_back(reason);
+      for (design::MissingReason reason : part->evaluation.report().missing) {
+        reason.words += of_case;
+        report.missing.push_back(std::move(reason));
+      }
     }
     const std::vector<design::MapRule>& rules = part->requirements.rules();
     const std::size_t by_matrices = part->requirements.first_by_matrices();
@@ -236,7 +287,7 @@ design::EvaluationReport MapJudge::report() const {
 }
 
 foundation::Problems MapJudge::warnings() const {
-  foundation::Problems all;
+  foundation::Problems all = warnings_;
   for (const std::unique_ptr<Part>& part : parts_) all.add(part->requirements.warnings());
   return all;
 }

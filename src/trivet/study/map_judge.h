@@ -54,13 +54,18 @@ class MapJudge {
   using Points = std::vector<design::DesignPoint>;
   void add_part(const project::Case& variant, const project::MapRequest& request,
                 const design::EvaluationOptions& options);
-  void judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes) const;
-  void judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point,
+  /// A case of `hold_in`. @throws foundation::NotComputable  naming the case
+  void add_further(const project::Case& variant, const project::MapRequest& request,
+                   const design::EvaluationOptions& options);
+  enum class Kinds { frequencies, others };  // requirements by interpolated matrices; all others
+  void judge_frequencies(const Part& part, const Points& points, Outcomes& outcomes);
+  void judge_separately(const Part& part, std::size_t index, const design::DesignPoint& point, Kinds kinds,
                         design::DesignOutcome& outcome);
   static void append(const Part& part, const model::System& system, design::JudgedDesign& result);
 
   std::vector<std::unique_ptr<Part>> parts_;
   std::vector<design::MapRule> rules_;
+  foundation::Problems warnings_;
   int threads_ = 0;
   std::atomic<std::size_t> separately_ = 0;
   design::MissingReasons missing_;

@@ -29,8 +29,12 @@ class MapRequirements {
   /// The same without those of natural frequencies by interpolated matrices.
   [[nodiscard]] std::vector<RequirementResult> separate_results(const model::System& system) const;
 
-  /// Margins of the rules on natural frequencies. @param squared_frequencies  ω² of one design, ascending
-  [[nodiscard]] std::vector<double> frequency_margins(const Eigen::ArrayXd& squared_frequencies) const;
+  /// Only those of natural frequencies by interpolated matrices, for one model.
+  [[nodiscard]] std::vector<RequirementResult> frequency_results(const model::System& system) const;
+
+  /// Margins of the rules on natural frequencies; none if a motion may be free, which `frequency_results` decides.
+  /// @param squared_frequencies  ω² of one design, ascending
+  [[nodiscard]] std::optional<std::vector<double>> frequency_margins(const Eigen::ArrayXd& squared_frequencies) const;
 
   /// What the judgement of the model itself warns of.
   [[nodiscard]] const foundation::Problems& warnings() const { return warnings_; }
@@ -38,7 +42,8 @@ class MapRequirements {
  private:
   void add_rules(const std::vector<RequirementResult>& results);
 
-  project::Analyses separate_, frequencies_;  // [requirements] of one kind each
+  project::Analyses separate_;         // judged design by design
+  project::Requirements frequencies_;  // by interpolated matrices
   std::vector<design::MapRule> rules_;
   std::size_t first_by_matrices_ = 0;
   foundation::Problems warnings_;

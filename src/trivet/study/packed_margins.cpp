@@ -12,6 +12,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
+#include "trivet/study/free_motion.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/mount_loads.h"
 
@@ -49,9 +50,9 @@ void set_curves(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen
 
 double margin_of_frequencies(const PackedCase& of, std::size_t result, std::size_t window,
                              const Eigen::ArrayXd& squares) {
+  if (any_may_be_free(squares)) return unknown;
   double least = infinity, lower = 0;
   for (const double square : squares) {
-    if (!(square > 0)) return unknown;
     const double omega = std::sqrt(square);
     if (of.results()[result].kind == RequirementKind::avoided_frequencies)
       least = std::min(least, margin_outside(of.avoided()[window], omega));

@@ -50,10 +50,12 @@ void read_presence_of_rules(TableReader& root, TableReader& analyses, TableReade
       (required && required->find("no_peak"));
   const bool has_limits = reader.has("limits") ? limits && !limits->keys.empty()
                                                : root.has("limits") || (required && required->find("limits"));
-  if (!asks_for_peaks && !has_limits && !required)
+  const bool judges_more = required || !in_file.clearances.empty();
+  if (!asks_for_peaks && !has_limits && !judges_more)
     reader.error("", "neither limits nor no_peak", "a map needs rules that its designs must meet",
-                 "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", [limits] or [requirements]");
-  if (in_file.harmonic_excitations.empty() && (asks_for_peaks || has_limits || !required))
+                 "add limits = {\"BODY.x\" = \"1 mm\"}, no_peak = \"coordinates\", [limits], [requirements] or "
+                 "[clearances]");
+  if (in_file.harmonic_excitations.empty() && (asks_for_peaks || has_limits || !judges_more))
     analyses.error("map",
                    "no harmonic excitation in the model" +
                        (other_excitations(in_file).empty() ? "" : ": " + other_excitations(in_file)),

@@ -4,11 +4,21 @@
 #include <algorithm>
 #include <iterator>
 
+#include "trivet/project/analyses/map_of_case.h"
+#include "trivet/project/analyses/map_reader.h"
+
 namespace trivet::project {
 void use_requirements(Analyses& analyses) {
-  if (!analyses.map || !analyses.requirements) return;
+  if (!analyses.map) return;
   MapRequest& map = *analyses.map;
+  if (!analyses.requirements) {  // clearances are judged in the band of the map
+    Requirements& scope = map.requirements.emplace();
+    scope.band = map.band;
+    scope.excitations = map.excitations;
+    return;
+  }
   Requirements rest = *analyses.requirements;
+  if (!map.limits_of_file && !map.own_band) map.band = rest.band;  // [requirements] takes that of the response
   std::copy_if(rest.hold_in.begin(), rest.hold_in.end(), std::back_inserter(map.hold_in),
                [](const std::string& name) { return !name.empty(); });
   if (map.limits.empty() && !map.own_no_peak) {  // nothing else needs the band and the excitations of the response
@@ -35,7 +45,19 @@ void use_requirements(Analyses& analyses) {
     }
     rest.no_peak.clear();
   }
-  if (!rest.is_empty()) map.requirements = std::move(rest);
+  map.requirements = std::move(rest);  // even without a rule: clearances need its band and excitations
+}
+
+MapRequest map_of_case(const Analyses& of_case, const MapRequest& base) {
+  Analyses analyses = of_case;
+  MapRequest& map = analyses.map.emplace(base);
+  map.requirements.reset();
+  map.hold_in.clear();
+  if (map.limits_of_file) map.limits.clear();
+  if (!map.own_no_peak) map.no_peak.clear();
+  use_limits_of_file(analyses);
+  use_requirements(analyses);
+  return map;
 }
 
 MapRequest MapRequest::of_pair(std::size_t pair) const {
