@@ -210,6 +210,19 @@ class MapRequirements(InTemporaryFolder):
         self.assertNotEqual(own["grid"], of_response["grid"])
         self.assertAlmostEqual(of_response["band"][0], 18 * math.pi, delta=1e-9)
 
+    def test_each_line_of_a_mark_names_another_case(self):
+        limits = 'limits = {"m.z" = "0.1 mm"}\nno_peak = "m"\n'
+        cases = '[cases.soft]\nelements.s.translation.z = 6e4\nbodies.m.mass = 80\n'
+        required = '[requirements]\nhold_in = ["", "soft"]\n'
+        found = answer("map", self.file(MODEL + FLOOR.replace("6 mm", "1 mm") + PUSH + ONE + limits + required + cases))
+        self.assertEqual(len({rule["words"] for rule in found["rules"]}), 6)
+        base, soft = found["marks"]
+        self.assertEqual(base["case"], "")
+        self.assertEqual(len(set(base["words"])), 6)
+        self.assertEqual(sum('in case "soft"' in line for line in base["words"]), 3, base["words"])
+        self.assertEqual(len(set(soft["words"])), len(soft["words"]))
+        self.assertNotIn("in case", str(soft["words"]))
+
     def test_case_whose_own_map_is_wrong_is_still_judged(self):
         heavy = '[cases.heavy]\nbodies.m.mass = 80\nanalyses.map.x.points = 1.5\n'
         found = answer("map", self.file(MODEL + ONE + REQUIRED + 'hold_in = ["", "heavy"]\n' + heavy))
@@ -249,6 +262,14 @@ class MapRequirements(InTemporaryFolder):
             self.assertAlmostEqual(
                 found["marks"][0]["margin"] / min(r["margin"] or math.inf for r in judged), 1, delta=STORED
             )
+
+    def test_text_has_the_units_of_the_file(self):
+        rules = 'band = ["1 Hz", "9 Hz"]\nlimits = {"m.z" = "2.4 mm/s"}\n'
+        text = trivet("map", self.file(MODEL + PUSH + ONE + rules)).stdout
+        self.assertIn("amplitudes over 1 … 9 Hz", text)
+        self.assertIn("m.z ≤ 2.4 mm/s", text)
+        self.assertNotIn("rad/s", text)
+        self.assertIn("rad/s", trivet("map", self.file(MODEL + PUSH + ONE + rules.replace(" Hz", " rad/s"))).stdout)
 
     def test_requirement_that_cannot_be_judged_is_no_result(self):
         moving = '[excitations.w]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {half_sine = {amplitude = 5, duration = "11 ms"}}\n'

@@ -23,7 +23,8 @@ std::string rules_table(const study::DesignMap& map) {
   };
   std::size_t limited = 0;
   for (const std::size_t r : results::governing_rules(map)) {
-    rows.push_back({{map.rules[r].words}, share(map.shares[r].infeasible), share(map.shares[r].feasible)});
+    rows.push_back(
+        {{results::rule_words(map.rules[r])}, share(map.shares[r].infeasible), share(map.shares[r].feasible)});
     limited += map.shares[r].feasible;
   }
   if (map.feasible_designs > limited)

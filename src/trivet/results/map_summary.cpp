@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/distinct_texts.h"
+#include "trivet/study/explanation.h"
 #include "trivet/study/map_warnings.h"
 
 namespace trivet::results {
@@ -22,17 +24,18 @@ bool has(const study::DesignMap& map, RuleKind kind) {
                      [&](const design::MapRule& rule) { return rule.kind == kind; });
 }
 
-std::string band_words(const std::optional<response::Band>& band) {
+std::string band_words(const std::optional<response::Band>& band, bool in_hertz) {
   if (!band) return "amplitudes over all frequencies";
-  const auto [from, to] = distinct_texts(band->from, band->to, 6);
-  return fmt::format("amplitudes over {} … {} rad/s", from, to);
+  const double unit = in_hertz ? foundation::two_pi : 1;
+  const auto [from, to] = distinct_texts(band->from / unit, band->to / unit, 6);
+  return fmt::format("amplitudes over {} … {} {}", from, to, in_hertz ? "Hz" : "rad/s");
 }
 
 }  // namespace
 
 std::string asked_words(const study::DesignMap& map) {
   std::string text;
-  if (has(map, RuleKind::amplitude)) text = band_words(map.request.band);
+  if (has(map, RuleKind::amplitude)) text = band_words(map.request.band, map.in_hertz);
   if (has(map, RuleKind::no_peak))
     text += fmt::format(
         "{}resonance peaks at all frequencies, from {:g} % above the adjacent minimum (rises below {:g} of the curve "
@@ -44,6 +47,11 @@ std::string asked_words(const study::DesignMap& map) {
     text += fmt::format("{}{} {}requirement{}", text.empty() ? "" : "; ", others, text.empty() ? "" : "other ",
                         others == 1 ? "" : "s");
   return text;
+}
+
+std::string rule_words(const design::MapRule& rule) {
+  if (rule.kind != RuleKind::amplitude) return rule.words;
+  return fmt::format("{} ≤ {}{}", rule.answer, study::value_words(rule.allowed, rule.unit), rule.case_words());
 }
 
 std::string feasible_words(const study::DesignMap& map) {
@@ -74,7 +82,7 @@ std::string best_words(const study::DesignMap& map) {
   if (std::isinf(best.margin))
     return fmt::format("Best design: {}; margin ∞ (no rule limits {} designs; this one is in the middle of them)",
                        place, map.without_bound);
-  const std::string& rule = map.rules[best.governing].words;
+  const std::string rule = rule_words(map.rules[best.governing]);
   if (best.margin == 0)
     return fmt::format("No design is feasible and all have margin 0 ({}); the middle one: {}", rule, place);
   std::string text = fmt::format(

@@ -11,6 +11,9 @@ namespace trivet::results {
 /// The range of the rules: the band of the amplitudes, and the threshold for a peak.
 [[nodiscard]] std::string asked_words(const study::DesignMap& map);
 
+/// A rule as the verdict names it: "m.z ≤ 0.5 mm", where `words` of the rule has SI units.
+[[nodiscard]] std::string rule_words(const design::MapRule& rule);
+
 /// The feasible share of the map, and what may have been missed between designs.
 [[nodiscard]] std::string feasible_words(const study::DesignMap& map);
 

@@ -47,7 +47,7 @@ std::string shares_text(const study::DesignMap& map) {
   const std::vector<std::size_t> governing = governing_rules(map);
   std::size_t limited = 0;
   for (const std::size_t r : governing) {
-    table.add({map.rules[r].words, percent(map.shares[r].infeasible), percent(map.shares[r].feasible)});
+    table.add({rule_words(map.rules[r]), percent(map.shares[r].infeasible), percent(map.shares[r].feasible)});
     limited += map.shares[r].feasible;
   }
   if (map.feasible_designs > limited)
@@ -102,7 +102,7 @@ std::string map_pairs_text(const std::vector<study::DesignMap>& maps) {
       const bool unlimited = std::isinf(best.margin);
       for (std::string& word : std::vector<std::string>{axis_value(p.x, x), axis_value(p.y, y),
                                                         unlimited ? "∞" : fmt::format("{:.4g}", best.margin),
-                                                        unlimited ? "no rule" : map.rules[best.governing].words})
+                                                        unlimited ? "no rule" : rule_words(map.rules[best.governing])})
         row.push_back(std::move(word));
     }
     row.resize(7);

@@ -23,6 +23,18 @@ design::DesignPoint value_at(const project::MapRequest& request, const design::M
   return {request.x.at(place.x), request.y.at(place.y)};
 }
 
+/// Does the file give the band of a map in Hz, in the first table that has one?
+bool has_band_in_hertz(const project::Case& variant) {
+  for (const char* table : {"analyses.map", "requirements", "analyses.response"}) {
+    const project::Node* band = project::deepest(variant.document, table).find("band");
+    if (!band || band->kind != project::Node::Kind::array) continue;
+    return std::any_of(band->items.begin(), band->items.end(), [](const project::Node& end) {
+      return end.kind == project::Node::Kind::text && end.text.ends_with("Hz");
+    });
+  }
+  return false;
+}
+
 void count(DesignMap& map) {
   map.shares.resize(map.rules.size());
   for (std::size_t k = 0; k < map.outcomes.size(); ++k) {
@@ -55,6 +67,7 @@ DesignMap design_map(const project::Project& project, const project::Case& varia
   DesignMap map;
   map.case_name = variant.name;
   map.request = request;
+  map.in_hertz = has_band_in_hertz(variant);
   map.grid = {options.nx > 0 ? options.nx : request.x.points, options.ny > 0 ? options.ny : request.y.points};
   map.request.x.points = map.grid.nx;
   map.request.y.points = map.grid.ny;

@@ -22,6 +22,7 @@ struct RuleShare {
 
 struct DesignMap {
   std::string case_name;  ///< case of the model
+  bool in_hertz = false;  ///< the file gives the band of the amplitudes in Hz
   project::MapRequest request;
   design::MapGrid grid;
   std::vector<design::MapRule> rules;

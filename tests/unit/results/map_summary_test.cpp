@@ -52,6 +52,8 @@ TEST(FeasibleWords, StateHowManySteepNeighboursThereAre) {
 TEST(AskedWords, StateTheBandAndWhatCountsAsAPeak) {
   EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [0, 40]")),
             "amplitudes over 0 … 40 rad/s");
+  EXPECT_EQ(results::asked_words(map_of("limits = {\"machine.z\" = \"15 mm\"}, band = [\"0 Hz\", \"40 Hz\"]")),
+            "amplitudes over 0 … 40 Hz");
   EXPECT_EQ(results::asked_words(map_of("no_peak = \"machine\", peak_tolerance = 0.02, min_prominence = 1e-4")),
             "resonance peaks at all frequencies, from 2 % above the adjacent minimum (rises below 0.0001 of the curve "
             "maximum are ignored)");
@@ -85,7 +87,7 @@ TEST(BestWords, CallNoDesignNearestIfEveryMarginIsZero) {
               "analyses.map.y.from=8", "analyses.map.y.to=12"});
   EXPECT_EQ(map.outcomes[*map.best].margin, 0);
   EXPECT_THAT(results::best_words(map),
-              HasSubstr("No design is feasible and all have margin 0 (machine.z ≤ 0.001 m); the middle one: stiffness "
+              HasSubstr("No design is feasible and all have margin 0 (machine.z ≤ 1 mm); the middle one: stiffness "
                         "scale of spring = 1.25, "));
 }
 
