@@ -300,6 +300,18 @@ class Optimize(InTemporaryFolder):
         self.assertEqual(best["side"], 1)
         self.assertEqual([p["idle"] for p in found["parameters"]], [False, True])
 
+    def test_optimum_on_a_window_meets_it_in_the_written_file_too(self):
+        text = OSCILLATOR + '[requirements]\nnatural_frequencies = {avoid = [["12 Hz", "80 Hz"]]}\n'
+        text += '[analyses.optimize]\nminimize = {static = ["m.z"]}\nstarts = 4\n'
+        project = self.file(text)
+        written = project.parent / "best.toml"
+        found = answer("optimize", project)
+        self.assertAlmostEqual(found["parameters"][0]["optimum"] * 1e3 / (M * (24 * math.pi) ** 2), 1, delta=PLACE)
+        self.assertTrue(found["feasible"])
+        self.assertEqual(trivet("optimize", project, "--write", str(written)).returncode, 0)
+        window = answer("verdict", written)["cases"][0]["requirements"][0]
+        self.assertEqual((window["met"], window["margin"]), (True, 1))
+
     def test_it_holds_in_every_case_named(self):
         text = OSCILLATOR + f"[cases.heavy]\nbodies.m.mass = {2 * M}\n"
         text += f'[requirements]\nhold_in = ["", "heavy"]\nstatic = {{"m.z" = {self.SAG}}}\n'

@@ -231,23 +231,32 @@ natural_frequencies = {avoid = [["12 Hz", "12.5 Hz"]]}
     def test_settings_of_names_with_quotes(self):
         name = "M 1\" 40 ShA's"
         self.file(CATALOGUE.replace("[mounts.hard]", '[mounts."M 1\\" 40 ShA\'s"]'), "maker.toml")
-        text = trivet("select", self.file(MACHINE + '[requirements]\nmount_load = "catalogue"\nprice = "1000 EUR"\n'),
-                      "--set", 'elements.front.type = "catalogue:M 1\\" 40 ShA\'s"')
+        text = trivet(
+            "select",
+            self.file(MACHINE + '[requirements]\nmount_load = "catalogue"\nprice = "1000 EUR"\n'),
+            "--set",
+            'elements.front.type = "catalogue:M 1\\" 40 ShA\'s"',
+        )
         self.assertEqual(text.returncode, 0, text.stderr)
-        settings = [word for line in text.stdout.splitlines() if line.startswith("--set '") for word in shlex.split(line)]
+        settings = [
+            word for line in text.stdout.splitlines() if line.startswith("--set '") for word in shlex.split(line)
+        ]
         self.assertEqual(trivet("verdict", self.folder / "project.toml", *settings).returncode, 0)
         self.assertIn(name, text.stdout)
 
     def test_given_mount_that_is_not_judged(self):
         # The machine leans on its mounts: those without a range along x are not judged, and the others are ranked.
-        text = MACHINE.replace("gravity = [0, 0,", "gravity = [1.5, 0,").replace('free = ["z", "ry"]',
-                                                                                 'free = ["x", "z", "ry"]')
+        text = MACHINE.replace("gravity = [0, 0,", "gravity = [1.5, 0,").replace(
+            'free = ["z", "ry"]', 'free = ["x", "z", "ry"]'
+        )
         with_x = CATALOGUE
         for name in ("firm", "hard"):
             at = with_x.index(f"[mounts.{name}]")
             with_x = with_x[:at] + with_x[at:].replace(
                 f"static_load = [{LOADS[name][0]}, {LOADS[name][1]}]",
-                f"load = {{x = [-2000, 2000], z = [{LOADS[name][0]}, {LOADS[name][1]}]}}", 1)
+                f"load = {{x = [-2000, 2000], z = [{LOADS[name][0]}, {LOADS[name][1]}]}}",
+                1,
+            )
         self.file(with_x, "maker.toml")
         found = self.selected(text + '[requirements]\nmount_load = "catalogue"\n', "--most", "16")
         self.assertIn("has no range", found["given"]["reason"])

@@ -79,6 +79,14 @@ class Verdict(InTemporaryFolder):
             self.assertAlmostEqual(found["margin"], margin, DIGITS)
             self.assertEqual(found["met"], margin >= 1)
 
+    def test_natural_frequency_within_nine_digits_of_a_window(self):
+        hertz = NATURAL / (2 * math.pi)
+        for inside, met in ((5e-10, True), (2e-9, False)):
+            for window in ((5, hertz * (1 + inside)), (hertz * (1 - inside), 20)):
+                found = self.one(f'natural_frequencies = {{avoid = [["{window[0]!r} Hz", "{window[1]!r} Hz"]]}}')
+                self.assertEqual(found["met"], met)
+                self.assertEqual(found["margin"] == 1, met)
+
     def test_damping_ratio(self):
         self.assertAlmostEqual(self.one("damping_ratio = 0.05")["margin"], RATIO / 0.05, DIGITS)
         undamped = OSCILLATOR.replace(f"[1e-3, 1e-3, {C}]", "[0, 0, 0]") + "[requirements]\ndamping_ratio = 0.05\n"

@@ -331,7 +331,8 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   const auto [stiffness, load] = added(sums, mounts);
   const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
   if (wants_loads) {
-    if (squares(0) <= at_rest * squares.tail<1>()(0)) return result;  // no position of rest: the verdict gives the reason
+    if (squares(0) <= at_rest * squares.tail<1>()(0))
+      return result;  // no position of rest: the verdict gives the reason
     const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {

@@ -14,8 +14,8 @@ using namespace trivet;
 
 constexpr double round_off = 1e-9;  // of a static solution with stiffnesses that differ by 10
 
-/// A machine on a mount on a frame that is turned on its side: the body frame of `frame` is turned by 90° about x, so that
-/// its y is the ground's z.
+/// A machine on a mount on a frame that is turned on its side: the body frame of `frame` is turned by 90° about x, so
+/// that its y is the ground's z.
 std::vector<response::RatedLoad> loads_of_two_storeys() {
   const project::Project project = test::project(R"(trivet = 1
 gravity = [0, 0, -10]

@@ -50,7 +50,8 @@ std::vector<std::string> read_objective(TableReader& reader, const ResultNames& 
   const auto words = reader.texts("minimize", R"("margin", or ["BODY.POINT.z", "ground.force.z"])");
   if (!words || (words->size() == 1 && words->front() == "margin")) return {};
   if (words->empty())
-    reader.error("minimize", "an empty list", "at least one result is minimised", "minimize = \"margin\", or a list of results");
+    reader.error("minimize", "an empty list", "at least one result is minimised",
+                 "minimize = \"margin\", or a list of results");
   check_objectives(reader, "minimize", *words, names, in_file, quantity);
   return *words;
 }
