@@ -6,7 +6,6 @@ import pathlib
 import resource
 import shutil
 import signal
-import stat
 import subprocess
 import tempfile
 import time

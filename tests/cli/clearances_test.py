@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Gaps that must not close, against calculations by hand."""
+import math
+import unittest
+
+from trivet_test import InTemporaryFolder, answer
+
+CLOSE = 1e-9  # relative: statics, and peaks with their nine digits
+G = 9.80665
+
+M, K, C = 40.0, 2.5e5, 400.0
+OSCILLATOR = f"""trivet = 1
+gravity = [0, 0, -{G}]
+[bodies.m]
+mass = {M}
+free = ["z"]
+[elements.s]
+type = "bushing"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, {K}]
+damping = {{translation = [1e-3, 1e-3, {C}]}}
+[clearances.floor]
+between = ["m", "ground"]
+direction = "-z"
+gap = "6 mm"
+"""
+FORCE = '[excitations.f]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 30]\n'
+STEP = '[excitations.s]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, -1]\nhistory = {step = {amplitude = 50}}\n'
+RATIO = C / (2 * math.sqrt(K * M))
+SAG, PEAK = M * G / K, 30 / K / (2 * RATIO * math.sqrt(1 - RATIO**2))
+OVERSHOOT = 50 / K * (1 + math.exp(-math.pi * RATIO / math.sqrt(1 - RATIO**2)))
+
+
+class Clearances(InTemporaryFolder):
+    def judged(self, text):
+        (result,) = answer("verdict", self.file(text))["cases"][0]["requirements"]
+        return result
+
+    def near(self, found, expected):
+        self.assertLessEqual(abs(found / expected - 1), CLOSE, (found, expected))
+
+    def test_rest_harmonic_and_transient_motion_add(self):
+        self.near(self.judged(OSCILLATOR)["value"], SAG)
+        harmonic = self.judged(OSCILLATOR + FORCE)
+        self.near(harmonic["value"], SAG + PEAK)
+        self.near(harmonic["margin"], 6e-3 / (SAG + PEAK))
+        self.near(harmonic["angular_frequency"], math.sqrt(K / M * (1 - 2 * RATIO**2)))
+        both = self.judged(OSCILLATOR + FORCE + STEP + "[analyses]\ntransient = {}\n")
+        self.near(both["value"], SAG + PEAK + OVERSHOOT)
+        self.assertEqual([word in both["detail"] for word in ("at rest", "harmonic", "transient", "left")], [True] * 4)
+        self.assertIn("not counted: time histories", self.judged(OSCILLATOR + FORCE + STEP)["detail"])
+
+    def test_only_the_band_of_the_requirements_counts(self):
+        low = self.judged(OSCILLATOR + FORCE + '[requirements]\nband = ["0 Hz", "5 Hz"]\n')
+        w = 10 * math.pi
+        self.near(low["value"], SAG + 30 / math.hypot(K - M * w * w, C * w))
+
+    def test_motion_away_opens_the_gap(self):
+        above = OSCILLATOR.replace('direction = "-z"', 'direction = "z"')
+        self.near(self.judged(above)["value"], -SAG)
+        self.assertIsNone(self.judged(above)["margin"])
+        self.near(self.judged(above + FORCE)["value"], PEAK - SAG)
+        # The transient counts only where it closes the gap: the force acts downwards and never lifts the mass.
+        self.near(self.judged(above + FORCE + STEP + "[analyses]\ntransient = {}\n")["value"], PEAK - SAG)
+
+    def test_an_undamped_resonance_leaves_no_gap(self):
+        undamped = OSCILLATOR.replace(f"damping = {{translation = [1e-3, 1e-3, {C}]}}\n", "")
+        found = self.judged(undamped + FORCE)
+        self.assertEqual((found["value"], found["margin"], found["met"]), (None, 0, False))
+        self.assertIn("unbounded", found["detail"])
+
+    def test_a_governing_clearance_names_its_cause(self):
+        case = answer("verdict", self.file(OSCILLATOR.replace("6 mm", "1.6 mm") + FORCE))["cases"][0]
+        self.assertIn("floor.approach", case["cause"])
+
+    def test_optimum_between_a_clearance_and_a_natural_frequency(self):
+        # Stiffness s K: gap s K / (m g) grows with s, the factor below a window of natural frequencies falls with s.
+        window = 2 * math.sqrt(K / M) / (2 * math.pi)
+        text = (
+            OSCILLATOR.replace("6 mm", "1 mm")
+            + f'[requirements]\nnatural_frequencies = {{avoid = [["{window} Hz", "{9 * window} Hz"]]}}\n'
+            + '[parameters.stiffness]\npath = "elements.s.scale"\nfrom = 0.2\nto = 5\nspacing = "logarithmic"\n'
+            + '[analyses]\noptimize = {}\n'
+        )
+        found = answer("optimize", self.file(text))
+        scale = (2 * SAG / 1e-3) ** (2 / 3)
+        self.assertAlmostEqual(found["parameters"][0]["optimum"] / scale, 1, 5)  # residual of the search
+        self.assertAlmostEqual(found["after"] / (1e-3 * scale / SAG), 1, 5)
+        self.assertIn("clearance", [one["requirement"] for one in found["differenced"]])
+
+
+if __name__ == "__main__":
+    unittest.main()

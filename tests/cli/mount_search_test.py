@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""`trivet optimize` over numbers and mounts against the optimum of the numbers for every combination of mounts."""
+import itertools
+import unittest
+
+from select_test import CATALOGUE, MACHINE, NAMES, REQUIREMENTS
+from trivet_test import InTemporaryFolder, answer, trivet
+
+DIGITS = 9
+
+
+class MountSearch(InTemporaryFolder):
+    PLACE = """[parameters."place ahead"]
+path = "elements.front.at.x"
+from = 0.5
+to = 1.1
+"""
+    SEARCH = "[analyses.optimize]\nstarts = 2\n"
+
+    def setUp(self):
+        super().setUp()
+        self.file(CATALOGUE, "maker.toml")
+
+    def optimum_of_each(self, numbers_only):
+        project = self.file(numbers_only)
+        found = {}
+        for ahead, behind in itertools.product(NAMES, NAMES):
+            one = answer(
+                "optimize",
+                project,
+                "--set",
+                f'elements.front.type = "catalogue:{ahead}"',
+                "--set",
+                f'elements.rear.type = "catalogue:{behind}"',
+            )
+            found[ahead, behind] = one
+        return found
+
+    def test_margin(self):
+        text = MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH
+        numbers_only = text.replace(text[text.index("[parameters.ahead]") : text.index("[parameters.\"place")], "")
+        found = answer("optimize", self.file(text))
+        each = self.optimum_of_each(numbers_only)
+        best = max(each, key=lambda mounts: each[mounts]["after"])
+        self.assertEqual(found["mounts"]["chosen"], {"ahead": best[0], "behind": best[1]})
+        self.assertAlmostEqual(found["after"] / each[best]["after"], 1, 6)
+        self.assertEqual(found["mounts"]["combinations"], 16)
+        self.assertAlmostEqual(found["before"] / each["soft", "soft"]["before"], 1, DIGITS)
+        # The place that gives both mounts their share of the load lies elsewhere for other mounts.
+        self.assertNotAlmostEqual(found["parameters"][0]["optimum"], 0.8, 3)
+
+    def test_smallest_force(self):
+        text = MACHINE + self.PLACE + REQUIREMENTS.replace('"60 EUR"', '"75 EUR"')
+        text = text.replace('limits = {"m.z" = "0.6 mm"}', 'limits = {"m.z" = "2 mm"}').replace(
+            '["7.5 Hz", "8.5 Hz"]', '["0.1 Hz", "0.2 Hz"]'
+        )
+        text += '[analyses.optimize]\nstarts = 2\nminimize = ["ground.force.z"]\n'
+        numbers_only = text.replace(text[text.index("[parameters.ahead]") : text.index("[parameters.\"place")], "")
+        found = answer("optimize", self.file(text))
+        each = {mounts: one for mounts, one in self.optimum_of_each(numbers_only).items() if one["feasible"]}
+        self.assertGreater(len(each), 1)
+        best = min(each, key=lambda mounts: each[mounts]["after"])
+        self.assertEqual(found["mounts"]["chosen"], {"ahead": best[0], "behind": best[1]})
+        self.assertAlmostEqual(found["after"] / each[best]["after"], 1, 5)
+
+    def test_settings_give_the_margin(self):
+        project = self.file(MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH)
+        text = trivet("optimize", project)
+        self.assertEqual(text.returncode, 0, text.stderr)
+        self.assertIn("Best found of 16 combinations of mounts", text.stdout)
+        lines = [line.strip() for line in text.stdout.splitlines() if line.startswith("--set '")]
+        settings = [word for line in lines for word in ("--set", line[len("--set '") : -1])]
+        judged = answer("verdict", project, *settings)
+        margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
+        self.assertAlmostEqual(answer("optimize", project)["after"] / margin, 1, 8)
+
+    def test_written_file_has_the_margin(self):
+        project = self.file(MACHINE + self.PLACE + REQUIREMENTS + self.SEARCH)
+        written = self.folder / "best.toml"
+        found = answer("optimize", project, "--write", written)
+        judged = answer("verdict", written)
+        margin = min(r["margin"] for r in judged["cases"][0]["requirements"])
+        self.assertAlmostEqual(found["after"] / margin, 1, 8)
+        self.assertIn('type = "catalogue:' + found["mounts"]["chosen"]["behind"], written.read_text())
+
+    def test_one_choice_of_two_may_take_part(self):
+        text = MACHINE + self.PLACE + REQUIREMENTS
+        text += '[analyses.optimize]\nstarts = 2\nparameters = ["place ahead", "behind"]\n'
+        found = answer("optimize", self.file(text))
+        self.assertEqual(found["mounts"]["combinations"], 4)
+        self.assertEqual(list(found["mounts"]["chosen"]), ["behind"])
+
+    def test_few_of_many_equal_before_the_search_are_not_the_first_of_the_catalogue(self):
+        # Amplitudes have no quick bound. The first four of 16 all have the softest mount behind.
+        text = MACHINE + self.PLACE + '[requirements]\nband = ["0.1 Hz", "2 Hz"]\nlimits = {"m.z" = "1 mm"}\n'
+        found = answer("optimize", self.file(text + "[analyses.optimize]\nstarts = 1\ncombinations = 1\n"))
+        self.assertEqual((found["mounts"]["considered"], found["mounts"]["optimized"]), (4, 1))
+        self.assertNotEqual(found["mounts"]["chosen"]["behind"], "soft")
+
+    def test_mounts_alone_are_selected(self):
+        result = trivet("optimize", self.file(MACHINE + REQUIREMENTS))
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("trivet select judges every combination", result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
