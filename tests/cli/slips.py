@@ -386,6 +386,11 @@ def velocity_limit_in_millimetres(p):
     p["limits"] = {f"{first_name(p)}.z": 7.1}
 
 
+def requirement_in_millimetres(p):
+    limit_in_millimetres(p)
+    p["requirements"] = {"limits": p.pop("limits")}
+
+
 def limit_line_in_millimetres(p):
     p["analyses"].setdefault("response", {}).pop("at", None)
     p["limit_lines"] = {"severity": {"of": f"{first_name(p)}.z", "rows": [[10, 4.5], [100, 2.8]]}}
@@ -439,6 +444,7 @@ SLIPS = {
     "grade times 1000": ("rotor", grade_times_thousand),
     "limit in mm": ("limit", limit_in_millimetres),
     "limit in mm/s": ("limit", velocity_limit_in_millimetres),
+    "required limit in mm": ("limit", requirement_in_millimetres),
     "limit line in mm/s": ("limit", limit_line_in_millimetres),
     "ground without its quantity": ("ground motion", no_quantity),
     "speed of a motor in rpm": ("speed", motor_speed),

@@ -33,7 +33,8 @@ std::string table_of(const std::string& subject) {
   const std::size_t dot = subject.find('.');
   if (dot == std::string::npos) return "";
   const std::string first = subject.substr(0, dot);
-  return first == "damping" || first == "limits" ? first : subject.substr(0, subject.find('.', dot + 1));
+  const bool single = first == "damping" || first == "limits" || first == "requirements";
+  return single ? first : subject.substr(0, subject.find('.', dot + 1));
 }
 
 std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated) {

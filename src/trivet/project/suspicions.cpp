@@ -70,6 +70,13 @@ bool is_translation(const std::string& name) {
   return !of_force && (name.ends_with(".x") || name.ends_with(".y") || name.ends_with(".z"));
 }
 
+/// @param table  of the limit: "limits"
+void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibility::Stated& stated) {
+  if (!is_translation(limit.name) || limit.quantity == assembly::MotionQuantity::acceleration) return;
+  stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), table + "." + limit.name, limit.name,
+                                    limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
+}
+
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
   const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
@@ -80,10 +87,9 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
     if (const auto* question = asked.find<BandQuestion>(reader.name)) add(reader.name, question->band);
   const assembly::MotionQuantity quantity =
       asked.response ? asked.response->selection.quantity : assembly::MotionQuantity::displacement;
-  for (const Limit& limit : asked.limits)
-    if (is_translation(limit.name) && quantity != assembly::MotionQuantity::acceleration)
-      stated.allowed_motions.push_back({limit.name.substr(0, limit.name.find('.')), "limits." + limit.name, limit.name,
-                                        limit.amplitude, quantity == assembly::MotionQuantity::velocity});
+  for (const Limit& limit : asked.limits) add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
+  if (asked.requirements)
+    for (const AmplitudeLimit& limit : asked.requirements->limits) add_limit("requirements.limits", limit, stated);
   for (const LimitLineRequest& request : asked.limit_lines)
     if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,

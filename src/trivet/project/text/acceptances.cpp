@@ -11,6 +11,8 @@
 namespace trivet::project {
 namespace {
 
+/// Tables that accept suspicions about themselves, and those whose tables do.
+constexpr const char* singles[] = {"damping", "limits", "requirements"};
 constexpr const char* holders[] = {"bodies", "elements", "excitations", "foundations", "analyses", "limit_lines"};
 
 std::string join(const std::string& path, const std::string& key) { return path.empty() ? key : path + "." + key; }
@@ -62,7 +64,7 @@ void read_table(const Node& table, const std::string& path, std::vector<Acceptan
 }  // namespace
 
 bool may_accept(const std::string& path) {
-  if (path == "damping" || path == "limits") return true;
+  if (std::find(std::begin(singles), std::end(singles), path) != std::end(singles)) return true;
   const std::size_t dot = path.find('.');
   return dot != std::string::npos && path.find('.', dot + 1) == std::string::npos &&
       std::find(std::begin(holders), std::end(holders), path.substr(0, dot)) != std::end(holders);
@@ -71,7 +73,7 @@ bool may_accept(const std::string& path) {
 std::vector<Acceptance> read_acceptances(const Node& document, foundation::Problems& problems) {
   std::vector<Acceptance> found;
   read_table(document, "", found, problems);
-  for (const char* single : {"damping", "limits"})
+  for (const char* single : singles)
     if (const Node* table = document.find(single); table && table->kind == Node::Kind::table)
       read_table(*table, single, found, problems);
   for (const char* holder : holders) {

@@ -53,8 +53,9 @@ const Words nonlinear_laws = {"law",
                               "tension_only",
                               "compression_only",
                               "amplitude_dependent"};
-const Words optimising = {"optimise", "optimize", "optimisation", "optimization", "optimum", "objective",  "minimise",
-                          "minimize", "select",   "selection",    "choose",       "sample",  "tolerances", "robust"};
+const Words optimising = {"optimise", "optimize", "optimisation", "optimization", "optimum", "objective",
+                          "minimise", "minimize", "select",       "selection",    "choose"};
+const Words scattering = {"sample", "samples", "tolerance", "tolerances", "robust"};
 const Words nonlinear_answers = {"nonlinear",       "continuation", "harmonic_balance", "backbone",  "backbones",
                                  "nonlinear_modes", "limit_cycle",  "limit_cycles",     "stability", "bifurcations"};
 const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", "rotor", "rotors"};
@@ -63,8 +64,11 @@ const OutsideFeature of_elements = {
     "nonlinear elements are outside this version: every element is linear about its static state",
     "give its stiffness and damping about its static state, or the preload of a coil spring or solid mount; or "
     "remove the key"};
-const OutsideFeature of_designs = {"optimisation and the selection of mounts are outside this version",
-                                   "a map of two numbers shows the feasible designs: analyses.map; or remove the key"};
+const OutsideFeature of_designs = {
+    "the best design is asked for in [analyses.optimize], and mounts are chosen by trivet select",
+    "write [parameters] and [requirements], and then [analyses.optimize] (docs/design.md); or remove the key"};
+const OutsideFeature of_scatter = {"tolerances and samples of designs are outside this version",
+                                   "a case with changed numbers shows one deviation: [cases]; or remove the key"};
 const OutsideFeature of_motions = {"results of nonlinear elements are outside this version",
                                    "every result is that of the linear system; remove the key"};
 const OutsideFeature of_shafts = {
@@ -82,6 +86,7 @@ bool is_in(const std::string& path, const std::string& part) { return path == pa
 std::optional<OutsideFeature> outside_feature(const std::string& path, const std::string& key) {
   if ((is_in(path, "elements") || is_in(path, "foundations")) && holds(nonlinear_laws, key)) return of_elements;
   if ((path.empty() || path == "analyses") && holds(optimising, key)) return of_designs;
+  if ((path.empty() || path == "analyses") && holds(scattering, key)) return of_scatter;
   if ((path.empty() || is_in(path, "analyses")) && holds(nonlinear_answers, key)) return of_motions;
   if (path.empty() && holds(nonlinear_laws, key)) return of_elements;
   if (is_in(path, "bodies") && holds(turning, key)) return of_shafts;

@@ -9,7 +9,7 @@
 /// Keys of features that this version does not have: the message names the feature instead of a typing mistake.
 namespace trivet::project {
 
-/// Rule and remedy for a key that belongs to a feature outside this version.
+/// Rule and remedy for a key that belongs to a feature outside this version, or elsewhere.
 struct OutsideFeature {
   std::string rule;
   std::string remedy;
