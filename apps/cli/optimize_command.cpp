@@ -10,7 +10,6 @@
 #include "trivet/report/front_figure.h"
 #include "trivet/results/front_results.h"
 #include "trivet/results/optimization_results.h"
-#include "trivet/study/optimum_warnings.h"
 
 namespace trivet::cli {
 namespace {
@@ -31,10 +30,10 @@ std::vector<project::Node> trial_changes(const project::Analyses& asked) {
 int write_optimum(const Options& options, const project::Project& project, const NewProjectFile& file) {
   const study::Optimization found = study::optimization(project, progress());
   foundation::Problems warnings = project.base().warnings;
-  warnings.add(study::optimum_warnings(project, found));
+  warnings.add(found.warnings);
   const std::string written = file.write(study::optimum_changes(found));
   if (!options.json) write_problems(warnings);
-  write_output(options.json      ? results::optimization_json(found)
+  write_output(options.json      ? results::optimization_json(found, warnings)
                    : options.csv ? results::optimization_csv(found)
                                  : results::optimization_text(found) + "\nThe optimum as settings:\n" +
                        results::optimization_settings(found) + written);
@@ -47,8 +46,10 @@ int write_front(const Options& options, const project::Project& project, const N
   const study::DesignFront front = study::design_front(project, progress());
   const std::size_t chosen = study::chosen_point(front);
   const std::string written = file.write(study::front_changes(front, chosen));
-  if (!options.json) write_problems(project.base().warnings);
-  write_output(options.json      ? results::front_json(front)
+  foundation::Problems warnings = project.base().warnings;
+  warnings.add(front.warnings);
+  if (!options.json) write_problems(warnings);
+  write_output(options.json      ? results::front_json(front, warnings)
                    : options.csv ? results::front_csv(front)
                                  : results::front_text(front) +
                        fmt::format("\nPoint {}{} as settings:\n", chosen + 1, front.knee ? ", the knee," : "") +

@@ -35,7 +35,7 @@ int select_command(const Options& options) {
       throw foundation::NotComputable("select: no combination can be judged, so nothing was written: " + best.reason);
     const std::string written = file.write(study::selection_changes(found));
     if (!options.json) write_problems(project->base().warnings);
-    write_output(options.json ? results::selection_json(found)
+    write_output(options.json ? results::selection_json(found, project->base().warnings)
                               : results::selection_text(found) + "\nThe best as settings:\n" +
                          results::selection_settings(found) + written);
     return options.strict && !best.met ? over_a_limit : done;

@@ -174,6 +174,7 @@ class KnownOptima(InTemporaryFolder):
         rms = math.sqrt(omega / 2 * math.sqrt((1 + 0.75 * mu) / (mu * (1 + mu)))) / k
         self.assertAlmostEqual(found["after"] * rms / allowed, 1, delta=OBJECTIVE)
         self.assertEqual(found["agreeing"], found["starts"])
+        self.assertFalse(any(parameter["idle"] for parameter in found["parameters"]))  # slopes are 0 at this top
         self.assertLess(found["residual"], 1e-2)  # a slope of 1e-5 by differences, over the least scale of 1e-2
 
     def test_torque_roll_axis_mounting(self):

@@ -66,13 +66,20 @@ std::optional<double> ModelNumber::read(const Place& place, const Case& variant)
   return written ? in_unit(*written, unit_) : std::nullopt;
 }
 
+std::vector<std::optional<double>> ModelNumber::values(const Case& variant) const {
+  std::vector<std::optional<double>> result;
+  for (const Place& place : places_) {
+    auto& value = result.emplace_back(read(place, variant));
+    if (value) *value /= place.factor;
+  }
+  return result;
+}
+
 std::optional<double> ModelNumber::read(const Case& variant) const {
   constexpr double same = 1e-9;  // relative: 0.4 m written as 400 mm
   std::optional<double> value;
-  for (const Place& place : places_) {
-    auto here = read(place, variant);
+  for (const std::optional<double>& here : values(variant)) {
     if (!here) return std::nullopt;
-    *here /= place.factor;
     if (value && std::abs(*here - *value) > same * std::abs(*value)) return std::nullopt;
     if (!value) value = here;
   }

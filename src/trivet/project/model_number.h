@@ -27,6 +27,9 @@ class ModelNumber {
   /// places of a parameter have different values.
   [[nodiscard]] std::optional<double> read(const Case& variant) const;
 
+  /// The value at each place, divided by its factor.
+  [[nodiscard]] std::vector<std::optional<double>> values(const Case& variant) const;
+
   /// Change that sets the number to this value, at all places.
   [[nodiscard]] Node change(double value) const;
 

@@ -7,6 +7,7 @@
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
 #include "trivet/results/axis_words.h"
+#include "trivet/results/optimization_results.h"
 #include "trivet/study/design_front.h"
 #include "trivet/study/optimization.h"
 
@@ -34,12 +35,23 @@ std::string optimum_parameters_table(const Optimization& found) {
                      number_cell(p.axis.to),
                      p.given ? number_cell(*p.given) : right("differ"),
                      number_cell(p.best, 6),
+                     right(results::step_words(p.below, found)),
+                     right(results::step_words(p.above, found)),
                      {p.idle           ? "changes nothing here"
                           : p.at_bound ? "at the end of its range"
                                        : ""}},
                     ""});
   }
-  return html_table({{"Parameter"}, {"unit"}, right("from"), right("to"), right("given"), right("optimum"), {""}},
+  const std::string what = found.minimizes ? "minimised" : "margin";
+  return html_table({{"Parameter"},
+                     {"unit"},
+                     right("from"),
+                     right("to"),
+                     right("given"),
+                     right("optimum"),
+                     right(what + ": 1 % of range less"),
+                     right("1 % more"),
+                     {""}},
                     rows);
 }
 

@@ -64,8 +64,10 @@ std::string left_out_text(const DesignFront& front) {
 std::string knee_text(const DesignFront& front) {
   if (front.points.size() == 1) return "One design has the least of each result: there is nothing to choose.\n";
   if (!front.knee)
-    return "No knee: the front does not bulge towards less of all, so every step along it costs about as much as it "
-           "brings, or more.\n";
+    return fmt::format(
+        "No knee: the front does not bulge beyond the straight {} between its ends (each result from 0 at its least to "
+        "1 at its most).\n",
+        front.objectives.size() == 2 ? "line" : "plane");
   return fmt::format("Knee: point {}, {:.3g} of the range beyond the straight {} between the ends.\n", *front.knee + 1,
                      front.knee_distance, front.objectives.size() == 2 ? "line" : "plane");
 }
@@ -99,7 +101,11 @@ std::string front_settings(const DesignFront& front, std::size_t point) {
   return text;
 }
 
-std::string front_json(const DesignFront& front) { return json::text(json::front(front), 1) + "\n"; }
+std::string front_json(const DesignFront& front, const foundation::Problems& warnings) {
+  json::Json result = json::front(front);
+  result["warnings"] = json::warnings(warnings);
+  return json::text(result, 1) + "\n";
+}
 
 json::Json json::front(const DesignFront& front) {
   Json result = {{"objectives", Json::array()},

@@ -17,6 +17,6 @@ namespace trivet::results {
 [[nodiscard]] std::string front_csv(const study::DesignFront& front);
 
 /// Amplitudes in SI, parameters in their units.
-[[nodiscard]] std::string front_json(const study::DesignFront& front);
+[[nodiscard]] std::string front_json(const study::DesignFront& front, const foundation::Problems& warnings);
 
 }  // namespace trivet::results

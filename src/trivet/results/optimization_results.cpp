@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/price.h"
 #include "trivet/results/axis_words.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
@@ -39,6 +40,9 @@ std::vector<std::string> minimized_names(const Optimization& found) {
 
 std::string objective_words(const Optimization& found) {
   if (found.falls_short) return "no design looked at meets every requirement. Largest least margin instead";
+  if (found.mounts && found.mounts->price)
+    return found.mounts->some_met ? "cheapest mounts found, and with these the largest least margin of all requirements"
+                                  : "no mounts that were tried meet every requirement. Largest least margin instead";
   if (!found.minimizes) return "least margin of all requirements";
   if (!found.weights.empty()) {
     std::string words = "weighted sum of the largest amplitudes over the band: ";
@@ -65,13 +69,15 @@ std::string minimized_text(const Optimization& found) {
 }
 
 std::string parameters_text(const Optimization& found) {
-  TextTable table({"parameter", "from", "to", "given", "optimum", ""});
+  const std::string what = found.minimizes ? "minimised" : "margin";
+  TextTable table({"parameter", "from", "to", "given", "optimum", what + ": 1 % of range less", "1 % more", ""});
   for (const study::OptimizedParameter& p : found.parameters) {
     const std::string unit = axis_unit(p.axis);
     const auto words = [&](double value) { return fmt::format("{:.6g}{}", value, unit.empty() ? "" : " " + unit); };
     constexpr double noticeable = 1e-3;  // of the range
     const bool valley = p.most - p.least > noticeable * (p.axis.to - p.axis.from);
     table.add({p.axis.name, words(p.axis.from), words(p.axis.to), p.given ? words(*p.given) : "differ", words(p.best),
+               step_words(p.below, found), step_words(p.above, found),
                p.idle           ? "changes nothing here"
                    : valley     ? fmt::format("as good, with others changed: {:.4g} … {:.4g}", p.least, p.most)
                    : p.at_bound ? "at the end of its range"
@@ -91,12 +97,24 @@ std::string mounts_text(const Optimization& found) {
   if (!found.mounts) return "";
   const study::OptimizedMounts& mounts = *found.mounts;
   std::string text = "Mounts: " + mounts_words(mounts, mounts.chosen) + "\n";
-  text += fmt::format(
-      "Best found of {} combinations of mounts: {} were judged with the given numbers, and the numbers of the best {} "
-      "optimised.\n",
-      mounts.combinations, mounts.considered, mounts.optimized);
+  if (mounts.price)
+    text += fmt::format(
+        "Price of all mounts: {} → {}. The numbers of {} of {} combinations were optimised, the cheapest first{}.\n",
+        mounts.price_before ? project::price_words(*mounts.price_before) : "not known",
+        project::price_words(*mounts.price), mounts.optimized, mounts.combinations,
+        mounts.some_met || mounts.optimized == mounts.combinations
+            ? ""
+            : "; dearer ones were not tried: allow more with combinations");
+  else
+    text += fmt::format(
+        "Best found of {} combinations of mounts: {} were judged with the given numbers, and the numbers of the best "
+        "{} optimised.\n",
+        mounts.combinations, mounts.considered, mounts.optimized);
   for (const study::OptimizedMounts::Other& other : mounts.others)
-    text += fmt::format("  next: {} with {}\n", ratio_words(other.objective), mounts_words(mounts, other.mounts));
+    text += fmt::format(
+        "  next: {} with {}\n",
+        mounts.price ? project::price_words({other.objective, mounts.price->currency}) : ratio_words(other.objective),
+        mounts_words(mounts, other.mounts));
   return text + "\n";
 }
 
@@ -121,8 +139,23 @@ std::string requirements_text(const Optimization& found) {
   return text;
 }
 
+std::string decoupling_text(const std::string& of, const std::vector<study::BodyDecoupling>& before,
+                            const std::vector<study::BodyDecoupling>& after) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t b = 0; b < after.size() && b < most; ++b) {
+    const auto same =
+        std::find_if(before.begin(), before.end(), [&](const auto& one) { return one.body == after[b].body; });
+    text += fmt::format("Decoupling of {}, {}least of its modes: given {}, optimum {:.4g} %\n", after[b].body, of,
+                        same == before.end() ? "not known" : fmt::format("{:.4g} %", 100 * same->least),
+                        100 * after[b].least);
+  }
+  return after.size() > most ? text + "Decoupling of other bodies: --json\n" : text;
+}
+
 std::string frequencies_text(const Optimization& found) {
-  const auto list = [](const std::vector<double>& frequencies) {
+  const auto list = [](const study::DesignSummary& summary) {
+    const std::vector<double>& frequencies = summary.angular_frequencies;
     constexpr std::size_t most = 12;
     std::string text;
     for (std::size_t i = 0; i < frequencies.size() && i < most; ++i)
@@ -133,8 +166,9 @@ std::string frequencies_text(const Optimization& found) {
   for (std::size_t c = 0; c < found.after.size(); ++c) {
     const std::string of =
         found.after.size() > 1 && found.after[c].case_name.empty() ? "base model: " : case_prefix(found.after[c]);
-    text += "Natural frequencies, " + of + "given:   " + list(found.frequencies_before[c]) + " Hz\n" +
-        "Natural frequencies, " + of + "optimum: " + list(found.frequencies_after[c]) + " Hz\n";
+    text += "Natural frequencies, " + of + "given:   " + list(found.summaries_before[c]) + " Hz\n" +
+        "Natural frequencies, " + of + "optimum: " + list(found.summaries_after[c]) + " Hz\n";
+    text += decoupling_text(of, found.summaries_before[c].decoupling, found.summaries_after[c].decoupling);
   }
   return text;
 }
@@ -194,6 +228,19 @@ std::string search_text(const Optimization& found) {
   return text + "A search finds the best of where it looked; it proves no global optimum.\n";
 }
 
+json::Json step_json(const std::optional<study::OptimizedParameter::Step>& step) {
+  if (!step) return nullptr;
+  return {{"value", step->value},
+          {"objective", step->objective ? json::number(*step->objective) : json::Json(nullptr)},
+          {"met", step->met}};
+}
+
+json::Json decoupling_json(const study::DesignSummary& summary) {
+  json::Json bodies = json::Json::object();
+  for (const study::BodyDecoupling& one : summary.decoupling) bodies[one.body] = one.least;
+  return bodies;
+}
+
 json::Json mounts_json(const study::OptimizedMounts& mounts, const std::vector<std::size_t>& chosen) {
   json::Json names = json::Json::object();
   for (std::size_t c = 0; c < chosen.size(); ++c) names[mounts.choices[c].name] = mounts.choices[c].mounts[chosen[c]];
@@ -201,6 +248,18 @@ json::Json mounts_json(const study::OptimizedMounts& mounts, const std::vector<s
 }
 
 }  // namespace
+
+std::string step_words(const std::optional<study::OptimizedParameter::Step>& step, const Optimization& found) {
+  if (!step) return "";
+  if (!step->objective) return "not computed";
+  const double change = 100 * (*step->objective / found.objective_after - 1);
+  constexpr double none = 1e-3, many = 1e3;  // percent
+  const std::string words = !std::isfinite(change) ? "∞"
+      : std::abs(change) < none                    ? "0 %"
+      : std::abs(change) < many                    ? fmt::format("{:+.3g} %", change)
+                                                   : fmt::format("{:+.0f} %", change);
+  return step->met || !found.feasible ? words : words + ", violates";
+}
 
 std::string optimization_text(const Optimization& found) {
   const std::string before = found.objective_before ? ratio_words(*found.objective_before) : "not judged";
@@ -225,11 +284,16 @@ std::string optimization_settings(const Optimization& found) {
   return text;
 }
 
-std::string optimization_json(const Optimization& found) { return json::text(json::optimization(found), 1) + "\n"; }
+std::string optimization_json(const Optimization& found, const foundation::Problems& warnings) {
+  json::Json result = json::optimization(found);
+  result["warnings"] = json::warnings(warnings);
+  return json::text(result, 1) + "\n";
+}
 
 json::Json json::optimization(const Optimization& found) {
   const auto number = [](double value) { return json::number(value); };
-  Json result = {{"objective", found.minimizes ? Json(minimized_names(found)) : Json("margin")},
+  const bool cheapest = found.mounts && found.mounts->price;
+  Json result = {{"objective", found.minimizes ? Json(minimized_names(found)) : Json(cheapest ? "price" : "margin")},
                  {"weights", found.weights},
                  {"falls_short", found.falls_short},
                  {"minimized", Json::array()},
@@ -264,6 +328,12 @@ json::Json json::optimization(const Optimization& found) {
                         {"considered", mounts.considered},
                         {"optimized", mounts.optimized},
                         {"others", std::move(others)}};
+    if (mounts.price) {
+      result["mounts"]["price"] = number(mounts.price->amount);
+      result["mounts"]["price_before"] = mounts.price_before ? number(mounts.price_before->amount) : Json(nullptr);
+      result["mounts"]["currency"] = mounts.price->currency;
+      result["mounts"]["some_met"] = mounts.some_met;
+    }
   }
   for (const study::OptimizedParameter& p : found.parameters) {
     Json places = Json::array();
@@ -279,14 +349,19 @@ json::Json json::optimization(const Optimization& found) {
                                     {"as_good_from", p.least},
                                     {"as_good_to", p.most},
                                     {"at_bound", p.at_bound},
+                                    {"one_percent_less", step_json(p.below)},
+                                    {"one_percent_more", step_json(p.above)},
                                     {"idle", p.idle}});
   }
   for (std::size_t c = 0; c < found.after.size(); ++c)
-    result["cases"].push_back({{"case", found.after[c].case_name},
-                               {"before", json::verdict(found.before[c])},
-                               {"after", json::verdict(found.after[c])},
-                               {"angular_frequencies_before", json::list(found.frequencies_before[c])},
-                               {"angular_frequencies_after", json::list(found.frequencies_after[c])}});
+    result["cases"].push_back(
+        {{"case", found.after[c].case_name},
+         {"before", json::verdict(found.before[c])},
+         {"after", json::verdict(found.after[c])},
+         {"angular_frequencies_before", json::list(found.summaries_before[c].angular_frequencies)},
+         {"angular_frequencies_after", json::list(found.summaries_after[c].angular_frequencies)},
+         {"decoupling_before", decoupling_json(found.summaries_before[c])},
+         {"decoupling_after", decoupling_json(found.summaries_after[c])}});
   for (const study::ActiveRequirement& one : found.active)
     result["active"].push_back({{"case", found.after[one.result_case].case_name},
                                 {"requirement", one.words},

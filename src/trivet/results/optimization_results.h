@@ -10,9 +10,13 @@ namespace trivet::results {
 /// Parameters, requirements and natural frequencies of the given design beside those of the optimum, what holds it, and
 /// how sure the search is.
 [[nodiscard]] std::string optimization_text(const study::Optimization& found);
-[[nodiscard]] std::string optimization_json(const study::Optimization& found);
+[[nodiscard]] std::string optimization_json(const study::Optimization& found, const foundation::Problems& warnings);
 /// The settings that give the optimum: --set 'elements.mount.scale = 1.25', one per line.
 [[nodiscard]] std::string optimization_settings(const study::Optimization& found);
+
+/// "-0.42 %": the change of the objective by a step of one parameter; "violates" if it breaks a requirement.
+[[nodiscard]] std::string step_words(const std::optional<study::OptimizedParameter::Step>& step,
+                                     const study::Optimization& found);
 
 /// One row per parameter, values in its unit, and one per choice of mounts.
 [[nodiscard]] std::string optimization_csv(const study::Optimization& found);

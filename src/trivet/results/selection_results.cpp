@@ -178,7 +178,7 @@ std::string selection_settings(const MountSelection& found) {
   return mount_settings(found.choices, found.best.front().mounts);
 }
 
-std::string selection_json(const MountSelection& found) {
+std::string selection_json(const MountSelection& found, const foundation::Problems& warnings) {
   using json::Json;
   Json result = {{"all_combinations", found.all_combinations},
                  {"combinations", found.combinations},
@@ -190,7 +190,8 @@ std::string selection_json(const MountSelection& found) {
                  {"failed", Json::array()},
                  {"choices", Json::array()},
                  {"given", design_json(found, found.given)},
-                 {"best", Json::array()}};
+                 {"best", Json::array()},
+                 {"warnings", json::warnings(warnings)}};
   for (const MountSelection::Failed& one : found.failed)
     result["failed"].push_back({{"test", one.test}, {"combinations", one.combinations}});
   for (std::size_t c = 0; c < found.choices.size(); ++c) {

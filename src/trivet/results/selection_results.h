@@ -9,7 +9,7 @@ namespace trivet::results {
 
 /// The best combinations of mounts compared with the given design, and what each mount reaches at best.
 [[nodiscard]] std::string selection_text(const study::MountSelection& found);
-[[nodiscard]] std::string selection_json(const study::MountSelection& found);
+[[nodiscard]] std::string selection_json(const study::MountSelection& found, const foundation::Problems& warnings);
 /// The settings that give the best combination: --set 'elements.left.type = "catalogue:NAME"', one per line.
 [[nodiscard]] std::string selection_settings(const study::MountSelection& found);
 

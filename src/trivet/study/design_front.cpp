@@ -13,6 +13,8 @@
 #include "trivet/study/design_search.h"
 #include "trivet/study/front_geometry.h"
 #include "trivet/study/front_problems.h"
+#include "trivet/study/margin.h"
+#include "trivet/study/parameter_warnings.h"
 
 namespace trivet::study {
 namespace {
@@ -20,7 +22,6 @@ namespace {
 using numerics::MaxMinPoint;
 using numerics::MaxMinProblem;
 
-constexpr double requirement_met = -1e-9;  // ln of a margin
 /// A value within this of the least one holds a point of the front, in scaled objectives.
 constexpr double holds_within = 1e-6;
 
@@ -28,7 +29,7 @@ class FrontSearch {
  public:
   FrontSearch(const DesignObjective& objective, const project::OptimizeRequest& request,
               const foundation::Progress& progress)
-      : objective_(objective), request_(request), progress_(progress), count_(objective.objectives()) {}
+      : objective_(objective), request_(request), progress_(progress), count_(objective.minimized().count()) {}
 
   DesignFront run() {
     look();
@@ -93,7 +94,7 @@ class FrontSearch {
       MaxMinPoint best = found.front();
       for (const MaxMinPoint& one : found)
         if (rank(one) > rank(best)) best = one;
-      if (best.constraint < requirement_met)
+      if (best.constraint < least_met)
         throw foundation::NotComputable(
             "optimize: no design looked at meets every requirement, so there is no front; leave front out, and the "
             "search says what contradicts what");
@@ -118,7 +119,7 @@ class FrontSearch {
       if (j == wanted) continue;
       const MaxMinPoint better = max_min(least_amplitude_below(objective_, j, held), end.x);
       const FrontValues there = front_values(objective_, better.x);
-      const bool within = (there.amplitudes.array() <= held.array()).all() && there.constraint >= requirement_met;
+      const bool within = (there.amplitudes.array() <= held.array()).all() && there.constraint >= least_met;
       if (within && there.amplitudes(to_index(j)) <= end.amplitudes(to_index(j))) end = there;
       held(to_index(j)) = eased * end.amplitudes(to_index(j));
     }
@@ -225,7 +226,7 @@ class FrontSearch {
     std::vector<FrontValues> met;
     std::vector<Eigen::VectorXd> weights, scaled;
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      if (points_[k].constraint < requirement_met || !points_[k].amplitudes.allFinite()) {
+      if (points_[k].constraint < least_met || !points_[k].amplitudes.allFinite()) {
         ++result.not_found;
         continue;
       }
@@ -246,9 +247,13 @@ class FrontSearch {
     }
   }
 
+  [[nodiscard]] const RequirementResult& given_objective(std::size_t number) const {
+    return objective_.given().front()[objective_.minimized().result(0, number)];
+  }
+
   void describe_objectives(DesignFront& result) const {
     for (std::size_t i = 0; i < count_; ++i) {
-      const RequirementResult& one = objective_.given_objective(i);
+      const RequirementResult& one = given_objective(i);
       FrontObjective& objective = result.objectives.emplace_back();
       objective.name = one.subject;
       objective.unit = one.unit;
@@ -258,7 +263,7 @@ class FrontSearch {
         objective.least = std::min(objective.least, amplitude);
         objective.most = std::max(objective.most, amplitude);
       }
-      objective.given = objective_.given_amplitude(i);
+      objective.given = objective_.minimized().largest(i, objective_.given());
     }
   }
 
@@ -267,7 +272,7 @@ class FrontSearch {
     const Eigen::VectorXd values = objective_.space().values(points_[k].x);
     point.values.assign(values.begin(), values.end());
     for (std::size_t i = 0; i < count_; ++i)
-      point.amplitudes.push_back(objective_.given_objective(i).allowed * points_[k].amplitudes(to_index(i)));
+      point.amplitudes.push_back(given_objective(i).allowed * points_[k].amplitudes(to_index(i)));
     const Eigen::VectorXd& reached = points_[k].amplitudes;
     const bool single = !scale_.has_width();
     const MaxMinProblem problem =
@@ -279,7 +284,7 @@ class FrontSearch {
     Eigen::Vector2d sums = Eigen::Vector2d::Zero();
     for (std::size_t i = 0; i < objective_.places().size(); ++i)
       if (objective_.is_objective()[i])
-        sums(to_index(objective_.objective_number(objective_.places()[i].result))) += found.of_values(to_index(i));
+        sums(to_index(objective_.minimized().number(objective_.places()[i]))) += found.of_values(to_index(i));
     constexpr double some = 1e-6;
     if (sums.minCoeff() > some)
       point.exchange = (sums(0) * reached(0) / scale_.width()(0)) / (sums(1) * reached(1) / scale_.width()(1));
@@ -305,7 +310,9 @@ DesignFront design_front(const project::Project& project, const foundation::Prog
                                      " is a choice of mounts; name the numbers in parameters = [\"NAME\"] of "
                                      "[analyses.optimize]");
   const DesignObjective objective(project, request);
-  return FrontSearch(objective, request, progress).run();
+  DesignFront front = FrontSearch(objective, request, progress).run();
+  front.warnings = parameter_warnings(project, objective.space());
+  return front;
 }
 
 std::size_t chosen_point(const DesignFront& front) { return front.knee.value_or(front.points.size() / 2); }

@@ -43,6 +43,7 @@ struct DesignFront {
   std::string first_failure;
   std::vector<std::string> differenced;  ///< kinds of requirements whose slopes are differences of values
   std::size_t differences = 0;           ///< models solved for these differences, besides `evaluations`
+  foundation::Problems warnings;         ///< of the parameters, besides those of the model
 };
 
 /// Searches `front` of [analyses.optimize].

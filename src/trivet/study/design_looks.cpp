@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/parallel_for.h"
+#include "trivet/study/margin.h"
 #include "trivet/study/packed_margins.h"
 
 namespace trivet::study {
@@ -58,18 +59,19 @@ class Looks {
                                for (std::size_t i = first; i < last; ++i)
                                  values.row(to_index(i - first)) =
                                      objective_.space().values(shares_->row(to_index(which[i])).transpose());
-                               for (const CaseFamily& one : objective_.families()) {
+                               for (std::size_t c = 0; c < objective_.families().size(); ++c) {
+                                 const CaseFamily& one = objective_.families()[c];
                                  if (!one.reason().empty()) continue;
                                  const Eigen::ArrayXXd margins = kernel(one.packed(), one.family().designs(values));
                                  for (std::size_t i = first; i < last; ++i)
-                                   set(which[i], margins.row(to_index(i - first)).transpose());
+                                   set(which[i], c, margins.row(to_index(i - first)).transpose());
                                }
                              });
   }
 
-  void set(std::size_t design, const Eigen::ArrayXd& margins) {
+  void set(std::size_t design, std::size_t c, const Eigen::ArrayXd& margins) {
     for (Eigen::Index r = 0; r < margins.size(); ++r) {
-      const bool counts = !objective_.minimizes() || objective_.is_objective(to_size(r));
+      const bool counts = !objective_.minimized().any() || objective_.minimized().contain({c, to_size(r)});
       double& least = counts ? objectives_[design] : constraints_[design];
       const double value = margins(r) > 0 ? std::log(margins(r)) : DesignObjective::unusable;  // also if unknown
       least = std::min(least, std::max(value, DesignObjective::unusable));
@@ -125,8 +127,8 @@ DesignLooks design_looks(const DesignObjective& objective, std::size_t wanted, c
 }
 
 double rank(double objective, double constraint) {
-  constexpr double below_all = -1e3, met_within = -1e-9;
-  return constraint >= met_within ? objective : below_all + constraint;
+  constexpr double below_all = -1e3;
+  return constraint >= least_met ? objective : below_all + constraint;
 }
 
 }  // namespace trivet::study

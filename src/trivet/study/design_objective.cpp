@@ -139,23 +139,19 @@ void refuse_overruled_cases(const DesignSpace& space, const project::Project& pr
 }  // namespace
 
 DesignObjective::DesignObjective(const project::Project& project, const project::OptimizeRequest& request)
-    : space_(project, request.parameters),
-      minimizes_(!request.minimize.empty() || !request.front.empty()),
-      minimized_(request.minimized),
-      weights_(request.weights),
-      separate_(!request.front.empty() || !request.weights.empty()) {
+    : space_(project, request.parameters), minimized_(request) {
   const std::vector<std::string> hold_in = cases_to_hold(project);
   for (const project::Case& variant : project.cases)
     if (std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end()) cases_.push_back(&variant);
   refuse_overruled_cases(space_, project, cases_);
   for (const project::Case* variant : cases_) {
     asked_.push_back(variant->analyses);
-    add_objectives(asked_.back(), request);
+    minimized_.add_to(asked_.back());
   }
   for (const project::Case* variant : cases_) references_.push_back(lowest_natural_frequency(variant->system));
   for (std::size_t c = 0; c < cases_.size(); ++c) {
     const std::vector<RequirementResult>& given = given_.emplace_back(results(c, cases_[c]->system));
-    if (c == 0) find_objectives(given);
+    minimized_.find_in(given);
     std::vector<std::size_t>& width = width_.emplace_back();
     for (std::size_t r = 0; r < given.size(); ++r) {
       if (!given[r].value)
@@ -163,7 +159,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
       width.push_back(places_of(given[r].kind));
       for (std::size_t k = 0; k < width.back(); ++k) {
         places_.push_back({c, r});
-        is_objective_.push_back(!minimizes_ || is_objective(r));
+        is_objective_.push_back(!minimized_.any() || minimized_.contain({c, r}));
       }
     }
     differenced_requirements_.push_back(differenced_alone(asked_[c], given, cases_[c]->system));
@@ -172,7 +168,7 @@ DesignObjective::DesignObjective(const project::Project& project, const project:
     throw foundation::InvalidInput(
         "optimize: neither requirements nor limits nor anything to minimise; add [requirements], or minimize = "
         "[\"BODY.x\"] in [analyses.optimize]");
-  refuse_mixed_objectives();
+  minimized_.refuse_unlike(given_.front());
 }
 
 const std::vector<CaseFamily>& DesignObjective::families() const {
@@ -196,88 +192,9 @@ std::vector<std::string> DesignObjective::differenced() const {
   return kinds;
 }
 
-/// The objectives are the last results of their kind.
-void DesignObjective::find_objectives(const std::vector<RequirementResult>& given) {
-  if (minimized_ == project::Minimized::amplitude) return;
-  const RequirementKind kind =
-      minimized_ == project::Minimized::rms ? RequirementKind::rms : RequirementKind::static_value;
-  for (std::size_t r = 0; r < given.size(); ++r)
-    if (given[r].kind == kind) first_objective_ = r + 1 - std::min(objectives_, r + 1);
-}
-
-void DesignObjective::refuse_mixed_objectives() const {
-  if (!minimizes_ || (separate_ && weights_.empty()) || limited_ == objectives_) return;
-  const std::vector<RequirementResult>& given = given_.front();
-  bool mixed = limited_ > 0;
-  for (std::size_t i = 0; i < objectives_; ++i)
-    mixed = mixed || given[first_objective_ + i].unit != given[first_objective_].unit;
-  if (mixed)
-    throw foundation::InvalidInput(
-        "optimize: amplitudes of different units, or some with a limit and some without, have no common measure; give "
-        "each of minimize a limit in limits = {\"BODY.x\" = \"1 mm\"} of [requirements]: then the largest share of a "
-        "limit is minimised");
-}
-
 std::string DesignObjective::words(const Place& place) const {
   const RequirementResult& result = given_[place.result_case][place.result];
-  if (!is_objective(place.result)) return result.words;
-  if (minimized_ == project::Minimized::at_rest) return result.subject + " at rest";
-  return (minimized_ == project::Minimized::rms ? "the rms of " : "the largest amplitude of ") + result.subject;
-}
-
-void DesignObjective::add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request) {
-  if (!minimizes_) return;
-  if (!analyses.requirements) {
-    analyses.requirements.emplace();
-    if (analyses.response) analyses.requirements->band = analyses.response->band;
-  }
-  project::Requirements& required = *analyses.requirements;
-  first_objective_ = analyses.limits.size() + required.limits.size();
-  const std::vector<std::string>& names = request.front.empty() ? request.minimize : request.front;
-  objectives_ = names.size();
-  limited_ = 0;
-  const bool amplitudes = minimized_ == project::Minimized::amplitude;
-  std::vector<project::AmplitudeLimit>& list = amplitudes ? required.limits
-      : minimized_ == project::Minimized::rms             ? required.rms
-                                                          : required.statics;
-  const bool same_quantity = !analyses.response || analyses.response->selection.quantity == request.quantity;
-  for (const std::string& name : names) {
-    double allowed = 0;
-    for (const project::AmplitudeLimit& limit : list)
-      if (limit.name == name && limit.quantity == request.quantity) allowed = limit.amplitude;
-    for (const project::Limit& limit : analyses.limits)
-      if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
-    if (allowed > 0) ++limited_;
-    list.push_back({name, request.quantity, allowed > 0 ? allowed : 1});
-  }
-}
-
-bool DesignObjective::is_objective(std::size_t result) const {
-  return minimizes_ && result >= first_objective_ && result < first_objective_ + objectives_;
-}
-
-const RequirementResult& DesignObjective::given_objective(std::size_t number) const {
-  return given_.front()[first_objective_ + number];
-}
-
-std::optional<double> DesignObjective::weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < objectives_; ++i) {
-    double least = foundation::infinity;
-    for (const std::vector<RequirementResult>& results : found) {
-      if (!results[first_objective_ + i].value) return std::nullopt;
-      least = std::min(least, results[first_objective_ + i].margin);
-    }
-    sum += weights_[i] / least;
-  }
-  return sum;
-}
-
-double DesignObjective::given_amplitude(std::size_t number) const {
-  double largest = 0;
-  for (const std::vector<RequirementResult>& results : given_)
-    largest = std::max(largest, results[first_objective_ + number].value.value_or(0));
-  return largest;
+  return minimized_.contain(place) ? minimized_.words(result) : result.words;
 }
 
 std::vector<RequirementResult> DesignObjective::results(std::size_t result_case, const model::System& system) const {
@@ -333,7 +250,8 @@ void DesignObjective::evaluate_case(std::size_t c, const Eigen::VectorXd& shares
   double least_objective = unlimited;
   for (Eigen::Index i = first; i < place; ++i)
     if (is_objective_[to_size(i)]) least_objective = std::min(least_objective, values(i));
-  for (Smooth& one : smooth) one.keep_near(values, is_objective_, separate_ ? one.least(values) : least_objective);
+  for (Smooth& one : smooth)
+    one.keep_near(values, is_objective_, minimized_.are_separate() ? one.least(values) : least_objective);
   std::optional<DesignNeighbours> neighbours;  // models that are read again: only for what a family does not give
   set_slopes(c, context, design, found, smooth, neighbours, *slopes);
   if (!absences.empty()) {
@@ -411,7 +329,7 @@ std::vector<DesignObjective::Absence> DesignObjective::set_absences(std::size_t 
   std::vector<Absence> absences;
   Eigen::Index width = 0;
   for (const std::size_t one : width_[c]) width += to_index(one);
-  if (minimizes_ || values.segment(first, width).minCoeff() < most) return absences;
+  if (minimized_.any() || values.segment(first, width).minCoeff() < most) return absences;
   Eigen::Index place = first;
   for (std::size_t r = 0; r < found.size(); ++r) {
     const bool is_ignored = ignored && ignored->result_case == c && ignored->result == r;

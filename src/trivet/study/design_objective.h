@@ -12,6 +12,7 @@
 #include "trivet/study/case_family.h"
 #include "trivet/study/design_neighbours.h"
 #include "trivet/study/design_space.h"
+#include "trivet/study/minimized_results.h"
 #include "trivet/study/peak_absence.h"
 #include "trivet/study/verdict.h"
 
@@ -28,10 +29,7 @@ class DesignObjective {
   [[nodiscard]] const DesignSpace& space() const { return space_; }
   [[nodiscard]] const std::vector<const project::Case*>& cases() const { return cases_; }
 
-  /// A place of the list of values.
-  struct Place {
-    std::size_t result_case = 0, result = 0;
-  };
+  using Place = ResultPlace;
   [[nodiscard]] const std::vector<Place>& places() const { return places_; }
   [[nodiscard]] const std::vector<bool>& is_objective() const { return is_objective_; }
 
@@ -44,22 +42,9 @@ class DesignObjective {
   /// Values further above the least objective, or constraints further above 0, have no slopes.
   static constexpr double far = 5;
 
-  /// The requirements of one case at a design, with the minimised amplitudes as requirements after the limits.
+  /// The requirements of one case at a design, with what is minimised.
   [[nodiscard]] std::vector<RequirementResult> results(std::size_t result_case, const model::System& system) const;
-  [[nodiscard]] bool minimizes() const { return minimizes_; }
-  [[nodiscard]] bool is_objective(std::size_t result) const;
-  /// Number of minimised amplitudes, and which of them a result is.
-  [[nodiscard]] std::size_t objectives() const { return objectives_; }
-  [[nodiscard]] std::size_t objective_number(std::size_t result) const { return result - first_objective_; }
-  /// Weights of the minimised amplitudes; empty: the largest share counts.
-  [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
-  /// Σ weight × largest amplitude (or share of its limit) over the cases; none if one of them was not judged.
-  [[nodiscard]] std::optional<double> weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const;
-  /// A minimised amplitude in the first case, and its largest value at the given design in all.
-  [[nodiscard]] const RequirementResult& given_objective(std::size_t number) const;
-  [[nodiscard]] double given_amplitude(std::size_t number) const;
-  /// The minimised amplitudes have limits, and count as shares of these.
-  [[nodiscard]] bool has_limits() const { return limited_ > 0; }
+  [[nodiscard]] const MinimizedResults& minimized() const { return minimized_; }
   /// Where curves without a peak are nearest to one, at a design that nothing else limits: per result, the nearest
   /// place.
   [[nodiscard]] std::vector<std::optional<AbsentPeak>> absent_peaks_at(std::size_t result_case,
@@ -80,9 +65,6 @@ class DesignObjective {
   [[nodiscard]] std::size_t differences() const { return differences_; }
 
  private:
-  void add_objectives(project::Analyses& analyses, const project::OptimizeRequest& request);
-  void find_objectives(const std::vector<RequirementResult>& given);
-  void refuse_mixed_objectives() const;
   /// The places of one requirement that have slopes.
   struct Smooth {
     std::vector<RequirementResult::Candidate> candidates;
@@ -115,15 +97,10 @@ class DesignObjective {
                      Eigen::MatrixXd* slopes, const std::optional<Place>& ignored) const;
 
   DesignSpace space_;
+  MinimizedResults minimized_;
   std::vector<const project::Case*> cases_;
   std::vector<project::Analyses> asked_;                     ///< per case: requirements with the objectives
   std::vector<project::Analyses> differenced_requirements_;  ///< those without exact slopes
-  std::size_t first_objective_ = 0, objectives_ = 0;         ///< among the results
-  bool minimizes_ = false;
-  project::Minimized minimized_ = project::Minimized::amplitude;
-  std::vector<double> weights_;
-  bool separate_ = false;           ///< each minimised amplitude is an objective of its own: a front
-  std::size_t limited_ = 0;         ///< minimised amplitudes with a limit
   std::vector<double> references_;  ///< per case: lowest natural frequency of the given design, for peaks that are gone
   std::vector<std::vector<RequirementResult>> given_;
   std::vector<std::vector<std::size_t>> width_;  ///< per case and result: its places

@@ -10,6 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 #include "trivet/study/design_looks.h"
+#include "trivet/study/margin.h"
 
 namespace trivet::study {
 namespace {
@@ -32,9 +33,9 @@ MaxMinProblem problem_of(const DesignObjective& objective, const std::optional<P
 /// The largest −Σ weight × amplitude, in amplitudes at the given design.
 MaxMinProblem weighted_problem(const DesignObjective& objective) {
   MaxMinProblem problem = problem_of(objective);
-  problem.weights = objective.weights();
+  problem.weights = objective.minimized().weights();
   for (const Place& place : objective.places())
-    problem.group.push_back(objective.is_objective(place.result) ? objective.objective_number(place.result) : 0);
+    problem.group.push_back(objective.minimized().contain(place) ? objective.minimized().number(place) : 0);
   problem.evaluate = [&objective, unit = weighted_unit(objective)](const Eigen::VectorXd& x, Eigen::VectorXd& values,
                                                                    Eigen::MatrixXd* slopes) {
     objective.evaluate(x, values, slopes);
@@ -49,8 +50,6 @@ MaxMinProblem weighted_problem(const DesignObjective& objective) {
   };
   return problem;
 }
-
-constexpr double met_within = -1e-9;  // ln of a margin
 
 /// Climbs from all starts; the results in their order.
 std::vector<MaxMinPoint> climbed(const MaxMinProblem& problem, const std::vector<MaxMinPoint>& starts,
@@ -74,7 +73,8 @@ class Search {
     const std::vector<MaxMinPoint> chosen = starts();
     result_.ends = climbed(result_.problem, chosen, progress_);
     result_.best = nearest_of_the_best(result_.ends);
-    if (objective_.minimizes() && result_.best.constraint < met_within) result_.ends = climbed_to_requirements(chosen);
+    if (objective_.minimized().any() && result_.best.constraint < least_met)
+      result_.ends = climbed_to_requirements(chosen);
     refuse_hopeless_search();
     return std::move(result_);
   }
@@ -86,7 +86,7 @@ class Search {
     std::vector<MaxMinPoint> ends = climbed(requirements, chosen, progress_);
     std::vector<MaxMinPoint> meeting;
     std::copy_if(ends.begin(), ends.end(), std::back_inserter(meeting),
-                 [](const MaxMinPoint& end) { return end.objective >= met_within; });
+                 [](const MaxMinPoint& end) { return end.objective >= least_met; });
     if (meeting.empty()) {
       result_.problem = requirements;
       result_.falls_short = true;
@@ -102,13 +102,6 @@ class Search {
     const DesignLooks found = design_looks(objective_, to_size(looks), progress_);
     const std::vector<Eigen::VectorXd>& points = found.points;
     result_.looked_at = found.judged;
-    Eigen::VectorXd given(result_.problem.variables);
-    bool inside = true;
-    for (std::size_t j = 0; j < objective_.space().size(); ++j) {
-      const auto& value = objective_.space().given()[j];
-      given(to_index(j)) = value ? objective_.space().axes()[j].share(*value) : -1;
-      inside = inside && given(to_index(j)) >= 0 && given(to_index(j)) <= 1;
-    }
     std::vector<MaxMinPoint> seen(points.size());
     foundation::parallel_for(points.size(), {.progress = progress_, .task = "looking"},
                              [&](std::size_t first, std::size_t last) {
@@ -116,7 +109,8 @@ class Search {
                                  seen[i] = numerics::point_at(result_.problem, points[i]);
                              });
     std::vector<MaxMinPoint> chosen = chosen_starts(std::move(seen), to_size(wanted_));
-    if (inside) chosen.push_back(numerics::point_at(result_.problem, given));
+    if (const auto given = objective_.space().given_shares())
+      chosen.push_back(numerics::point_at(result_.problem, *given));
     result_.starts = static_cast<int>(chosen.size());
     return chosen;
   }
@@ -141,7 +135,7 @@ class Search {
   }
 
   void refuse_hopeless_search() const {
-    if (objective_.minimizes() && !result_.falls_short && result_.best.objective >= DesignObjective::most)
+    if (objective_.minimized().any() && !result_.falls_short && result_.best.objective >= DesignObjective::most)
       throw foundation::NotComputable("optimize: the minimised results are zero in every design looked at");
     if (result_.best.objective > DesignObjective::unusable) return;
     if (!objective_.first_failure().empty())
@@ -152,7 +146,7 @@ class Search {
     Eigen::Index least = 0;
     values.minCoeff(&least);
     const Place& place = objective_.places()[to_size(least)];
-    if (objective_.is_objective(place.result))
+    if (objective_.minimized().contain(place))
       throw foundation::NotComputable("optimize: " + objective_.words(place) +
                                       " is unbounded in every design looked at: an undamped resonance lies in the "
                                       "band; add damping, or change the band");
@@ -169,18 +163,18 @@ class Search {
 }  // namespace
 
 MaxMinProblem search_problem(const DesignObjective& objective) {
-  return objective.weights().empty() ? problem_of(objective) : weighted_problem(objective);
+  return objective.minimized().weights().empty() ? problem_of(objective) : weighted_problem(objective);
 }
 
 double reported_objective(const DesignObjective& objective, double of_search) {
-  if (!objective.weights().empty()) return -of_search * weighted_unit(objective);
+  if (!objective.minimized().weights().empty()) return -of_search * weighted_unit(objective);
   const double least = of_search >= DesignObjective::most ? foundation::infinity : std::exp(of_search);
-  return objective.minimizes() ? 1 / least : least;
+  return objective.minimized().any() ? 1 / least : least;
 }
 
 MaxMinProblem problem_of_requirements(const DesignObjective& objective, const std::optional<Place>& ignored) {
   MaxMinProblem problem = problem_of(objective, ignored);
-  if (!objective.minimizes()) return problem;
+  if (!objective.minimized().any()) return problem;
   problem.is_objective.flip();
   problem.evaluate = [all = problem.evaluate, &objective](const Eigen::VectorXd& x, Eigen::VectorXd& values,
                                                           Eigen::MatrixXd* slopes) {
@@ -212,7 +206,7 @@ std::vector<MaxMinPoint> chosen_starts(std::vector<MaxMinPoint> looks, std::size
 int looks_for(int starts) { return std::clamp(looks_per_start * starts, fewest_looks, most_looks); }
 
 double weighted_unit(const DesignObjective& objective) {
-  const double given = objective.weighted_sum(objective.given()).value_or(0);
+  const double given = objective.minimized().weighted_sum(objective.given()).value_or(0);
   return std::isfinite(given) && given > 0 ? given : 1;
 }
 

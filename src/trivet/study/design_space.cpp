@@ -30,12 +30,20 @@ Eigen::VectorXd DesignSpace::values(const Eigen::VectorXd& shares) const {
   return result;
 }
 
+std::optional<double> DesignSpace::given_share(std::size_t axis) const {
+  if (!given_[axis]) return std::nullopt;
+  constexpr double round_off = 1e-9;  // 0.285 m as 285 mm
+  const double share = axes_[axis].share(*given_[axis]);
+  if (!(share >= -round_off && share <= 1 + round_off)) return std::nullopt;
+  return std::clamp(share, 0.0, 1.0);
+}
+
 std::optional<Eigen::VectorXd> DesignSpace::given_shares() const {
   Eigen::VectorXd shares(to_index(axes_.size()));
   for (std::size_t j = 0; j < axes_.size(); ++j) {
-    if (!given_[j]) return std::nullopt;
-    shares(to_index(j)) = axes_[j].share(*given_[j]);
-    if (!(shares(to_index(j)) >= 0 && shares(to_index(j)) <= 1)) return std::nullopt;
+    const std::optional<double> share = given_share(j);
+    if (!share) return std::nullopt;
+    shares(to_index(j)) = *share;
   }
   return shares;
 }

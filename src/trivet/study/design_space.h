@@ -29,7 +29,9 @@ class DesignSpace {
 
   /// Values that the file has; none for a parameter whose places differ.
   [[nodiscard]] const std::vector<std::optional<double>>& given() const { return given_; }
-  /// These as shares; none if one of them is missing or outside its range.
+  /// One of them as a share; none if it is missing or outside its range by more than the round-off of units.
+  [[nodiscard]] std::optional<double> given_share(std::size_t axis) const;
+  /// All of them; none if one is missing or outside its range.
   [[nodiscard]] std::optional<Eigen::VectorXd> given_shares() const;
 
  private:

@@ -22,8 +22,7 @@ numerics::MaxMinProblem rewritten(
             objective.evaluate(x, values, slopes);
             for (std::size_t i = 0; i < objective.places().size(); ++i)
               if (objective.is_objective()[i])
-                rewrite(objective.objective_number(objective.places()[i].result), values(to_index(i)), slopes,
-                        to_index(i));
+                rewrite(objective.minimized().number(objective.places()[i]), values(to_index(i)), slopes, to_index(i));
           }};
 }
 
@@ -35,7 +34,7 @@ void ignore(double& value, Eigen::MatrixXd* slopes, Eigen::Index row) {
 }  // namespace
 
 FrontValues front_values(const DesignObjective& objective, const Eigen::VectorXd& x) {
-  FrontValues result{x, Eigen::VectorXd::Zero(to_index(objective.objectives())), foundation::infinity};
+  FrontValues result{x, Eigen::VectorXd::Zero(to_index(objective.minimized().count())), foundation::infinity};
   Eigen::VectorXd values;
   objective.evaluate(x, values, nullptr);
   for (std::size_t i = 0; i < objective.places().size(); ++i) {
@@ -44,7 +43,7 @@ FrontValues front_values(const DesignObjective& objective, const Eigen::VectorXd
       result.constraint = std::min(result.constraint, value);
       continue;
     }
-    double& largest = result.amplitudes(to_index(objective.objective_number(objective.places()[i].result)));
+    double& largest = result.amplitudes(to_index(objective.minimized().number(objective.places()[i])));
     largest = std::max(largest, value <= DesignObjective::unusable ? foundation::infinity : std::exp(-value));
   }
   return result;
@@ -66,7 +65,7 @@ numerics::MaxMinProblem least_amplitude_below(const DesignObjective& objective, 
       });
   for (std::size_t i = 0; i < objective.places().size(); ++i)
     problem.is_objective[i] =
-        objective.is_objective()[i] && objective.objective_number(objective.places()[i].result) == wanted;
+        objective.is_objective()[i] && objective.minimized().number(objective.places()[i]) == wanted;
   return problem;
 }
 

@@ -8,6 +8,9 @@
 
 namespace trivet::study {
 
+/// Least ln(margin) of what counts as met: nine digits.
+inline constexpr double least_met = -1e-9;
+
 /// Limit over value, 1 within nine digits of the limit.
 [[nodiscard]] inline double margin_of(double allowed, double value) {
   return design::margin({.allowed = allowed}, std::abs(value));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -380,6 +381,18 @@ std::vector<std::size_t> MountCombinations::spread_combinations() const {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i + 1 < count; ++i) result.push_back((count_ - 1) / (count - 1) * i);
   result.push_back(count_ - 1);
+  return result;
+}
+
+std::vector<std::size_t> MountCombinations::scattered(std::size_t wanted) const {
+  const double golden = std::numbers::phi - 1;  // its multiples modulo 1 lie evenly
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < wanted; ++k) {
+    const double share = golden * static_cast<double>(k);
+    result.push_back(static_cast<std::size_t>((share - std::floor(share)) * static_cast<double>(count_)));
+  }
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
 

@@ -63,6 +63,8 @@ class MountCombinations {
                                           const foundation::Progress& progress) const;
   /// A few from the first to the last one, in which sums are compared with assembled models.
   [[nodiscard]] std::vector<std::size_t> spread_combinations() const;
+  /// About so many, evenly over all of them, ascending.
+  [[nodiscard]] std::vector<std::size_t> scattered(std::size_t wanted) const;
   /// The numbers of all. @throws foundation::InvalidInput if there are more than `most_judged_combinations`
   [[nodiscard]] std::vector<std::size_t> all() const;
   /// Why there are no bounds; empty if there are.

@@ -10,8 +10,8 @@ namespace {
 
 /// Combinations of one exchange: with bounds so many that they take a second.
 constexpr double most_in_exchange = 1e5, most_in_exchange_without_bounds = 500;
-/// So many of the combinations with the same mount everywhere are starts.
-constexpr std::size_t uniform_starts = 2;
+/// So many of the combinations with the same mount everywhere are starts, and of others.
+constexpr std::size_t uniform_starts = 2, scattered_starts = 2;
 
 }  // namespace
 
@@ -35,7 +35,20 @@ MountRanking MountExchange::ranking(std::vector<std::size_t> combinations) {
   return {all_, curves_, std::move(combinations), judge_, progress_};
 }
 
-/// The best of the same mounts everywhere; in lists of different lengths at the same share of their length.
+std::vector<MountDesign> MountExchange::best_of(std::vector<std::size_t> combinations, std::size_t most) {
+  MountRanking found = ranking(std::move(combinations));
+  std::vector<MountDesign> designs = found.best(most);
+  judged_ += found.judged_count();
+  curve_count_ += found.curve_count();
+  return designs;
+}
+
+double MountExchange::most_at_once() const {
+  return all_.without_bounds().empty() ? most_in_exchange : most_in_exchange_without_bounds;
+}
+
+/// The best of the same mounts everywhere, in lists of different lengths at the same share of their length; and of many
+/// others.
 std::vector<std::size_t> MountExchange::starts() {
   std::size_t longest = 0;
   for (const project::MountChoice& choice : all_.choices()) longest = std::max(longest, choice.mounts.size());
@@ -49,13 +62,15 @@ std::vector<std::size_t> MountExchange::starts() {
     uniform.push_back(combination);
   }
   std::vector<std::size_t> result;
-  for (const MountDesign& design : ranking(uniform).best(uniform_starts)) result.push_back(number(design));
+  for (const MountDesign& design : best_of(uniform, uniform_starts)) result.push_back(number(design));
+  const auto looks = static_cast<std::size_t>(most_at_once());
+  for (const MountDesign& design : best_of(all_.scattered(looks), scattered_starts))
+    if (std::find(result.begin(), result.end(), number(design)) == result.end()) result.push_back(number(design));
   return result;
 }
 
 /// Choices that are exchanged together: neighbours in the order of the file, and of every other one.
 std::vector<std::vector<std::size_t>> MountExchange::blocks() const {
-  const double limit = all_.without_bounds().empty() ? most_in_exchange : most_in_exchange_without_bounds;
   const std::size_t n = all_.choices().size();
   std::vector<std::size_t> in_order(n), alternating;
   std::iota(in_order.begin(), in_order.end(), std::size_t{0});
@@ -69,7 +84,7 @@ std::vector<std::vector<std::size_t>> MountExchange::blocks() const {
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t choice = order[(first + i) % n];
         count *= static_cast<double>(all_.choices()[choice].mounts.size());
-        if (count > limit && !block.empty()) break;
+        if (count > most_at_once() && !block.empty()) break;
         block.push_back(choice);
       }
       std::sort(block.begin(), block.end());
@@ -96,10 +111,7 @@ void MountExchange::climb(std::size_t combination) {
   for (bool gained = true; gained;) {
     gained = false;
     for (const std::vector<std::size_t>& block : blocks()) {
-      MountRanking found = ranking(exchanges(combination, block));
-      const std::vector<MountDesign> designs = found.best(most_);
-      judged_ += found.judged_count();
-      curve_count_ += found.curve_count();
+      const std::vector<MountDesign> designs = best_of(exchanges(combination, block), most_);
       keep(designs);
       if (!(designs.front().margin > margin * (1 + same_margin))) continue;
       margin = designs.front().margin;

@@ -6,7 +6,8 @@
 namespace trivet::study {
 
 /// A good combination where there are too many to judge all: mounts of a few choices at a time are exchanged, with all
-/// combinations of these judged, until no exchange gains anything. Starts are the best of the same mount everywhere.
+/// combinations of these judged, until no exchange gains anything. Starts are the best of the same
+/// mount everywhere, and of combinations scattered over all.
 class MountExchange {
  public:
   /// @param most  number of designs in the table; all, curves, progress  used by the result
@@ -18,6 +19,8 @@ class MountExchange {
 
  private:
   [[nodiscard]] MountRanking ranking(std::vector<std::size_t> combinations);
+  [[nodiscard]] std::vector<MountDesign> best_of(std::vector<std::size_t> combinations, std::size_t most);
+  [[nodiscard]] double most_at_once() const;
   [[nodiscard]] std::vector<std::size_t> starts();
   [[nodiscard]] std::vector<std::vector<std::size_t>> blocks() const;
   [[nodiscard]] std::vector<std::size_t> exchanges(std::size_t combination,

@@ -14,7 +14,8 @@ struct MountSearch {
 };
 
 /// All combinations are ordered by the bounds of MountCombinations at the given numbers. The first ones are judged
-/// completely with these numbers, and the numbers of the best of them optimised from there. Nothing if no choice takes
+/// completely with these numbers, and the numbers of the best of them optimised from there. If the price is minimised,
+/// the numbers of the cheapest combinations are optimised until some meet every requirement. Nothing if no choice takes
 /// part in the request.
 /// @throws foundation::InvalidInput if only mounts vary, or a mount cannot be used at its places; NotComputable if no
 /// combination has a design that can be judged

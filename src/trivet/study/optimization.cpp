@@ -6,10 +6,13 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/study/case_context.h"
 #include "trivet/study/design_objective.h"
 #include "trivet/study/design_search.h"
+#include "trivet/study/margin.h"
 #include "trivet/study/mount_search.h"
+#include "trivet/study/mount_sums.h"
+#include "trivet/study/optimum_warnings.h"
+#include "trivet/study/parameter_warnings.h"
 #include "trivet/study/unbounded_peaks.h"
 
 namespace trivet::study {
@@ -23,18 +26,15 @@ constexpr double same_place = 1e-3;
 /// A requirement within this of the least margin holds the optimum.
 constexpr double active_within = 1e-5;
 
+/// Of ln(margin), in designs that differ only by a number on which it does not depend.
+constexpr double round_off = 1e-9;
+constexpr double both[] = {-1, 1};
+/// Of the range of a parameter, for what happens beside the optimum.
+constexpr double step = 0.01;
+
 /// exp of a logarithm that may be cut off.
 double whole(double logarithm) {
   return logarithm >= DesignObjective::most ? foundation::infinity : std::exp(logarithm);
-}
-
-std::vector<double> natural_frequencies(const model::System& system) {
-  const foundation::Progress silent;
-  const CaseContext context(system, silent);
-  std::vector<double> result;
-  for (const modal::Mode& mode : context.modes.list)
-    if (mode.angular_frequency.value_or(0) > 0) result.push_back(*mode.angular_frequency);
-  return result;
 }
 
 /// What a search found, in the words of an engineer.
@@ -52,11 +52,11 @@ class Description {
     result_.starts = found.starts;
     result_.falls_short = found.falls_short;
     result_.looked_at = found.looked_at;
-    if (!result_.falls_short) result_.weights = objective.weights();
+    if (!result_.falls_short) result_.weights = objective.minimized().weights();
   }
 
   Optimization optimization() {
-    result_.minimizes = objective_.minimizes() && !result_.falls_short;
+    result_.minimizes = objective_.minimized().any() && !result_.falls_short;
     leave_idle_parameters_as_given();
     describe_parameters();
     describe_verdicts();
@@ -85,28 +85,53 @@ class Description {
       return;
     }
     MaxMinPoint kept = best_;
-    constexpr double no_slope = 1e-9;  // of ln(margin) over the whole range
     for (std::size_t j = 0; j < idle_.size(); ++j) {
-      idle_[j] = slopes.col(to_index(j)).isZero(no_slope);
-      if (const auto& value = objective_.space().given()[j]; value && idle_[j])
-        if (const double share = objective_.space().axes()[j].share(*value); share >= 0 && share <= 1)
-          kept.x(to_index(j)) = share;
+      constexpr double no_slope = 1e-6;  // of ln(margin) over the whole range
+      idle_[j] = slopes.col(to_index(j)).isZero(no_slope) && is_level(to_index(j));
+      if (const auto share = objective_.space().given_share(j); share && idle_[j]) kept.x(to_index(j)) = *share;
     }
     if (kept.x == best_.x) return;
     kept = numerics::point_at(problem_, kept.x);
-    constexpr double round_off = 1e-12;
     if (rank(kept) >= rank(best_) - round_off) best_ = kept;
+  }
+
+  /// True if steps of a parameter in both directions change nothing: not the top of a curve.
+  [[nodiscard]] bool is_level(Eigen::Index parameter) const {
+    return std::all_of(std::begin(both), std::end(both), [&](double direction) {
+      Eigen::VectorXd moved = best_.x;
+      moved(parameter) = std::clamp(moved(parameter) + direction * step, 0.0, 1.0);
+      return std::abs(rank(numerics::point_at(problem_, moved)) - rank(best_)) <= round_off;
+    });
   }
 
   void describe_parameters() {
     const Eigen::VectorXd values = objective_.space().values(best_.x);
     constexpr double at_bound = 1e-9;
     for (std::size_t j = 0; j < objective_.space().size(); ++j) {
-      const double share = best_.x(to_index(j));
-      result_.parameters.push_back({objective_.space().axes()[j], objective_.space().given()[j], values(to_index(j)),
-                                    values(to_index(j)), values(to_index(j)),
-                                    share <= at_bound || share >= 1 - at_bound, idle_[j]});
+      const double share = best_.x(to_index(j)), value = values(to_index(j));
+      OptimizedParameter& one = result_.parameters.emplace_back();
+      one.axis = objective_.space().axes()[j];
+      one.given = objective_.space().given()[j];
+      one.best = one.least = one.most = value;
+      one.at_bound = share <= at_bound || share >= 1 - at_bound;
+      one.idle = idle_[j];
+      one.below = changed_by(to_index(j), -step);
+      one.above = changed_by(to_index(j), step);
     }
+  }
+
+  /// The objective beside the optimum.
+  [[nodiscard]] std::optional<OptimizedParameter::Step> changed_by(Eigen::Index parameter, double change) const {
+    Eigen::VectorXd moved = best_.x;
+    moved(parameter) += change;
+    if (moved(parameter) < 0 || moved(parameter) > 1 || best_.objective >= DesignObjective::most) return std::nullopt;
+    const MaxMinPoint there = numerics::point_at(problem_, moved);
+    OptimizedParameter::Step result;
+    result.value = objective_.space().values(moved)(parameter);
+    if (there.objective <= DesignObjective::unusable) return result;
+    result.objective = reported(there.objective);
+    result.met = there.constraint >= least_met && (result_.minimizes || there.objective >= least_met);
+    return result;
   }
 
   void describe_verdicts() {
@@ -119,8 +144,8 @@ class Description {
       optimum.system = objective_.space().system(*objective_.cases()[c], values);
       result_.before.push_back(case_verdict(before, hold_in, silent));
       result_.after.push_back(case_verdict(optimum, hold_in, silent));
-      result_.frequencies_before.push_back(natural_frequencies(before.system));
-      result_.frequencies_after.push_back(natural_frequencies(optimum.system));
+      result_.summaries_before.push_back(design_summary(before.system));
+      result_.summaries_after.push_back(design_summary(optimum.system));
     }
     result_.feasible =
         std::all_of(result_.after.begin(), result_.after.end(), [](const CaseVerdict& judged) { return judged.met(); });
@@ -130,9 +155,9 @@ class Description {
     result_.objective_after = objective_of(at_best_).value_or(0);
     for (std::size_t c = 0; c < at_best_.size(); ++c)
       for (std::size_t r = 0; r < at_best_[c].size(); ++r) {
-        if (!objective_.is_objective(r)) continue;
+        if (!objective_.minimized().contain({c, r})) continue;
         const RequirementResult &before = given_.given()[c][r], &after = at_best_[c][r];
-        const auto limit = objective_.has_limits() ? std::optional(after.allowed) : std::nullopt;
+        const auto limit = objective_.minimized().have_limits() ? std::optional(after.allowed) : std::nullopt;
         result_.minimized.push_back(
             {c, after.subject, after.unit, limit, before.value.value_or(0), after.value.value_or(0)});
         if (!limit && result_.minimizes) result_.objective_unit = after.unit;
@@ -141,13 +166,13 @@ class Description {
 
   /// The least margin, or the largest minimised amplitude, or share of its limit.
   [[nodiscard]] std::optional<double> objective_of(const std::vector<std::vector<RequirementResult>>& found) const {
-    if (is_weighted()) return objective_.weighted_sum(found);
+    if (is_weighted()) return objective_.minimized().weighted_sum(found);
     double least = foundation::infinity;
-    for (const std::vector<RequirementResult>& results : found)
-      for (std::size_t r = 0; r < results.size(); ++r) {
-        if (objective_.is_objective(r) != result_.minimizes) continue;
-        if (!results[r].value) return std::nullopt;
-        least = std::min(least, results[r].margin);
+    for (std::size_t c = 0; c < found.size(); ++c)
+      for (std::size_t r = 0; r < found[c].size(); ++r) {
+        if (objective_.minimized().contain({c, r}) != result_.minimizes) continue;
+        if (!found[c][r].value) return std::nullopt;
+        least = std::min(least, found[c][r].margin);
       }
     return result_.minimizes ? 1 / least : least;
   }
@@ -167,7 +192,7 @@ class Description {
     return result.kind == RequirementKind::no_peak && result.margin < 1 ? result.allowed / (1 + result.allowed) : 1;
   }
 
-  [[nodiscard]] bool is_weighted() const { return result_.minimizes && !objective_.weights().empty(); }
+  [[nodiscard]] bool is_weighted() const { return result_.minimizes && !objective_.minimized().weights().empty(); }
 
   /// The objective of an end of the search, as it is reported.
   [[nodiscard]] double reported(double objective) const {
@@ -199,7 +224,7 @@ class Description {
     for (const Held& one : held) {
       const RequirementResult& result = at_best_[one.place.result_case][one.place.result];
       result_.active.push_back({one.place.result_case, objective_.words(one.place),
-                                objective_.is_objective(one.place.result), one.multiplier * effect_of_bound(result)});
+                                objective_.minimized().contain(one.place), one.multiplier * effect_of_bound(result)});
       if (!result_.feasible && !result_.minimizes) describe_conflict(one.place, result);
     }
   }
@@ -212,7 +237,7 @@ class Description {
   }
 
   void describe_gone_peaks() {
-    if (best_.objective < DesignObjective::most || objective_.minimizes()) return;
+    if (best_.objective < DesignObjective::most || objective_.minimized().any()) return;
     const Eigen::VectorXd values = objective_.space().values(best_.x);
     for (std::size_t c = 0; c < at_best_.size(); ++c) {
       const auto absent = objective_.absent_peaks_at(c, objective_.space().system(*objective_.cases()[c], values));
@@ -281,11 +306,17 @@ Optimization optimization(const project::Project& project, const foundation::Pro
     Optimization result =
         Description(project, given, objective, design_search(objective, request.starts, progress)).optimization();
     result.minimized_kind = request.minimized;
+    result.warnings = parameter_warnings(project, given.space());
+    result.warnings.add(optimum_warnings(project, result));
     return result;
   };
   if (!mounts) return searched(given);
   Optimization result = searched(DesignObjective(mounts->best, request));
   result.mounts = std::move(mounts->found);
+  if (const auto& price = result.mounts->price) {
+    const std::optional<model::Price> before = sums_of_mounts(project.base().system).price;
+    if (before && before->currency == price->currency) result.mounts->price_before = before;
+  }
   return result;
 }
 

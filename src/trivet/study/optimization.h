@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/study/design_summary.h"
 #include "trivet/study/verdict.h"
 
 /// The best design over some parameters: `trivet optimize`. Mathematics: docs/design.md.
@@ -17,7 +18,14 @@ struct OptimizedParameter {
   double best = 0;              ///< in the unit of the axis
   double least = 0, most = 0;   ///< over all starts that reached the same objective
   bool at_bound = false;
-  bool idle = false;  ///< no margin and no objective near deciding depends on it there
+  /// The design with this parameter alone changed by 1 % of its range, or of its logarithm.
+  struct Step {
+    double value = 0;                 ///< in the unit of the axis
+    std::optional<double> objective;  ///< as Optimization::objective_after; none if it cannot be computed
+    bool met = false;                 ///< every requirement is met
+  };
+  std::optional<Step> below, above;  ///< none outside the range, or if nothing limits the optimum
+  bool idle = false;                 ///< no margin and no objective near deciding depends on it there
 };
 
 /// A requirement, or an objective, that holds the optimum.
@@ -65,10 +73,13 @@ struct OptimizedMounts {
   std::vector<std::size_t> chosen;               ///< number of the mount of each choice
   std::size_t combinations = 0, considered = 0;  ///< all; those with the numbers of the file judged completely
   std::size_t optimized = 0;                     ///< those whose numbers were optimised
+  std::optional<model::Price> price;             ///< of all mounts, if it was minimised
+  std::optional<model::Price> price_before;      ///< of the given ones; none if a mount has none in this currency
+  bool some_met = false;  ///< if the price was minimised: a combination that was optimised meets every requirement
   /// One of the next best combinations.
   struct Other {
     std::vector<std::size_t> mounts;
-    double objective = 0;  ///< as Optimization::objective_after, from the given numbers alone
+    double objective = 0;  ///< as Optimization::objective_after, from the given numbers alone; or the price
   };
   std::vector<Other> others;
 };
@@ -85,9 +96,9 @@ struct Optimization {
   std::string objective_unit;              ///< SI, of amplitudes without limits; otherwise shares of these
   std::optional<double> objective_before;  ///< least margin, or largest amplitude or share of a limit
   double objective_after = 0;
-  bool feasible = false;                   ///< every requirement is met
-  std::vector<CaseVerdict> before, after;  ///< of the cases in which the design has to hold
-  std::vector<std::vector<double>> frequencies_before, frequencies_after;  ///< natural ones of these [rad/s]
+  bool feasible = false;                                         ///< every requirement is met
+  std::vector<CaseVerdict> before, after;                        ///< of the cases in which the design has to hold
+  std::vector<DesignSummary> summaries_before, summaries_after;  ///< of these
   std::vector<ActiveRequirement> active;
   std::vector<GonePeak> gone_peaks;         ///< if nothing else limits the optimum
   double residual = 0;                      ///< of the optimality conditions, as a share of the largest slope
@@ -101,12 +112,14 @@ struct Optimization {
   std::vector<std::string> differenced;     ///< kinds of requirements whose slopes are differences of values
   std::size_t differences = 0;              ///< models solved for these differences, besides `evaluations`
   std::size_t looked_at = 0;                ///< designs judged by kernels over designs before the search
+  foundation::Problems warnings;            ///< of the parameters and of what was found, besides those of the model
   /// How these were interpolated, and why cases were not: "a sum of 40 terms …", "case cold: loss factors …"
   std::vector<std::string> families, no_families;
 };
 
 /// Searches [analyses.optimize] of a project, or the largest least margin over all its parameters.
-/// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged
+/// @throws foundation::InvalidInput without parameters or requirements; NotComputable if no design can be judged, or if
+/// all results that are required to be small are zero
 [[nodiscard]] Optimization optimization(const project::Project& project, const foundation::Progress& progress = {});
 
 /// The changes of the file that set the optimum.

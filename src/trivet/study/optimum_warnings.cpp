@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/optimum_warnings.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::study {
@@ -49,11 +53,35 @@ foundation::Problems zero_results(const Optimization& found) {
   return warnings;
 }
 
+bool all_met(const std::vector<CaseVerdict>& verdicts) {
+  return std::all_of(verdicts.begin(), verdicts.end(), [](const CaseVerdict& one) { return one.met(); });
+}
+
+/// A warning if the search did not reach the given design: its ranges do not contain it, or no start led there.
+foundation::Problems better_given_design(const Optimization& found) {
+  foundation::Problems warnings;
+  constexpr double noticeable = 1e-6;                                      // relative
+  if (found.minimized_kind == project::Minimized::price) return warnings;  // the margin of dearer mounts
+  if (!found.objective_before || (found.minimizes && !all_met(found.before))) return warnings;
+  const double before = *found.objective_before, after = found.objective_after;
+  const bool better = found.minimizes ? before < after * (1 - noticeable) : before > after * (1 + noticeable);
+  const std::string unit = found.objective_unit.empty() ? "" : " " + found.objective_unit;
+  if (better)
+    warnings.warning(
+        "optimize",
+        fmt::format("the given design is better than the optimum: {} {:.6g}{} given, {:.6g}{} at the optimum",
+                    found.minimizes ? "minimised" : "least margin", before, unit, after, unit),
+        "the ranges and the mounts to choose from do not contain the given design, or no start led to it",
+        "widen the ranges, add the given mounts to the choices, or keep the given design");
+  return warnings;
+}
+
 }  // namespace
 
 foundation::Problems optimum_warnings(const project::Project& project, const Optimization& found) {
   foundation::Problems warnings = idle_parameters(project, found);
   warnings.add(zero_results(found));
+  warnings.add(better_given_design(found));
   return warnings;
 }
 

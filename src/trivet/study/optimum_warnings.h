@@ -5,8 +5,8 @@
 
 namespace trivet::study {
 
-/// Warnings of parameters on which nothing depends where the search ended, and of requirements on results that are
-/// zero.
+/// Warnings of parameters on which nothing depends where the search ended, of requirements on results that are zero,
+/// and of a given design that is better than the optimum.
 /// @throws foundation::NotComputable if all requirements are on zero results, so that no design is better than another
 [[nodiscard]] foundation::Problems optimum_warnings(const project::Project& project, const Optimization& found);
 

@@ -62,9 +62,13 @@ void add_optimum(const project::Project& project, const foundation::Progress& st
   const auto& request = project.base().analyses.optimize;
   if (!request) return;
   try {
-    if (request->front.empty())
+    if (request->front.empty()) {
       answers.optimization = std::make_shared<const Optimization>(optimization(project, step));
-    else answers.front = std::make_shared<const DesignFront>(design_front(project, step));
+      answers.warnings.add(answers.optimization->warnings);
+    } else {
+      answers.front = std::make_shared<const DesignFront>(design_front(project, step));
+      answers.warnings.add(answers.front->warnings);
+    }
   } catch (const foundation::NotComputable& reason) {
     answers.failures.emplace_back(reason.what());
   } catch (const foundation::InvalidInput& reason) {

@@ -44,16 +44,27 @@ void check_objectives(TableReader& reader, const std::string& key, const std::ve
   check_names(reader, key, words, names, quantity);
 }
 
-/// Results to minimise; "margin" alone stands for none.
-std::vector<std::string> read_objective(TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
-                                        assembly::MotionQuantity quantity) {
-  const auto words = reader.texts("minimize", R"("margin", or ["BODY.POINT.z", "ground.force.z"])");
-  if (!words || (words->size() == 1 && words->front() == "margin")) return {};
+/// The price of mounts, of which at least one has to vary.
+void read_price(TableReader& reader, const std::vector<std::string>& choices, OptimizeRequest& request) {
+  request.minimized = Minimized::price;
+  const bool any =
+      std::any_of(choices.begin(), choices.end(), [&](const std::string& choice) { return request.varies(choice); });
+  if (!any)
+    reader.error("minimize", "\"price\"", "no choice of mounts varies, so the price is the same in every design",
+                 "add [parameters.NAME] with path = 'elements.NAME.type' and catalogue = \"FILE\"");
+}
+
+/// Results to minimise; "margin" alone stands for none, as "price" does.
+void read_objective(TableReader& reader, const ResultNames& names, const NamesInFile& in_file,
+                    const std::vector<std::string>& choices, OptimizeRequest& request) {
+  const auto words = reader.texts("minimize", R"("margin", "price", or ["BODY.POINT.z", "ground.force.z"])");
+  if (!words || (words->size() == 1 && words->front() == "margin")) return;
+  if (words->size() == 1 && words->front() == "price") return read_price(reader, choices, request);
   if (words->empty())
     reader.error("minimize", "an empty list", "at least one result is minimised",
                  "minimize = \"margin\", or a list of results");
-  check_objectives(reader, "minimize", *words, names, in_file, quantity);
-  return *words;
+  check_objectives(reader, "minimize", *words, names, in_file, request.quantity);
+  request.minimize = *words;
 }
 
 /// {"BODY.z" = 1, "ground.force.z" = 0.5}
@@ -123,7 +134,7 @@ void read_front(TableReader& reader, const ResultNames& names, const NamesInFile
   if (words->size() < 2 || words->size() > most_objectives)
     reader.error("front", fmt::format("{} result{}", words->size(), words->size() == 1 ? "" : "s"),
                  "a front is between two or three results", std::string("front = ") + example);
-  if (!request.minimize.empty())
+  if (!request.minimize.empty() || request.minimized == Minimized::price)
     reader.error("front", "front and minimize", "a front minimises each of its results", "keep one of them");
   if (reader.has("points") && words->size() == most_objectives)
     reader.error("points", "a front of three results", "its points are the 21 of an even triangle", "remove points");
@@ -159,7 +170,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
                  "write [parameters.NAME] with path, from and to");
   if (const Node* minimize = reader.node("minimize"); minimize && minimize->kind == Node::Kind::table)
     read_other_objective(reader, *minimize, names, in_file, request);
-  else request.minimize = read_objective(reader, names, in_file, request.quantity);
+  else read_objective(reader, names, in_file, names_of_choices(root), request);
   read_front(reader, names, in_file, request);
   request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);
   request.combinations =

@@ -10,8 +10,9 @@
 namespace trivet::project {
 
 /// What of the results of `minimize` is made small: the largest amplitude over the band, the root mean square under the
-/// random excitations, or the magnitude under gravity and constant forces.
-enum class Minimized { amplitude, rms, at_rest };
+/// random excitations, or the magnitude under gravity and constant forces. Or, instead of results, the price of the
+/// chosen mounts.
+enum class Minimized { amplitude, rms, at_rest, price };
 
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {

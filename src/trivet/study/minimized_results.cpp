@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/minimized_results.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::study {
+
+MinimizedResults::MinimizedResults(const project::OptimizeRequest& request)
+    : kind_(request.minimized),
+      names_(request.front.empty() ? request.minimize : request.front),
+      quantity_(request.quantity),
+      weights_(request.weights),
+      separate_(!request.front.empty() || !request.weights.empty()) {}
+
+void MinimizedResults::add_to(project::Analyses& analyses) {
+  if (!any()) return;
+  if (!analyses.requirements) {
+    analyses.requirements.emplace();
+    if (analyses.response) analyses.requirements->band = analyses.response->band;
+  }
+  project::Requirements& required = *analyses.requirements;
+  const bool amplitudes = kind_ == project::Minimized::amplitude;
+  std::vector<project::AmplitudeLimit>& list = amplitudes ? required.limits
+      : kind_ == project::Minimized::rms                  ? required.rms
+                                                          : required.statics;
+  const bool same_quantity = !analyses.response || analyses.response->selection.quantity == quantity_;
+  std::size_t& limited = limited_.emplace_back(0);
+  const bool of_front = separate_ && weights_.empty();  // its results keep their units
+  for (const std::string& name : names_) {
+    double allowed = 0;
+    for (const project::AmplitudeLimit& limit : list)
+      if (limit.name == name && limit.quantity == quantity_) allowed = limit.amplitude;
+    for (const project::Limit& limit : analyses.limits)
+      if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
+    if (allowed > 0 && !of_front) ++limited;
+    list.push_back({name, quantity_, allowed > 0 && !of_front ? allowed : 1});
+  }
+}
+
+RequirementKind MinimizedResults::requirement_kind() const {
+  switch (kind_) {
+    case project::Minimized::amplitude:
+      return RequirementKind::amplitude;
+    case project::Minimized::rms:
+      return RequirementKind::rms;
+    case project::Minimized::at_rest:
+    case project::Minimized::price:  // no results
+      break;
+  }
+  return RequirementKind::static_value;
+}
+
+void MinimizedResults::find_in(const std::vector<RequirementResult>& given) {
+  std::size_t end = 0;
+  for (std::size_t r = 0; r < given.size(); ++r)
+    if (given[r].kind == requirement_kind()) end = r + 1;
+  first_.push_back(end - std::min(count(), end));
+}
+
+bool MinimizedResults::contain(const ResultPlace& place) const {
+  return place.result >= first_[place.result_case] && place.result - first_[place.result_case] < count();
+}
+
+void MinimizedResults::refuse_unlike(const std::vector<RequirementResult>& given) const {
+  const auto all_of_cases = [&](std::size_t limited) {
+    return std::all_of(limited_.begin(), limited_.end(), [&](std::size_t one) { return one == limited; });
+  };
+  if (!any() || (separate_ && weights_.empty()) || all_of_cases(count())) return;
+  bool unlike = !all_of_cases(0);
+  for (std::size_t i = 0; i < count(); ++i) unlike = unlike || given[result(0, i)].unit != given[result(0, 0)].unit;
+  if (unlike)
+    throw foundation::InvalidInput(
+        "optimize: amplitudes of different units, or some with a limit and some without (also in a case), have no "
+        "common measure; give each of minimize a limit in limits = {\"BODY.x\" = \"1 mm\"} of [requirements]: then the "
+        "largest share of a "
+        "limit is minimised");
+}
+
+std::optional<double> MinimizedResults::weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < count(); ++i) {
+    double least = foundation::infinity;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+      const RequirementResult& one = found[c][result(c, i)];
+      if (!one.value) return std::nullopt;
+      least = std::min(least, one.margin);
+    }
+    sum += weights_[i] / least;
+  }
+  return sum;
+}
+
+double MinimizedResults::largest(std::size_t number, const std::vector<std::vector<RequirementResult>>& found) const {
+  double largest = 0;
+  for (std::size_t c = 0; c < found.size(); ++c)
+    largest = std::max(largest, found[c][result(c, number)].value.value_or(0));
+  return largest;
+}
+
+std::string MinimizedResults::words(const RequirementResult& result) const {
+  if (kind_ == project::Minimized::at_rest) return result.subject + " at rest";
+  return (kind_ == project::Minimized::rms ? "the rms of " : "the largest amplitude of ") + result.subject;
+}
+
+}  // namespace trivet::study
