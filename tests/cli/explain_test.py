@@ -16,7 +16,7 @@ BOGIE = str(SOURCE / "examples/bogie/loaded_frame.toml")
 
 
 def run(*arguments, code=0):
-    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=120)
+    done = subprocess.run([TRIVET, *arguments], capture_output=True, text=True, timeout=300)
     assert done.returncode == code, (done.returncode, done.stdout, done.stderr)
     return done.stdout, done.stderr
 
