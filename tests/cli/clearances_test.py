@@ -4,27 +4,19 @@ import math
 import unittest
 
 from trivet_test import InTemporaryFolder, answer
+from verdict_test import OSCILLATOR as DRIVEN
+from verdict_test import C, G, K, M
 
 CLOSE = 1e-9  # relative: statics, and peaks with their nine digits
-G = 9.80665
 
-M, K, C = 40.0, 2.5e5, 400.0
-OSCILLATOR = f"""trivet = 1
-gravity = [0, 0, -{G}]
-[bodies.m]
-mass = {M}
-free = ["z"]
-[elements.s]
-type = "bushing"
-on = "m"
-at = [0, 0, 0]
-translation = [1, 1, {K}]
-damping = {{translation = [1e-3, 1e-3, {C}]}}
-[clearances.floor]
+OSCILLATOR = (
+    DRIVEN[: DRIVEN.index("[excitations.f]")]
+    + """[clearances.floor]
 between = ["m", "ground"]
 direction = "-z"
 gap = "6 mm"
 """
+)
 FORCE = '[excitations.f]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 30]\n'
 STEP = '[excitations.s]\ntype = "time"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, -1]\nhistory = {step = {amplitude = 50}}\n'
 RATIO = C / (2 * math.sqrt(K * M))

@@ -2,7 +2,7 @@
 """The cheapest mounts with which every requirement is met, against the optimum of the numbers for every combination."""
 import unittest
 
-from select_test import CATALOGUE, MACHINE, PRICES, REQUIREMENTS
+from select_test import CATALOGUE, MACHINE, PRICES, REQUIREMENTS, with_mounts
 from trivet_test import InTemporaryFolder, answer, trivet
 
 DIGITS = 9
@@ -23,9 +23,7 @@ class LeastPrice(InTemporaryFolder):
         numbers = self.file(NUMBERS)
         each = {}
         for mounts in [(ahead, behind) for ahead in TRIED for behind in TRIED]:
-            types = zip(("front", "rear"), mounts, strict=True)
-            settings = [w for at, name in types for w in ("--set", f'elements.{at}.type = "catalogue:{name}"')]
-            each[mounts] = answer("optimize", numbers, *settings)
+            each[mounts] = answer("optimize", numbers, *with_mounts(*mounts))
         price = {mounts: sum(PRICES[mount] for mount in mounts) for mounts in each}
         best = min((m for m in each if each[m]["feasible"]), key=lambda m: (price[m], -each[m]["after"]))
         self.assertGreater(price[best], min(price.values()))  # the cheapest of all do not meet the requirements

@@ -3,7 +3,7 @@
 import itertools
 import unittest
 
-from select_test import CATALOGUE, MACHINE, NAMES, REQUIREMENTS
+from select_test import CATALOGUE, MACHINE, NAMES, REQUIREMENTS, with_mounts
 from trivet_test import InTemporaryFolder, answer, trivet
 
 DIGITS = 9
@@ -25,15 +25,7 @@ to = 1.1
         project = self.file(numbers_only)
         found = {}
         for ahead, behind in itertools.product(NAMES, NAMES):
-            one = answer(
-                "optimize",
-                project,
-                "--set",
-                f'elements.front.type = "catalogue:{ahead}"',
-                "--set",
-                f'elements.rear.type = "catalogue:{behind}"',
-            )
-            found[ahead, behind] = one
+            found[ahead, behind] = answer("optimize", project, *with_mounts(ahead, behind))
         return found
 
     def test_margin(self):

@@ -119,6 +119,23 @@ class Objectives(InTemporaryFolder):
             "Rms of m.z", trivet("optimize", self.file(RANDOM + f"[requirements]\n{window}" + optimize)).stdout
         )
 
+    def test_minimised_results_of_a_case_with_more_limits(self):
+        # A limit that a case adds comes before what is minimised in its list, and must not be taken for it.
+        text = OSCILLATOR + '[analyses.response]\nband = ["30 Hz", "60 Hz"]\n[cases.heavy]\nbodies.m.mass = 60\n'
+        search = '[analyses.optimize]\nminimize = "ground.force.z"\nstarts = 2\n'
+        plain = answer(
+            "optimize", self.file(text.replace("[cases", '[requirements]\nhold_in = ["", "heavy"]\n[cases') + search)
+        )
+        loose = text.replace("[cases", '[requirements]\nhold_in = ["", "heavy"]\n[cases')
+        more = answer("optimize", self.file(loose + 'requirements.limits = {"m.z" = "1 m"}\n' + search))
+        self.assertEqual(len(more["cases"][1]["after"]["requirements"]), 1)
+        self.assertEqual([one["name"] for one in more["minimized"]], ["ground.force.z"] * 2)
+        for key in ("before", "after"):
+            self.assertAlmostEqual(more[key] / plain[key], 1, delta=1e-9)
+        refused = trivet("optimize", self.file(loose + 'requirements.limits = {"ground.force.z" = "1 kN"}\n' + search))
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("some with a limit and some without (also in a case)", refused.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -71,6 +71,12 @@ FRONT = 600 * G * (-0.3 + 0.7) / 1.5
 REAR = 600 * G - FRONT
 
 
+def with_mounts(ahead, behind):
+    """The settings that put two mounts at their places."""
+    places = (("front", ahead), ("rear", behind))
+    return [word for at, name in places for word in ("--set", f'elements.{at}.type = "catalogue:{name}"')]
+
+
 class Select(InTemporaryFolder):
     def setUp(self):
         super().setUp()
@@ -91,14 +97,7 @@ class Select(InTemporaryFolder):
         self.assertEqual(len(found["best"]), 16)
         margins = {}
         for ahead, behind in itertools.product(NAMES, NAMES):
-            judged = answer(
-                "verdict",
-                project,
-                "--set",
-                f'elements.front.type = "catalogue:{ahead}"',
-                "--set",
-                f'elements.rear.type = "catalogue:{behind}"',
-            )
+            judged = answer("verdict", project, *with_mounts(ahead, behind))
             margins[ahead, behind] = min(r["margin"] for r in judged["cases"][0]["requirements"])
         ranked = [(d["mounts"]["ahead"], d["mounts"]["behind"]) for d in found["best"]]
         self.assertEqual(len(set(ranked)), 16)

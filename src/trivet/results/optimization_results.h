@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "trivet/study/optimization.h"
 
@@ -13,6 +15,9 @@ namespace trivet::results {
 [[nodiscard]] std::string optimization_json(const study::Optimization& found, const foundation::Problems& warnings);
 /// The settings that give the optimum: --set 'elements.mount.scale = 1.25', one per line.
 [[nodiscard]] std::string optimization_settings(const study::Optimization& found);
+
+/// Results that are minimised.
+[[nodiscard]] std::vector<std::string> minimized_names(const study::Optimization& found);
 
 /// "-0.42 %": the change of the objective by a step of one parameter; "violates" if it breaks a requirement.
 [[nodiscard]] std::string step_words(const std::optional<study::OptimizedParameter::Step>& step,

@@ -28,15 +28,14 @@ void MinimizedResults::add_to(project::Analyses& analyses) {
                                                           : required.statics;
   const bool same_quantity = !analyses.response || analyses.response->selection.quantity == quantity_;
   std::size_t& limited = limited_.emplace_back(0);
-  const bool of_front = separate_ && weights_.empty();  // its results keep their units
   for (const std::string& name : names_) {
     double allowed = 0;
     for (const project::AmplitudeLimit& limit : list)
       if (limit.name == name && limit.quantity == quantity_) allowed = limit.amplitude;
     for (const project::Limit& limit : analyses.limits)
       if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
-    if (allowed > 0 && !of_front) ++limited;
-    list.push_back({name, quantity_, allowed > 0 && !of_front ? allowed : 1});
+    if (allowed > 0 && !are_of_front()) ++limited;
+    list.push_back({name, quantity_, allowed > 0 && !are_of_front() ? allowed : 1});
   }
 }
 
@@ -68,15 +67,14 @@ void MinimizedResults::refuse_unlike(const std::vector<RequirementResult>& given
   const auto all_of_cases = [&](std::size_t limited) {
     return std::all_of(limited_.begin(), limited_.end(), [&](std::size_t one) { return one == limited; });
   };
-  if (!any() || (separate_ && weights_.empty()) || all_of_cases(count())) return;
+  if (!any() || are_of_front() || all_of_cases(count())) return;
   bool unlike = !all_of_cases(0);
   for (std::size_t i = 0; i < count(); ++i) unlike = unlike || given[result(0, i)].unit != given[result(0, 0)].unit;
   if (unlike)
     throw foundation::InvalidInput(
         "optimize: amplitudes of different units, or some with a limit and some without (also in a case), have no "
         "common measure; give each of minimize a limit in limits = {\"BODY.x\" = \"1 mm\"} of [requirements]: then the "
-        "largest share of a "
-        "limit is minimised");
+        "largest share of a limit is minimised");
 }
 
 std::optional<double> MinimizedResults::weighted_sum(const std::vector<std::vector<RequirementResult>>& found) const {

@@ -52,6 +52,8 @@ class MinimizedResults {
   [[nodiscard]] std::string words(const RequirementResult& result) const;
 
  private:
+  /// Objectives of a front keep their units and have no common measure.
+  [[nodiscard]] bool are_of_front() const { return separate_ && weights_.empty(); }
   [[nodiscard]] RequirementKind requirement_kind() const;
 
   project::Minimized kind_;
