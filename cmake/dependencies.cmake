@@ -12,6 +12,12 @@ find_package(hwy REQUIRED)
 find_package(NLopt REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(MD REQUIRED IMPORTED_TARGET libmd)
+find_package(ZLIB REQUIRED)
+# Formats of `trivet export`; without one of these the format says so.
+pkg_check_modules(MATIO IMPORTED_TARGET matio)
+pkg_check_modules(HDF5 IMPORTED_TARGET hdf5-serial)
+find_library(HDF5_HL_LIBRARY hdf5_serial_hl)
+pkg_check_modules(XLSXWRITER IMPORTED_TARGET xlsxwriter)
 find_path(UDUNITS2_INCLUDE_DIR udunits2.h REQUIRED)
 find_library(UDUNITS2_LIBRARY udunits2 REQUIRED)
 

@@ -16,8 +16,8 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
+#include "trivet/results/check_text.h"
 #include "trivet/results/project_json.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/asked_questions.h"
 #include "trivet/study/explanation.h"
@@ -115,39 +115,6 @@ std::string rendered(const std::string& which, const project::Case& variant, con
   return options.csv ? results::answer_csv(which, variant, answers) : results::answer_text(which, variant, answers);
 }
 
-std::string checks_text(const std::vector<study::CheckLine>& lines) {
-  results::TextTable table({"subject", "check", "value", "verdict"});
-  for (const study::CheckLine& line : lines)
-    table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
-  return table.text();
-}
-
-std::string mounts_text(const std::vector<study::MountAtRest>& mounts) {
-  if (mounts.empty()) return "";
-  results::TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
-  for (const study::MountAtRest& mount : mounts)
-    table.add({mount.name, study::value_words(mount.compression, "N"), study::value_words(mount.across, "N"),
-               study::value_words(mount.deflection, "m")});
-  return table.text();
-}
-
-std::string case_check_text(const study::CaseCheck& found) {
-  std::string text = found.case_name.empty()
-      ? "Base model\n"
-      : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
-  if (!found.lines.empty()) text += checks_text(found.lines);
-  text += mounts_text(found.mounts);
-  for (const auto* notes : {&found.free_motions, &found.notes})
-    for (const std::string& note : *notes) text += "  note: " + note + "\n";
-  if (found.deep)
-    text += fmt::format(
-        "  two solvers compared at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed {:.2e} "
-        "(round-off × condition): {}\n",
-        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
-        found.deep->verdict());
-  return text;
-}
-
 }  // namespace
 
 std::string warnings_text(const study::Answers& answers) {
@@ -223,7 +190,7 @@ int check_command(const Options& options) {
     write_output(results::problems_json(warnings, cases.front().free_motions, cases));
   } else {
     std::string text;
-    for (const study::CaseCheck& one : cases) text += case_check_text(one);
+    for (const study::CaseCheck& one : cases) text += results::case_check_text(one);
     write_problems(warnings);
     write_output(
         text + judged_by_verdict(*project, options.project) +

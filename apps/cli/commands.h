@@ -36,6 +36,7 @@ struct Options {
   std::string excitations;
   std::string points;
   std::string write;  ///< project file with the best design
+  std::string format, what;
 };
 
 /// Each returns the exit code.
@@ -49,6 +50,7 @@ int map_command(const Options& options);
 int verdict_command(const Options& options);
 int optimize_command(const Options& options);
 int select_command(const Options& options);
+int export_command(const Options& options);
 
 /// The command line requests something that the project does not have.
 struct BadArgument : std::runtime_error {

@@ -6,12 +6,12 @@
 
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/element_text.h"
 #include "cli/progress_line.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/questions.h"
 #include "trivet/report/element_picture.h"
 #include "trivet/results/element_json.h"
+#include "trivet/results/element_text.h"
 
 namespace trivet::cli {
 namespace {
@@ -56,9 +56,9 @@ int element_command(const Options& options) {
     } catch (const foundation::NotComputable& reason) {
       summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
     }
-    write_output(options.json
-                     ? results::element_json(variant, element, summary, simple)
-                     : element_text(variant, element, summary) + (simple ? "\n" + simplification_text(*simple) : ""));
+    write_output(options.json ? results::element_json(variant, element, summary, simple)
+                              : results::element_text(variant, element, summary) +
+                         (simple ? "\n" + results::simplification_text(*simple) : ""));
     if (picture) picture->publish(report::element_picture(variant, element));
     return done;
   } catch (const BadArgument& bad) {

@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/signals.h"
+#include "trivet/exports/format.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/foundation/version.h"
@@ -108,6 +109,7 @@ int dispatch(const CLI::App& app, const Options& options) {
   if (which == "optimize") return trivet::cli::optimize_command(options);
   if (which == "select") return trivet::cli::select_command(options);
   if (which == "map") return trivet::cli::map_command(options);
+  if (which == "export") return trivet::cli::export_command(options);
   if (which == "run") return trivet::cli::run_command(options);
   return trivet::cli::answer_command(which, options);
 }
@@ -199,6 +201,22 @@ void add_select(CLI::App& app, Options& options) {
   add_strict(select, options);
 }
 
+void add_export(CLI::App& app, Options& options) {
+  CLI::App* exported =
+      add_command(app, "export", "matrices and answers in files of other programs, notes on what these lose", options);
+  std::string formats;
+  for (const trivet::exports::Format& format : trivet::exports::formats())
+    formats += std::string("\n  ") + format.name + ": " + format.about;
+  exported->add_option("--to", options.format, "format:" + formats)->required();
+  exported->add_option("-o,--output", options.output, "file, or folder of files")->required()->check(not_empty);
+  exported
+      ->add_option("--what", options.what,
+                   "matrices and questions, as in matrices,modes,response; default: what the format and the file "
+                   "have")
+      ->check(not_empty);
+  exported->add_option("--case", options.case_name, "a case of the file instead of the base model")->check(not_empty);
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Vibration of bodies on real elastic elements");
@@ -228,6 +246,7 @@ int run(int argc, char** argv) {
   add_optimize(app, options);
   add_select(app, options);
   add_element(app, options);
+  add_export(app, options);
   app.add_subcommand("new", "a commented starter file");
   app.add_subcommand("schema", "the JSON Schema of the project file");
   try {

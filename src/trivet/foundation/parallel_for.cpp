@@ -13,9 +13,19 @@
 
 namespace trivet::foundation {
 
+namespace {
+
+thread_local int thread_limit = 0;  // 0: none
+
+}  // namespace
+
 int thread_count(int wanted) {
-  return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (wanted > 0) return wanted;
+  return thread_limit > 0 ? thread_limit : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
+
+ThreadLimit::ThreadLimit(int most) : before_(thread_limit) { thread_limit = most; }
+ThreadLimit::~ThreadLimit() { thread_limit = before_; }
 
 void parallel_for(std::size_t count, const ParallelOptions& options,
                   const std::function<void(std::size_t, std::size_t)>& work) {
@@ -47,7 +57,11 @@ void parallel_for(std::size_t count, const ParallelOptions& options,
     const auto workers = std::min<std::size_t>(to_size(thread_count(options.threads)), pieces);
     std::vector<std::jthread> others;
     try {
-      for (std::size_t k = 1; k < workers; ++k) others.emplace_back(work_through, false);
+      for (std::size_t k = 1; k < workers; ++k)
+        others.emplace_back([&work_through, limit = thread_limit] {
+          const ThreadLimit same_limit(limit);
+          work_through(false);
+        });
     } catch (const std::system_error&) {
       // No more threads are available: the existing ones do the work.
     }

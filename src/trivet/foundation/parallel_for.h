@@ -9,8 +9,21 @@
 
 namespace trivet::foundation {
 
-/// Number of threads: `wanted`, or that of the machine if `wanted` is 0.
+/// Number of threads: `wanted`; if that is 0, the limit of this thread (ThreadLimit), or the number of the machine.
 [[nodiscard]] int thread_count(int wanted);
+
+/// While it exists, work that this thread starts takes at most so many threads. May be nested.
+class ThreadLimit {
+ public:
+  /// @param most  0: as many as the machine has
+  explicit ThreadLimit(int most);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  int before_;
+};
 
 struct ParallelOptions {
   std::size_t size = 1;        ///< of a piece; independent of the number of threads, so that results are too

@@ -97,6 +97,21 @@ void refuse_overridden_settings(const Project& project, const Node& model, const
   }
 }
 
+/// The settings of a project, and all changes to write.
+struct WrittenChanges {
+  std::vector<Node> settings, all;
+};
+
+WrittenChanges written_changes(const Project& project, const std::vector<std::string>& settings,
+                               const std::vector<Node>& changes, foundation::Problems& problems) {
+  WrittenChanges written{read_settings(settings, project.source, problems).changes, {}};
+  written.all = written.settings;
+  written.all.insert(written.all.end(), changes.begin(), changes.end());
+  for (const Node& change : written.all)
+    refuse_numbers_of_tables(project, change, project.base().written, "", problems);
+  return written;
+}
+
 foundation::Problem cannot_be_written(const Project& project) {
   return {.origin = {project.source, 0, 0},
           .finding = "the changed numbers cannot be written into its text",
@@ -105,6 +120,30 @@ foundation::Problem cannot_be_written(const Project& project) {
 }
 
 }  // namespace
+
+namespace {
+
+foundation::Expected<std::string> changed_text(const std::string& text, const Project& project,
+                                               const WrittenChanges& written, const std::vector<Node>& changes) {
+  std::string result = text_with_changes(text, written.all);
+  const auto before = model_of(text, project.source), after = model_of(result, project.source);
+  if (!before || !after || !same_numbers(changed(*before, written.all), *after))
+    return foundation::failure(cannot_be_written(project));
+  foundation::Problems problems;
+  refuse_overridden_settings(project, *after, written.settings, changes, problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return result;
+}
+
+}  // namespace
+
+foundation::Expected<std::string> text_with_settings(const std::string& text, const Project& project,
+                                                     const std::vector<std::string>& settings) {
+  foundation::Problems problems;
+  const WrittenChanges written = written_changes(project, settings, {}, problems);
+  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
+  return changed_text(text, project, written, {});
+}
 
 bool is_project_file(const fs::path& path) {
   const auto text = read_source(path);
@@ -124,21 +163,12 @@ foundation::Expected<std::string> rewritten_project(const Project& project, cons
                                 .rule = "the numbers were computed for its earlier content",
                                 .remedy = "start again"});
   foundation::Problems problems;
-  std::vector<Node> all = read_settings(settings, project.source, problems).changes;
-  const std::vector<Node> of_settings = all;
-  all.insert(all.end(), changes.begin(), changes.end());
-  for (const Node& change : all) refuse_numbers_of_tables(project, change, project.base().written, "", problems);
+  const WrittenChanges written = written_changes(project, settings, changes, problems);
   if (const auto given = parse_toml(*text, project.source); given && !in_one_folder(project.source, target))
     refuse_lost_files(*given, "", fs::path(project.source).parent_path(), problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
-  std::string result = text_with_changes(*text, all);
-  const auto before = model_of(*text, project.source), after = model_of(result, project.source);
-  if (!before || !after || !same_numbers(changed(*before, all), *after))
-    return foundation::failure(cannot_be_written(project));
-  refuse_overridden_settings(project, *after, of_settings, changes, problems);
-  if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
-  return result;
+  return changed_text(*text, project, written, changes);
 }
 
 }  // namespace trivet::project

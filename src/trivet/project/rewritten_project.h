@@ -21,6 +21,10 @@ namespace trivet::project {
                                                                   const std::vector<Node>& changes,
                                                                   const std::filesystem::path& target);
 
+/// The text of a project that was read from `text` with `settings`, with these settings written in, as above.
+[[nodiscard]] foundation::Expected<std::string> text_with_settings(const std::string& text, const Project& project,
+                                                                   const std::vector<std::string>& settings);
+
 /// True for a readable TOML file with the key `trivet`.
 [[nodiscard]] bool is_project_file(const std::filesystem::path& path);
 

@@ -10,16 +10,11 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/project/analyses/question_table.h"
 #include "trivet/results/json_parts.h"
+#include "trivet/results/labelled_arrays.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/answers.h"
 
 namespace trivet::results {
-
-/// A table in a result folder: "random.csv".
-struct CsvWriter {
-  const char* file;
-  std::string (*csv)(const project::Case& variant, const study::Answers& answers);
-};
 
 /// Writes the answer to one question. Each is defined in NAME_results.cpp.
 struct AnswerWriter {
@@ -29,10 +24,13 @@ struct AnswerWriter {
   /// project/analyses/question_table.h.
   bool (*has_answer)(const project::Case& variant, const study::Answers& answers) = nullptr;
   json::Json (*json)(const project::Case& variant, const study::Answers& answers);
-  std::vector<CsvWriter> tables = {};  ///< tables of the result folder; --csv prints the first one
+  std::vector<AnswerTable> tables = {};  ///< tables of the result folder; --csv prints the first one
   std::string (*text)(const project::Case& variant, const study::Answers& answers);  ///< for the screen
   std::string (*summary)(const project::Case& variant,
                          const study::Answers& answers) = nullptr;  ///< shorter text for `run`; nullptr: `text`
+  /// Its numbers. A list of rows has an axis, "peak"; a curve is an array over its frequencies with its own name. Names
+  /// are unique, and an axis has the same size in all arrays.
+  void (*arrays)(const project::Case& variant, const study::Answers& answers, LabelledArrays& list);
 
   [[nodiscard]] bool is_there(const project::Case& variant, const study::Answers& answers) const {
     return has_answer ? has_answer(variant, answers) : answers.of_questions.contains(name);
@@ -52,6 +50,17 @@ TRIVET_QUESTIONS(TRIVET_WRITER)
 [[nodiscard]] inline std::string mode_words(const std::optional<int>& mode) {
   return mode ? std::to_string(*mode) : "–";
 }
+
+/// The axis "coordinate" of mode shapes: names and units of the six coordinates of each body.
+void add_shape_coordinates(const project::Case& variant, LabelledArrays& list);
+/// The axis "coordinate" of one motion: x … rz in metres and radians.
+void add_motion_coordinates(LabelledArrays& list);
+/// Unit of the numbers on an axis; "1" if they have none, or if it is not known.
+[[nodiscard]] std::string array_unit(const project::DesignAxis& axis);
+/// @param before  begins the name of every array and axis: "pair1."
+void add_map_arrays(const study::DesignMap& map, const std::string& before, LabelledArrays& list);
+void add_optimization_arrays(const study::Optimization& found, LabelledArrays& list);
+void add_front_arrays(const study::DesignFront& front, LabelledArrays& list);
 
 namespace json {
 /// A curve with its complex values.

@@ -48,6 +48,12 @@ const AnswerWriter map_results = {
         [](const project::Case&, const study::Answers& answers) {
           return answers.map ? map_text(*answers.map) : map_pairs_text(answers.map_pairs);
         },
+    .arrays =
+        [](const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+          if (answers.map) add_map_arrays(*answers.map, "", list);
+          for (std::size_t k = 0; k < answers.map_pairs.size(); ++k)
+            add_map_arrays(answers.map_pairs[k], fmt::format("pair{}.", k + 1), list);
+        },
 };
 
 /// The best design, or the front, as one of the answers of a run; the command `optimize` writes it alone.
@@ -65,6 +71,11 @@ const AnswerWriter optimize_results = {
     .text =
         [](const project::Case&, const study::Answers& answers) {
           return answers.front ? front_text(*answers.front) : optimization_text(*answers.optimization);
+        },
+    .arrays =
+        [](const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+          if (answers.front) add_front_arrays(*answers.front, list);
+          else add_optimization_arrays(*answers.optimization, list);
         },
 };
 
@@ -104,11 +115,19 @@ std::string answer_text(const std::string& question, const project::Case& varian
   return writer_of(question).text(variant, answers);
 }
 
+const std::vector<AnswerTable>& answer_tables(const std::string& question) { return writer_of(question).tables; }
+
+LabelledArrays answer_arrays(const std::string& question, const project::Case& variant, const study::Answers& answers) {
+  LabelledArrays list;
+  writer_of(question).arrays(variant, answers, list);
+  return list;
+}
+
 std::vector<AnswerFile> answer_files(const project::Case& variant, const study::Answers& answers) {
   std::vector<AnswerFile> files;
   for (const AnswerWriter& writer : answer_writers())
     if (writer.is_there(variant, answers))
-      for (const CsvWriter& table : writer.tables) files.push_back({table.file, table.csv(variant, answers)});
+      for (const AnswerTable& table : writer.tables) files.push_back({table.file, table.csv(variant, answers)});
   return files;
 }
 

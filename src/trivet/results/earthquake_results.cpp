@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 
@@ -41,6 +42,15 @@ Json earthquake(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
+/// Modal maxima for all modes; NaN for a mode outside the spectrum.
+std::vector<double> maxima_of_all_modes(const response::EarthquakeResponse& e, const response::CombinedAnswer& a) {
+  std::vector<double> maxima;
+  Eigen::Index counted = 0;
+  for (const response::ModalShare& m : e.modes)
+    maxima.push_back(std::isnan(m.spectral_acceleration) ? nothing : a.modal_maxima(counted++));
+  return maxima;
+}
+
 /// One row per answer, with its largest value in each mode.
 std::string earthquake_csv(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
@@ -51,7 +61,7 @@ std::string earthquake_csv(const project::Case&, const study::Answers& answers) 
   for (const response::CombinedAnswer& a : e.answers) {
     text += fmt::format("{},{},{},{}", csv_field(a.name), csv_field(a.unit), csv_number(a.complete_quadratic),
                         csv_number(a.square_root_of_sum_of_squares));
-    for (Eigen::Index m = 0; m < a.modal_maxima.size(); ++m) append_csv_number(text, a.modal_maxima(m));
+    for (const double largest : maxima_of_all_modes(e, a)) append_csv_number(text, largest);
     text += "\n";
   }
   return text;
@@ -75,12 +85,31 @@ std::string earthquake_text(const project::Case&, const study::Answers& answers)
       fmt::format("  the spectrum covers modes with {} of the effective mass\n", percent(e.effective_mass_share));
 }
 
+void earthquake_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::CombinedAnswer;
+  using response::ModalShare;
+  const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
+  list.texts("result", "result", e.answers, &CombinedAnswer::name);
+  list.texts("unit", "result", e.answers, &CombinedAnswer::unit);
+  list.field("cqc", unit_of_the_row, "result", e.answers, &CombinedAnswer::complete_quadratic);
+  list.field("srss", unit_of_the_row, "result", e.answers, &CombinedAnswer::square_root_of_sum_of_squares);
+  list.lists("modal_maxima", unit_of_the_row, {"result", "mode"}, e.modes.size(), e.answers,
+             [&](const CombinedAnswer& a) { return maxima_of_all_modes(e, a); });
+  list.field("mode.angular_frequency", "rad/s", "mode", e.modes, &ModalShare::angular_frequency);
+  list.field("mode.damping_ratio", "1", "mode", e.modes, &ModalShare::damping_ratio);
+  list.field("mode.participation", "√kg", "mode", e.modes, &ModalShare::participation);
+  list.field("mode.effective_mass", "kg", "mode", e.modes, &ModalShare::effective_mass);
+  list.field("mode.spectral_acceleration", "m/s²", "mode", e.modes, &ModalShare::spectral_acceleration);
+  list.value("effective_mass_share", "1", e.effective_mass_share);
+}
+
 }  // namespace
 
 const AnswerWriter earthquake_results = {
     .json = json::earthquake,
     .tables = {{"earthquake.csv", earthquake_csv}},
     .text = earthquake_text,
+    .arrays = earthquake_arrays,
 };
 
 }  // namespace trivet::results

@@ -70,6 +70,36 @@ json::Json limit_lines_json(const project::Case&, const study::Answers& answers)
 
 std::string limit_lines_table(const project::Case&, const study::Answers& answers) { return limit_lines_text(answers); }
 
+void limit_lines_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using study::LimitLineResult;
+  const std::vector<LimitLineResult>& lines = answers.limit_lines;
+  const std::string axis = "limit_line";
+  list.texts(axis, axis, lines, [](const LimitLineResult& l) { return l.line.name; });
+  list.texts("name", axis, lines, &LimitLineResult::of);
+  list.texts("unit", axis, lines, [](const LimitLineResult& l) { return l.line.unit; });
+  list.texts("level", axis, lines, [](const LimitLineResult& l) { return l.line.rms ? "rms" : "zero_to_peak"; });
+  list.column("compared_from", "rad/s", axis, lines, [](const auto& l) { return l.comparison.compared.from; });
+  list.column("compared_to", "rad/s", axis, lines, [](const auto& l) { return l.comparison.compared.to; });
+  list.column("least_margin", "1", axis, lines, [](const auto& l) { return l.comparison.least_margin; });
+  list.column("least_margin_db", "dB", axis, lines,
+              [](const auto& l) { return response::margin_level(l.comparison.least_margin); });
+  list.column("at", "rad/s", axis, lines, [](const auto& l) { return l.comparison.least_margin_at; });
+  list.column("kept", "1", axis, lines, [](const auto& l) { return l.comparison.met(); });
+  std::vector<std::string> names;
+  std::vector<response::Band> bands;
+  for (const LimitLineResult& l : lines) {
+    names.insert(names.end(), l.comparison.exceeded.size(), l.line.name);
+    bands.insert(bands.end(), l.comparison.exceeded.begin(), l.comparison.exceeded.end());
+    const std::string frequencies = l.line.name + " angular_frequency";
+    list.view(frequencies, "rad/s", frequencies, l.comparison.angular_frequency);
+    list.view(l.line.name + " margin", "1", frequencies, l.comparison.margin);
+  }
+  list.count("exceeded", bands.size());
+  list.texts("exceeded.limit_line", "exceeded", std::move(names));
+  list.column("exceeded.from", "rad/s", "exceeded", bands, &response::Band::from);
+  list.column("exceeded.to", "rad/s", "exceeded", bands, &response::Band::to);
+}
+
 }  // namespace
 
 const AnswerWriter limit_lines_results = {
@@ -77,6 +107,7 @@ const AnswerWriter limit_lines_results = {
     .json = limit_lines_json,
     .tables = {{"limit_lines.csv", limit_lines_csv}},
     .text = limit_lines_table,
+    .arrays = limit_lines_arrays,
 };
 
 }  // namespace trivet::results

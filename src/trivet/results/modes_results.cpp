@@ -110,13 +110,49 @@ std::string modes_text(const project::Case& variant, const study::Answers& answe
   return "Undamped modes" + which + "\n" + table.text();
 }
 
+void modes_arrays(const project::Case& variant, const study::Answers& answers, LabelledArrays& list) {
+  using modal::Mode;
+  const std::vector<Mode>& modes = answers.modes.list;
+  const std::size_t coordinates = 6 * variant.system.bodies().size(), elements = variant.system.elements().size();
+  list.column("mode", "1", "mode", modes, &Mode::number);
+  list.field("eigenvalue_squared", "rad²/s²", "mode", modes, &Mode::eigenvalue_squared);
+  list.column("angular_frequency", "rad/s", "mode", modes, &Mode::angular_frequency);
+  list.column("frequency", "Hz", "mode", modes,
+              [](const Mode& mode) { return mode.angular_frequency.value_or(nothing) / two_pi; });
+  list.texts("name", "mode", modes, &Mode::name);
+  list.field("modal_mass", "1", "mode", modes, &Mode::modal_mass);
+  list.column("repeated", "1", "mode", modes, &Mode::repeated);
+  add_shape_coordinates(variant, list);
+  list.lists("shape", unit_of_the_row, {"mode", "coordinate"}, coordinates, modes, &Mode::shape);
+  list.lists("shape_at_center_of_mass", unit_of_the_row, {"mode", "coordinate"}, coordinates, modes,
+             &Mode::shape_at_centre);
+  list.lists("kinetic_energy_share", "1", {"mode", "coordinate"}, coordinates, modes, &Mode::kinetic_energy_share);
+  list.texts("element", "element", variant.system.elements(), &model::Element::name);
+  list.lists("element_kinetic_energy_share", "1", {"mode", "element"}, elements, modes,
+             &Mode::element_kinetic_energy_share);
+  list.lists("strain_energy_share", "1", {"mode", "element"}, elements, modes,
+             [](const Mode& mode) { return mode.strain_energy_share.value_or(Eigen::VectorXd()); });
+}
+
 }  // namespace
+
+void add_shape_coordinates(const project::Case& variant, LabelledArrays& list) {
+  std::vector<std::string> names, units;
+  for (const model::Body& body : variant.system.bodies())
+    for (std::size_t j = 0; j < 6; ++j) {
+      names.push_back(body.name + "." + model::coordinate_names[j]);
+      units.emplace_back(j < 3 ? "1/√kg" : "rad/(m √kg)");
+    }
+  list.texts("coordinate", "coordinate", std::move(names));
+  list.texts("coordinate.unit", "coordinate", std::move(units));
+}
 
 const AnswerWriter modes_results = {
     .has_answer = [](const project::Case& variant, const study::Answers&) { return variant.analyses.modes; },
     .json = json::modes,
     .tables = {{"modes.csv", modes_csv}},
     .text = modes_text,
+    .arrays = modes_arrays,
 };
 
 }  // namespace trivet::results

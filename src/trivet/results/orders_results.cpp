@@ -133,12 +133,65 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
            : "Campbell diagram: intersections of orders and natural frequencies\n" + points.text());
 }
 
+void run_up_arrays(const response::RunUp& run, LabelledArrays& list) {
+  using response::CriticalSpeed;
+  using response::Overall;
+  list.view("speed", "rad/s", "speed", run.speed);
+  for (const Overall& o : run.overall) {
+    list.view(o.name + " rms", o.unit, "speed", o.rms);
+    list.view(o.name + " bound", o.unit, "speed", o.bound);
+  }
+  list.field("order", "1", "order", run.orders, &response::OrderCurves::order);
+  for (const response::OrderCurves& order : run.orders)
+    for (const response::Curve& c : order.curves)
+      list.view(fmt::format("{} order {}", c.name, order.order), c.unit, "speed", c.value);
+  list.texts("result", "result", run.overall, &Overall::name);
+  list.texts("result.unit", "result", run.overall, &Overall::unit);
+  list.field("result.highest_rms", unit_of_the_row, "result", run.overall, &Overall::highest_rms);
+  list.field("result.highest_rms_at", "rad/s", "result", run.overall, &Overall::highest_rms_at);
+  const std::string axis = "critical_speed";
+  list.count(axis, run.critical.size());
+  list.texts(axis + ".name", axis, run.critical, [&](const CriticalSpeed& c) { return run.overall[c.curve].name; });
+  list.texts(axis + ".unit", axis, run.critical, [&](const CriticalSpeed& c) { return run.overall[c.curve].unit; });
+  list.field(axis + ".order", "1", axis, run.critical, &CriticalSpeed::order);
+  list.field(axis + ".speed", "rad/s", axis, run.critical, &CriticalSpeed::speed);
+  list.field(axis + ".angular_frequency", "rad/s", axis, run.critical, &CriticalSpeed::angular_frequency);
+  list.field(axis + ".amplitude", unit_of_the_row, axis, run.critical, &CriticalSpeed::amplitude);
+  list.field(axis + ".prominence", unit_of_the_row, axis, run.critical, &CriticalSpeed::prominence);
+  list.field(axis + ".relative_height", "1", axis, run.critical, &CriticalSpeed::relative_height);
+  list.column(axis + ".nearest_mode", "1", axis, run.critical, &CriticalSpeed::nearest_mode);
+}
+
+void campbell_arrays(const response::Campbell& campbell, LabelledArrays& list) {
+  using response::Interference;
+  using response::NaturalLine;
+  list.count("natural", campbell.natural.size());
+  list.field("natural.angular_frequency", "rad/s", "natural", campbell.natural, &NaturalLine::angular_frequency);
+  list.field("natural.damping_ratio", "1", "natural", campbell.natural, &NaturalLine::damping_ratio);
+  list.column("natural.nearest_mode", "1", "natural", campbell.natural, &NaturalLine::nearest_mode);
+  const std::string axis = "interference";
+  list.count(axis, campbell.points.size());
+  list.field(axis + ".order", "1", axis, campbell.points, &Interference::order);
+  list.field(axis + ".speed", "rad/s", axis, campbell.points, &Interference::speed);
+  list.field(axis + ".angular_frequency", "rad/s", axis, campbell.points, &Interference::angular_frequency);
+  list.column(axis + ".mode", "1", axis, campbell.points, &Interference::mode);
+  list.column(axis + ".modal_force_share", "1", axis, campbell.points, &Interference::modal_force_share);
+  list.column(axis + ".excited", "1", axis, campbell.points, &Interference::excited);
+}
+
+void orders_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  const study::OrdersResult& found = *answers.find<study::OrdersResult>("orders");
+  run_up_arrays(found.run_up, list);
+  campbell_arrays(found.campbell, list);
+}
+
 }  // namespace
 
 const AnswerWriter orders_results = {
     .json = json::orders,
     .tables = {{"orders.csv", orders_csv}, {"critical_speeds.csv", critical_speeds_csv}},
     .text = orders_text,
+    .arrays = orders_arrays,
 };
 
 }  // namespace trivet::results

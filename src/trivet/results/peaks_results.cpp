@@ -108,6 +108,33 @@ std::string peaks_text(const project::Case& variant, const study::Answers& answe
   return excited_at_once(variant, "peaks") + peaks_table(variant, answers);
 }
 
+void peaks_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::CurveSummary;
+  using response::Peak;
+  const response::Peaks& found = answers.peaks->peaks;
+  list.count("peak", found.list.size());
+  list.texts("name", "peak", found.list, [&](const Peak& peak) { return found.curves[peak.curve].name; });
+  list.texts("unit", "peak", found.list, [&](const Peak& peak) { return found.curves[peak.curve].unit; });
+  list.field("angular_frequency", "rad/s", "peak", found.list, &Peak::angular_frequency);
+  list.field("amplitude", unit_of_the_row, "peak", found.list, &Peak::amplitude);
+  list.field("prominence", unit_of_the_row, "peak", found.list, &Peak::prominence);
+  list.column("relative_prominence", "1", "peak", found.list, response::relative_prominence);
+  list.column("ratio_to_static", "1", "peak", found.list, &Peak::ratio_to_static);
+  list.column("nearest_mode", "1", "peak", found.list, &Peak::nearest_mode);
+  list.field("angular_frequency_uncertainty", "rad/s", "peak", found.list, &Peak::frequency_uncertainty);
+  list.field("amplitude_uncertainty", unit_of_the_row, "peak", found.list, &Peak::amplitude_uncertainty);
+  list.texts("method", "peak", found.list, [&](const Peak& peak) { return response::method(found, peak); });
+  list.texts("result", "result", found.curves, &CurveSummary::name);
+  list.texts("result.unit", "result", found.curves, &CurveSummary::unit);
+  list.column("result.peaks", "1", "result", found.curves, &CurveSummary::peaks);
+  list.column("result.static_amplitude", unit_of_the_row, "result", found.curves, &CurveSummary::static_amplitude);
+  list.field("result.highest", unit_of_the_row, "result", found.curves, &CurveSummary::highest);
+  list.field("result.highest_at", "rad/s", "result", found.curves, &CurveSummary::highest_at);
+  list.column("result.vanishes", "1", "result", found.curves, &CurveSummary::vanishes);
+  list.value("searched_from", "rad/s", found.searched_from);
+  list.value("searched_to", "rad/s", found.searched_to);
+}
+
 }  // namespace
 
 const AnswerWriter peaks_results = {
@@ -116,6 +143,7 @@ const AnswerWriter peaks_results = {
     .tables = {{"peaks.csv", peaks_csv}},
     .text = peaks_text,
     .summary = peaks_table,
+    .arrays = peaks_arrays,
 };
 
 }  // namespace trivet::results

@@ -70,12 +70,28 @@ std::string power_text(const project::Case& variant, const study::Answers& answe
       table.text();
 }
 
+void power_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
+  const std::string axis = "angular_frequency";
+  list.view(axis, "rad/s", axis, p.angular_frequency);
+  list.view("by_forces", "W", axis, p.by_forces);
+  list.view("by_ground", "W", axis, p.by_ground);
+  list.view("into_ground_in_total", "W", axis, p.into_ground_in_total);
+  list.texts("mount", "mount", p.mounts);
+  list.view("into_ground", "W", {"mount", axis}, p.into_ground);
+  list.texts("element", "element", p.elements);
+  list.view("dissipated", "W", {"element", axis}, p.dissipated);
+  list.view("dissipated_by_foundations", "W", axis, p.dissipated_by_foundations);
+  list.view("dissipated_by_system", "W", axis, p.dissipated_by_system);
+}
+
 }  // namespace
 
 const AnswerWriter power_results = {
     .json = json::power,
     .tables = {{"power.csv", power_csv}},
     .text = power_text,
+    .arrays = power_arrays,
 };
 
 }  // namespace trivet::results

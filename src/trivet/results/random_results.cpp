@@ -151,12 +151,42 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
       table.text() + reasons + accuracy_text(random.response);
 }
 
+void random_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::RandomAnswer;
+  const study::RandomResult& random = *answers.find<study::RandomResult>("random");
+  const std::vector<RandomAnswer>& results = random.response.answers;
+  list.texts("result", "result", results, &RandomAnswer::name);
+  list.texts("unit", "result", results, &RandomAnswer::unit);
+  list.column("rms", unit_of_the_row, "result", results,
+              [](const RandomAnswer& a) { return bounded_number(a.rms, a.infinite_rms); });
+  list.column("three_sigma", unit_of_the_row, "result", results,
+              [](const RandomAnswer& a) { return bounded_number(a.three_sigma, a.infinite_rms); });
+  list.column("rms_of_derivative", std::string(unit_of_the_row) + "/s", "result", results,
+              [](const RandomAnswer& a) { return bounded_number(a.rms_of_derivative, a.infinite_rms_of_derivative); });
+  list.column("zero_crossings", "1/s", "result", results, &RandomAnswer::zero_crossings);
+  list.column("weighted_rms", "m/s², rad/s²", "result", results,
+              [](const RandomAnswer& a) { return bounded_number(a.weighted_rms, a.infinite_weighted_rms); });
+  list.texts("input", "input", random.inputs);
+  list.lists("variance_share", "1", {"result", "input"}, random.inputs.size(), results, &RandomAnswer::variance_share);
+  list.column("vanishes", "1", "result", results, &RandomAnswer::vanishes);
+  list.field("estimated_error", "1", "result", results, &RandomAnswer::estimated_error);
+  list.texts("reason", "result", results, &RandomAnswer::reason);
+  list.view("angular_frequency", "rad/s", "angular_frequency", random.curves.angular_frequency);
+  for (std::size_t i = 0; i < results.size(); ++i)
+    list.view(results[i].name + " density", "(" + results[i].unit + ")²/(rad/s)", "angular_frequency",
+              random.curves.density[i]);
+  if (random.total_values.empty()) return;
+  list.texts("vibration_total", "vibration_total", random.total_values, &study::TotalValue::name);
+  list.field("vibration_total.value", "m/s²", "vibration_total", random.total_values, &study::TotalValue::value);
+}
+
 }  // namespace
 
 const AnswerWriter random_results = {
     .json = json::random,
     .tables = {{"random.csv", random_csv}, {"densities.csv", random_densities_csv}},
     .text = random_text,
+    .arrays = random_arrays,
 };
 
 }  // namespace trivet::results

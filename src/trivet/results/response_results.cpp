@@ -196,6 +196,24 @@ std::string response_summary(const project::Case&, const study::Answers& answers
 
 json::Json response_json(const project::Case&, const study::Answers& answers) { return json::response(answers); }
 
+void response_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using study::LimitAnswer;
+  const study::ResponseAnswer& answer = *answers.response;
+  const std::vector<response::Curve>& curves = answer.curves.curves;
+  list.view("angular_frequency", "rad/s", "angular_frequency", answer.curves.angular_frequency);
+  for (const response::Curve& curve : curves) list.view(curve.name, curve.unit, "angular_frequency", curve.value);
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    list.view(curves[c].name + " phase", "rad", "angular_frequency", answer.phase[c]);
+  if (answers.limits.empty()) return;
+  list.texts("limit", "limit", answers.limits, &LimitAnswer::name);
+  list.texts("limit.unit", "limit", answers.limits, &LimitAnswer::unit);
+  list.field("limit.allowed", unit_of_the_row, "limit", answers.limits, &LimitAnswer::limit);
+  list.field("limit.in_band", unit_of_the_row, "limit", answers.limits, &LimitAnswer::in_band);
+  list.field("limit.in_band_at", "rad/s", "limit", answers.limits, &LimitAnswer::in_band_at);
+  list.field("limit.anywhere", unit_of_the_row, "limit", answers.limits, &LimitAnswer::anywhere);
+  list.column("limit.met", "1", "limit", answers.limits, &LimitAnswer::met);
+}
+
 }  // namespace
 
 const AnswerWriter response_results = {
@@ -204,6 +222,7 @@ const AnswerWriter response_results = {
     .tables = {{"response.csv", response_csv}},
     .text = response_text,
     .summary = response_summary,
+    .arrays = response_arrays,
 };
 
 }  // namespace trivet::results

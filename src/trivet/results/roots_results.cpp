@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/text_table.h"
@@ -56,6 +57,23 @@ std::string roots_text(const project::Case&, const study::Answers& answers) {
   return "Damped roots λ, motion ~ exp(λt)\n" + table.text();
 }
 
+void roots_arrays(const project::Case& variant, const study::Answers& answers, LabelledArrays& list) {
+  using modal::Root;
+  const std::vector<Root>& roots = answers.roots.list;
+  Eigen::VectorXcd eigenvalues(to_index(roots.size()));
+  for (std::size_t i = 0; i < roots.size(); ++i) eigenvalues(to_index(i)) = roots[i].eigenvalue;
+  list.count("root", roots.size());
+  list.copy("eigenvalue", "1/s", "root", std::move(eigenvalues));
+  list.texts("kind", "root", roots, [](const Root& root) { return modal::name(root.kind); });
+  list.column("angular_frequency", "rad/s", "root", roots, &Root::angular_frequency);
+  list.column("damped_angular_frequency", "rad/s", "root", roots, &Root::damped_angular_frequency);
+  list.column("damping_ratio", "1", "root", roots, &Root::damping_ratio);
+  list.column("nearest_mode", "1", "root", roots, &Root::nearest_mode);
+  list.column("exact", "1", "root", roots, &Root::exact);
+  add_shape_coordinates(variant, list);
+  list.lists("shape", unit_of_the_row, {"root", "coordinate"}, 6 * variant.system.bodies().size(), roots, &Root::shape);
+}
+
 }  // namespace
 
 const AnswerWriter roots_results = {
@@ -63,6 +81,7 @@ const AnswerWriter roots_results = {
     .json = json::roots,
     .tables = {{"roots.csv", roots_csv}},
     .text = roots_text,
+    .arrays = roots_arrays,
 };
 
 }  // namespace trivet::results

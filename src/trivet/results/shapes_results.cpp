@@ -73,12 +73,47 @@ std::string shapes_text(const project::Case& variant, const study::Answers& answ
   return text;
 }
 
+/// All places of a shape, in the order of the tables.
+std::vector<response::MovingPlace> places_of(const response::DeflectionShape& shape) {
+  std::vector<response::MovingPlace> places;
+  for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
+    places.insert(places.end(), group->begin(), group->end());
+  return places;
+}
+
+void shapes_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::DeflectionShape;
+  using response::MovingPlace;
+  const auto& shapes = *answers.find<std::vector<DeflectionShape>>("shapes");
+  if (shapes.empty()) return;
+  const std::vector<MovingPlace> places = places_of(shapes.front());
+  const std::string axis = "angular_frequency";
+  list.field(axis, "rad/s", axis, shapes, &DeflectionShape::angular_frequency);
+  list.field("largest_excursion", "m", axis, shapes, &DeflectionShape::largest_excursion);
+  list.texts("place", "place", places, &MovingPlace::name);
+  list.texts("direction", "direction", {"x", "y", "z"});
+  list.lists("position", "m", {"place", "direction"}, 3, places, &MovingPlace::position);
+  add_motion_coordinates(list);
+  std::vector<std::complex<double>> motions;
+  for (const DeflectionShape& shape : shapes)
+    for (const MovingPlace& place : places_of(shape))
+      motions.insert(motions.end(), place.motion.begin(), place.motion.end());
+  list.copy("motion", unit_of_the_row, {axis, "place", "coordinate"}, {shapes.size(), places.size(), 6},
+            std::move(motions));
+}
+
 }  // namespace
+
+void add_motion_coordinates(LabelledArrays& list) {
+  list.texts("coordinate", "coordinate", {model::coordinate_names.begin(), model::coordinate_names.end()});
+  list.texts("coordinate.unit", "coordinate", {"m", "m", "m", "rad", "rad", "rad"});
+}
 
 const AnswerWriter shapes_results = {
     .json = json::shapes,
     .tables = {{"shapes.csv", shapes_csv}},
     .text = shapes_text,
+    .arrays = shapes_arrays,
 };
 
 }  // namespace trivet::results

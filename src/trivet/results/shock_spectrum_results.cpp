@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <functional>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
@@ -73,12 +75,43 @@ std::string shock_spectrum_text(const project::Case&, const study::Answers& answ
   return text;
 }
 
+/// One number of all spectra; they have the same natural frequencies.
+template <typename Number>
+void add_shock_numbers(const char* name, const char* unit, const std::vector<study::ShockSpectrumResult>& spectra,
+                       const Number& number, LabelledArrays& list) {
+  list.lists(name, unit, {"excitation", "angular_frequency"}, spectra.front().spectrum.size(), spectra,
+             [&](const study::ShockSpectrumResult& spectrum) {
+               std::vector<double> numbers;
+               for (const excitation::ShockResponse& r : spectrum.spectrum) numbers.push_back(std::invoke(number, r));
+               return numbers;
+             });
+}
+
+void shock_spectrum_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using excitation::ShockResponse;
+  using study::ShockSpectrumResult;
+  const auto& spectra = *answers.find<std::vector<ShockSpectrumResult>>("shock_spectrum");
+  if (spectra.empty()) return;
+  list.field("angular_frequency", "rad/s", "angular_frequency", spectra.front().spectrum,
+             &ShockResponse::angular_frequency);
+  list.texts("excitation", "excitation", spectra, &ShockSpectrumResult::excitation);
+  list.field("damping_ratio", "1", "excitation", spectra, &ShockSpectrumResult::damping_ratio);
+  add_shock_numbers("largest", "m/s²", spectra, &ShockResponse::largest, list);
+  add_shock_numbers("smallest", "m/s²", spectra, &ShockResponse::smallest, list);
+  add_shock_numbers("maximax", "m/s²", spectra, &ShockResponse::maximax, list);
+  add_shock_numbers("primary", "m/s²", spectra, &ShockResponse::primary, list);
+  add_shock_numbers("residual", "m/s²", spectra, &ShockResponse::residual, list);
+  add_shock_numbers("pseudo_velocity", "m/s", spectra, &ShockResponse::pseudo_velocity, list);
+  add_shock_numbers("relative_displacement", "m", spectra, &ShockResponse::relative_displacement, list);
+}
+
 }  // namespace
 
 const AnswerWriter shock_spectrum_results = {
     .json = json::shock_spectrum,
     .tables = {{"shock_spectrum.csv", shock_spectrum_csv}},
     .text = shock_spectrum_text,
+    .arrays = shock_spectrum_arrays,
 };
 
 }  // namespace trivet::results

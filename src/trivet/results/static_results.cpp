@@ -66,6 +66,27 @@ std::string static_text(const project::Case&, const study::Answers& answers) {
       (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }
 
+void static_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::StaticValue;
+  const std::vector<StaticValue>& values = answers.statics->values;
+  list.texts("result", "result", values, &StaticValue::name);
+  list.texts("unit", "result", values, &StaticValue::unit);
+  list.field("value", unit_of_the_row, "result", values, &StaticValue::value);
+}
+
+void load_sharing_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::MountLoad;
+  const std::vector<MountLoad>& mounts = answers.load_sharing->mounts;
+  list.texts("element", "element", mounts, &MountLoad::element);
+  list.field("bearing", "N", "element", mounts, &MountLoad::bearing);
+  list.field("share", "1", "element", mounts, &MountLoad::share);
+  list.texts("direction", "direction", {"x", "y", "z"});
+  list.lists("force", "N", {"element", "direction"}, 3, mounts, &MountLoad::force);
+  add_motion_coordinates(list);
+  list.lists("deflection", unit_of_the_row, {"element", "coordinate"}, 6, mounts, &MountLoad::deflection);
+  list.value("bearing_in_total", "N", answers.load_sharing->bearing_in_total);
+}
+
 }  // namespace
 
 const AnswerWriter static_results = {
@@ -73,6 +94,7 @@ const AnswerWriter static_results = {
     .json = json::statics,
     .tables = {{"static.csv", static_csv}},
     .text = static_text,
+    .arrays = static_arrays,
 };
 
 const AnswerWriter load_sharing_results = {
@@ -80,6 +102,7 @@ const AnswerWriter load_sharing_results = {
     .json = json::load_sharing,
     .tables = {{"load_sharing.csv", load_sharing_csv}},
     .text = [](const project::Case&, const study::Answers&) { return std::string(); },
+    .arrays = load_sharing_arrays,
 };
 
 }  // namespace trivet::results

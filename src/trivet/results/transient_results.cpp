@@ -57,12 +57,29 @@ std::string transient_text(const project::Case& variant, const study::Answers& a
       table.text();
 }
 
+void transient_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::TimeCurve;
+  const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
+  list.view("time", "s", "time", found.time);
+  for (const TimeCurve& c : found.curves) list.view(c.name, c.unit, "time", c.values);
+  list.texts("result", "result", found.curves, &TimeCurve::name);
+  list.texts("result.unit", "result", found.curves, &TimeCurve::unit);
+  list.column("result.largest", unit_of_the_row, "result", found.curves,
+              [](const TimeCurve& c) { return c.largest.value; });
+  list.column("result.largest_at", "s", "result", found.curves, [](const TimeCurve& c) { return c.largest.time; });
+  list.column("result.smallest", unit_of_the_row, "result", found.curves,
+              [](const TimeCurve& c) { return c.smallest.value; });
+  list.column("result.smallest_at", "s", "result", found.curves, [](const TimeCurve& c) { return c.smallest.time; });
+  list.field("result.rms", unit_of_the_row, "result", found.curves, &TimeCurve::rms);
+}
+
 }  // namespace
 
 const AnswerWriter transient_results = {
     .json = json::transient,
     .tables = {{"transient.csv", transient_csv}},
     .text = transient_text,
+    .arrays = transient_arrays,
 };
 
 }  // namespace trivet::results

@@ -85,12 +85,34 @@ std::string transmissibility_text(const project::Case&, const study::Answers& an
   return "Transmissibility: " + t.words + "\n" + table.text() + shares;
 }
 
+void transmissibility_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
+  using response::CurveSummary;
+  using response::Peak;
+  const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
+  list.view("angular_frequency", "rad/s", "angular_frequency", t.curves.angular_frequency);
+  for (const response::Curve& c : t.curves.curves)  // "ground" or an element: such a name may be that of another array
+    list.view(c.name + " transmissibility", "1", "angular_frequency", c.value);
+  list.texts("result", "result", t.peaks.curves, &CurveSummary::name);
+  list.field("result.highest", "1", "result", t.peaks.curves, &CurveSummary::highest);
+  list.field("result.highest_at", "rad/s", "result", t.peaks.curves, &CurveSummary::highest_at);
+  std::vector<double> isolates_from;
+  for (std::size_t i = 0; i < t.crossovers.size(); ++i)
+    isolates_from.push_back(t.is_share(i) ? nothing : t.crossovers[i].angular_frequency.value_or(nothing));
+  list.copy("result.isolates_from", "rad/s", "result", std::move(isolates_from));
+  list.count("peak", t.peaks.list.size());
+  list.texts("peak.name", "peak", t.peaks.list, [&](const Peak& peak) { return t.peaks.curves[peak.curve].name; });
+  list.field("peak.angular_frequency", "rad/s", "peak", t.peaks.list, &Peak::angular_frequency);
+  list.field("peak.amplitude", "1", "peak", t.peaks.list, &Peak::amplitude);
+  list.column("peak.nearest_mode", "1", "peak", t.peaks.list, &Peak::nearest_mode);
+}
+
 }  // namespace
 
 const AnswerWriter transmissibility_results = {
     .json = json::transmissibility,
     .tables = {{"transmissibility.csv", transmissibility_csv}},
     .text = transmissibility_text,
+    .arrays = transmissibility_arrays,
 };
 
 }  // namespace trivet::results

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/labelled_arrays.h"
 #include "trivet/study/answers.h"
 
 /// Answers as JSON and CSV (docs/json.md) and as text, by the name of their question in [analyses]; their table is in
@@ -16,6 +17,18 @@ namespace trivet::results {
                                      const study::Answers& answers);
 [[nodiscard]] std::string answer_text(const std::string& question, const project::Case& variant,
                                       const study::Answers& answers);
+
+/// A table in a result folder.
+struct AnswerTable {
+  const char* file;  ///< "random.csv"
+  std::string (*csv)(const project::Case& variant, const study::Answers& answers);
+};
+/// The tables of an answer; `answer_csv` is the first one.
+[[nodiscard]] const std::vector<AnswerTable>& answer_tables(const std::string& question);
+
+/// The numbers of an answer, as views of `answers`, which must outlive them.
+[[nodiscard]] LabelledArrays answer_arrays(const std::string& question, const project::Case& variant,
+                                           const study::Answers& answers);
 
 struct AnswerFile {
   std::string name;  ///< "random.csv"

@@ -24,7 +24,7 @@ def write(file_name, name, matrix, nodes, form, number_type, size, is_double):
         [rows[j] for i, j in entries],
         [rows[i] for i, j in entries],
         values.real,
-        **arguments
+        **arguments,
     )
     text = io.StringIO()
     for card in model.dmig.values():

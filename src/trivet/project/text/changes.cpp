@@ -10,11 +10,6 @@
 namespace trivet::project {
 namespace {
 
-/// Tables whose keys exclude each other: a new one in braces replaces the old one.
-bool is_exclusive_table(const std::string& key) {
-  return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
-}
-
 bool holds_named_parts(const std::string& path) {
   return path == "bodies" || path == "nodes" || path == "elements" || path == "element_types" ||
       path == "excitations" || path == "relative" || path == "sections" || path == "clearances";
@@ -24,6 +19,21 @@ bool holds_named_parts(const std::string& path) {
 bool is_constant_force(const std::string& path, const Node& change) {
   const Node* type = path == "excitations" ? change.find("type") : nullptr;
   return type && type->text == "constant" && change.find("on");
+}
+
+/// Frequencies of a response are a list or a band: a change of one takes the place of the other.
+void drop_other_frequencies(Node& response, const Node& changes) {
+  const auto drop = [&](std::string_view key) {
+    for (std::size_t i = 0; i < response.keys.size(); ++i)
+      if (response.keys[i] == key) {
+        response.keys.erase(response.keys.begin() + static_cast<std::ptrdiff_t>(i));
+        response.items.erase(response.items.begin() + static_cast<std::ptrdiff_t>(i));
+        return;
+      }
+  };
+  if (changes.find("at") && !changes.find("band"))
+    for (const char* key : {"band", "points", "spacing"}) drop(key);
+  if (changes.find("band") && !changes.find("at")) drop("at");
 }
 
 void refuse_new_name(const Node& base, const Node& change, const std::string& path, const std::string& key,
@@ -64,7 +74,12 @@ void change_components(Node& array, const Node& changes, const std::string& path
 
 }  // namespace
 
+bool is_exclusive_table(const std::string& key) {
+  return key == "damping" || key == "inertia" || key == "orientation" || key == "from_orientation";
+}
+
 void apply_changes(Node& base, const Node& changes, const std::string& path, foundation::Problems& problems) {
+  if (path == "analyses.response") drop_other_frequencies(base, changes);
   for (std::size_t i = 0; i < changes.keys.size(); ++i) {
     const std::string& key = changes.keys[i];
     const Node& change = changes.items[i];

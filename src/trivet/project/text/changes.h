@@ -14,6 +14,10 @@ namespace trivet::project {
 /// the project.
 void apply_changes(Node& base, const Node& changes, const std::string& path, foundation::Problems& problems);
 
+/// True for tables whose keys exclude each other (damping, inertia, orientation): a new one in braces replaces the old
+/// one.
+[[nodiscard]] bool is_exclusive_table(const std::string& key);
+
 /// The changes of a setting such as "elements.front.scale=1.5". A value that is not TOML is taken as text ("3 kg").
 [[nodiscard]] foundation::Expected<Node> parse_setting(const std::string& setting);
 

@@ -10,9 +10,11 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/changes.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/toml_layout.h"
 #include "trivet/project/text/toml_text.h"
+#include "trivet/project/text/toml_value.h"
 
 namespace trivet::project {
 namespace {
@@ -28,36 +30,9 @@ std::optional<WrittenNumber> number_in(const Node& node) {
   return number && is_known_unit(number->unit) ? number : std::nullopt;
 }
 
-std::string number_text(double value) { return fmt::format("{:.15g}", value); }
-
-std::string text_literal(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    quoted += c;
-  }
-  return quoted + "\"";
-}
-
-/// A value as TOML.
-std::string literal(const Node& value) {
-  switch (value.kind) {
-    case Node::Kind::text:
-      return text_literal(value.text);
-    case Node::Kind::boolean:
-      return value.boolean ? "true" : "false";
-    case Node::Kind::array:
-    case Node::Kind::table: {
-      std::string items;
-      const bool table = value.kind == Node::Kind::table;
-      for (std::size_t i = 0; i < value.items.size(); ++i)
-        items += (i ? ", " : "") + (table ? foundation::path_key(value.keys[i]) + " = " : std::string()) +
-            literal(value.items[i]);
-      return (table ? "{" : "[") + items + (table ? "}" : "]");
-    }
-    default:
-      return number_text(value.number);
-  }
+constexpr int digits_after_conversion = 15;  // between units; it loses the others
+std::string number_text(double value, bool converted) {
+  return converted ? fmt::format("{:.{}g}", value, digits_after_conversion) : fmt::format("{}", value);
 }
 
 std::string dotted(const Keys& keys) {
@@ -237,10 +212,10 @@ class ChangedText {
     if (keys.size() >= 2 && is_zero_by_default(keys[keys.size() - 2])) {
       std::string items;
       for (const char* component : {"x", "y", "z"})
-        items += (items.empty() ? "" : ", ") + (keys.back() == component ? literal(*value_) : std::string("0"));
+        items += (items.empty() ? "" : ", ") + (keys.back() == component ? toml_value(*value_) : std::string("0"));
       return dotted({keys.begin(), keys.end() - 1}) + " = [" + items + "]";
     }
-    return dotted(keys) + " = " + literal(*value_);
+    return dotted(keys) + " = " + toml_value(*value_);
   }
 
   /// Blanks before the statement at a position.
@@ -269,7 +244,7 @@ class ChangedText {
 
   /// The new value in the unit of the old one, with its quotes and blanks.
   [[nodiscard]] Edit replaced(const WrittenValue& value) const {
-    Edit edit{value.begin, value.end, literal(*value_)};
+    Edit edit{value.begin, value.end, toml_value(*value_)};
     const auto old = parsed(value);
     if (!old) return edit;
     const std::string raw = text_.substr(value.begin, value.end - value.begin);
@@ -278,8 +253,9 @@ class ChangedText {
       edit.text = raw;
     } else if (before && now && (before->value != 0 || !before->unit.empty() || now->unit.empty())) {
       const auto number = in_unit(*now, before->unit);
-      if (number && before->unit.empty()) edit.text = number_text(*number);
-      else if (number) edit.text = with_number(raw, *old, *number);
+      const std::string text = number ? number_text(*number, now->unit != before->unit) : "";
+      if (number && before->unit.empty()) edit.text = text;
+      else if (number) edit.text = with_number(raw, *old, text);
     } else if (old->kind == Node::Kind::text && raw == "'" + old->text + "'" && value_->kind == Node::Kind::text &&
                value_->text.find('\'') == std::string::npos) {
       edit.text = "'" + value_->text + "'";
@@ -288,16 +264,16 @@ class ChangedText {
   }
 
   /// "150 mm" with another number; the whole text if it has escapes or several lines.
-  [[nodiscard]] static std::string with_number(const std::string& raw, const Node& old, double number) {
+  [[nodiscard]] static std::string with_number(const std::string& raw, const Node& old, const std::string& number) {
     const std::string unit = written_number(old)->unit;
     if (raw.size() != old.text.size() + 2 || raw.substr(1, old.text.size()) != old.text)
-      return text_literal(number_text(number) + " " + unit);
+      return toml_string(number + " " + unit);
     const std::size_t begin = old.text.find_first_not_of(" \t"), sign = old.text[begin] == '+' ? 1 : 0;
     double ignored = 0;
     const char* const first = old.text.data() + begin + sign;
     const auto [end, error] = std::from_chars(first, old.text.data() + old.text.size(), ignored);
     static_cast<void>(error);
-    return raw.front() + old.text.substr(0, begin) + number_text(number) + end + raw.back();
+    return raw.front() + old.text.substr(0, begin) + number + end + raw.back();
   }
 
   const std::string& text_;
@@ -309,9 +285,10 @@ class ChangedText {
   std::vector<const WrittenValue*> in_braces_;
 };
 
-/// Single values of a change with their paths.
+/// Single values of a change with their paths. A table in braces that replaces another one is one value.
 void list_values(const Node& change, Keys& path, std::vector<std::pair<Keys, const Node*>>& values) {
-  if (change.kind != Node::Kind::table) {
+  const bool replaces = change.written_inline && !path.empty() && is_exclusive_table(path.back());
+  if (change.kind != Node::Kind::table || replaces) {
     values.emplace_back(path, &change);
     return;
   }

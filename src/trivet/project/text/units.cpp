@@ -27,14 +27,18 @@ using Unit = std::unique_ptr<ut_unit, FreeUnit>;
 constexpr std::size_t longest_unit = 48;
 using foundation::standard_gravity;
 
+std::string unit_database;  // empty: that of the system
+
 /// UDUNITS-2 with angle and energy as base dimensions and the units of rotating machinery added.
 class UnitSystem {
  public:
   UnitSystem() {
     ut_set_error_message_handler(ut_ignore);
-    system_ = ut_read_xml(nullptr);
+    system_ = ut_read_xml(unit_database.empty() ? nullptr : unit_database.c_str());
     if (!system_)
-      throw std::runtime_error("the unit database of UDUNITS-2 cannot be read; install the package libudunits2-data");
+      throw std::runtime_error(
+          "the unit database of UDUNITS-2 cannot be read" +
+          (unit_database.empty() ? "; install the package libudunits2-data" : ": " + unit_database));
     const Unit radian(ut_new_base_unit(system_));
     name("radian", "rad", radian.get());
     name("degree", "deg", Unit(ut_scale(std::numbers::pi / 180, radian.get())).get());
@@ -291,5 +295,7 @@ tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity
   if (!found.converter) return tl::make_unexpected(found.reason);
   return cv_convert_double(found.converter.get(), value);
 }
+
+void use_unit_database(const std::string& file) { unit_database = file; }
 
 }  // namespace trivet::project

@@ -44,4 +44,8 @@ enum class Quantity {
 /// dimensions here: Hz is 2π rad/s, "5 rad" is not a pure number and "5 J" is not a moment.
 [[nodiscard]] tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity);
 
+/// Reads the units from this copy of the database of UDUNITS-2 instead of that of the system. Call it before the first
+/// unit is read, from one thread.
+void use_unit_database(const std::string& file);
+
 }  // namespace trivet::project

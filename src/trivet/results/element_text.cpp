@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/element_text.h"
+#include "trivet/results/element_text.h"
 
 #include <fmt/format.h>
 
@@ -13,13 +13,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/text_table.h"
 
-namespace trivet::cli {
+namespace trivet::results {
 namespace {
-
-using results::nothing;
-using results::number_text;
-using results::percent;
-using results::TextTable;
 
 using foundation::two_pi;
 constexpr std::array<const char*, 6> loads = {"F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"};
@@ -118,13 +113,15 @@ std::string energy_text(const study::ElementSummary& summary) {
   constexpr double idle = 1e-4;  // share of the strain energy of a mode below which the element is not listed
   TextTable table(
       {"mode", "f [Hz]", "of the model's strain energy", "in translation", "in rotation", "in coupling", "motion"});
-  const auto percent = [](double share) { return fmt::format("{:.1f}%", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
+  const auto share_words = [](double share) {
+    return fmt::format("{:.1f}%", std::abs(share) < 5e-4 ? 0.0 : 100 * share);
+  };
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
     if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
     table.add({std::to_string(mode.number), number_text(mode.angular_frequency.value_or(std::nan("")) / two_pi),
-               fmt::format("{:.2f}%", 100 * mode.share), percent(mode.inside.translation),
-               percent(mode.inside.rotation), percent(mode.inside.coupling), mode.name});
+               fmt::format("{:.2f}%", 100 * mode.share), share_words(mode.inside.translation),
+               share_words(mode.inside.rotation), share_words(mode.inside.coupling), mode.name});
     ++shown_modes;
   }
   const std::size_t others = summary.modes.size() - shown_modes;
@@ -154,7 +151,7 @@ std::string uncertainty_text(const model::Element& element) {
   return text;
 }
 
-std::string damping_words(const elements::Law& law) {
+std::string law_of_damping(const elements::Law& law) {
   if (const auto* p = std::get_if<elements::ProportionalDamping>(&law.damping))
     return fmt::format("B = {:.6g} s × the {} stiffness", p->factor, p->of_nominal ? "nominal" : "scaled");
   if (const auto* l = std::get_if<elements::LossFactor>(&law.damping))
@@ -167,7 +164,7 @@ std::string damping_words(const elements::Law& law) {
 
 std::string frequency_text(const model::Element& element) {
   const elements::Law& law = element.law;
-  std::string text = "Damping: " + damping_words(law) + "\n";
+  std::string text = "Damping: " + law_of_damping(law) + "\n";
   if (const auto& given = law.frequency_dependence) {
     text += "Frequency dependence: the stiffness above is static; " +
         std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
@@ -203,7 +200,7 @@ std::string preload_text(const elements::Law& law) {
   return "Preload in the equilibrium state (local axes of each end)\n" + table.text();
 }
 
-std::string percent(const std::optional<double>& difference) {
+std::string difference_words(const std::optional<double>& difference) {
   if (!difference) return "–";
   constexpr double round_off = 1e-9;
   if (std::abs(*difference) < round_off) return "0%";
@@ -211,7 +208,7 @@ std::string percent(const std::optional<double>& difference) {
                                       : fmt::format("{:+.1f}%", 100 * *difference);
 }
 
-std::string list(const std::vector<std::string>& words, const char* separator) {
+std::string joined(const std::vector<std::string>& words, const char* separator) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
   return text;
@@ -225,8 +222,8 @@ std::string mode_comparison_text(const study::Simplification& simple) {
   for (const study::ModeComparison& mode : simple.modes)
     table.add({std::to_string(mode.number), hertz(mode.full),
                mode.simplified && *mode.simplified == 0 ? "0 (free)" : hertz(mode.simplified),
-               percent(study::relative_difference(mode.full, mode.simplified)), fmt::format("{:.3f}", mode.similarity),
-               mode.name});
+               difference_words(study::relative_difference(mode.full, mode.simplified)),
+               fmt::format("{:.3f}", mode.similarity), mode.name});
   std::string text = table.text();
   for (const std::string& motion : simple.free_motions) text += "  with three springs " + motion + "\n";
   if (simple.inner_modes > 0)
@@ -251,9 +248,9 @@ std::string peak_comparison_text(const study::Simplification& simple) {
     const auto high = part(peak.full, &HighestPeak::amplitude),
                high_simplified = part(peak.simplified, &HighestPeak::amplitude);
     table.add({peak.name, number_text(full.value_or(none) / two_pi), number_text(simplified.value_or(none) / two_pi),
-               percent(study::relative_difference(full, simplified)), number_text(high.value_or(none)),
-               number_text(high_simplified.value_or(none)), percent(study::relative_difference(high, high_simplified)),
-               peak.unit});
+               difference_words(study::relative_difference(full, simplified)), number_text(high.value_or(none)),
+               number_text(high_simplified.value_or(none)),
+               difference_words(study::relative_difference(high, high_simplified)), peak.unit});
     if (peak.vanishes) notes += fmt::format("  {}: no motion with three springs\n", peak.name);
     else if (peak.full && !peak.simplified) notes += fmt::format("  {}: no peak with three springs\n", peak.name);
   }
@@ -283,8 +280,9 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
 std::string simplification_text(const study::Simplification& simple) {
   std::string text = fmt::format(
       "{} replaced by three springs in this model\n(only the translational stiffness of K along the local axes{})\n",
-      list(simple.replaced, ", "), simple.left_out.empty() ? "" : "; also neglected: " + list(simple.left_out, ", "));
+      joined(simple.replaced, ", "),
+      simple.left_out.empty() ? "" : "; also neglected: " + joined(simple.left_out, ", "));
   return text + mode_comparison_text(simple) + peak_comparison_text(simple);
 }
 
-}  // namespace trivet::cli
+}  // namespace trivet::results

@@ -6,7 +6,7 @@
 #include "trivet/study/element_summary.h"
 #include "trivet/study/simplification.h"
 
-namespace trivet::cli {
+namespace trivet::results {
 
 /// One element as text: type, ends, how its law was determined, the 12×12, principal stiffnesses, elastic centre,
 /// checks, energy, uncertainty, limits of validity, preload.
@@ -16,4 +16,4 @@ namespace trivet::cli {
 /// Natural frequencies and highest peaks with the full elements and with three springs in their place.
 [[nodiscard]] std::string simplification_text(const study::Simplification& simple);
 
-}  // namespace trivet::cli
+}  // namespace trivet::results

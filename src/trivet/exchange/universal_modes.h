@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "trivet/exchange/universal_file.h"
+#include "trivet/exchange/universal_sets.h"
+
+namespace trivet::exchange {
+
+struct UniversalModeSet {
+  std::optional<UniversalMode> mode;  ///< none if the set is wrong, or not a mode
+  std::string other_content;          ///< "analysis type 5" if the set is not a mode
+};
+
+/// Reads set 55 if it is a normal or complex mode with translations or with translations and rotations, and converts it
+/// to SI. Errors for records that are incomplete or not numbers.
+[[nodiscard]] UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUnits& units,
+                                                   SetProblems& problems);
+
+}  // namespace trivet::exchange

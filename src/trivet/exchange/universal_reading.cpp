@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/exchange/universal_reading.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <vector>
+
+#include "trivet/exchange/file_bytes.h"
+#include "trivet/exchange/universal_descriptions.h"
+#include "trivet/exchange/universal_functions.h"
+#include "trivet/exchange/universal_geometry.h"
+#include "trivet/exchange/universal_modes.h"
+#include "trivet/foundation/plain_text.h"
+
+namespace trivet::exchange {
+namespace {
+
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+/// Reads the sets of one file, one after another.
+class UniversalReader {
+ public:
+  UniversalReader(std::string_view bytes, const std::string& source) : problems_(source), scanner_(bytes, problems_) {}
+  foundation::Expected<UniversalRead> result();
+
+ private:
+  void read_set(const UniversalSet& set);
+  void read_function(const UniversalSet& set, SetProblems& problems);
+  void read_mode(const UniversalSet& set, SetProblems& problems);
+  void read_units(const UniversalSet& set, SetProblems& problems);
+  void warn_about_units();
+  void warn_about_ignored_sets();
+  void warn_about_comments();
+  [[nodiscard]] UniversalUnits units() const { return file_.units_of_file.value_or(UniversalUnits{}); }
+  [[nodiscard]] bool has_quantities() const {
+    return !file_.nodes.empty() || !file_.modes.empty() || !file_.functions.empty();
+  }
+
+  FileProblems problems_;
+  SetScanner scanner_;
+  UniversalFile file_;
+  std::map<std::string, int> ignored_;  ///< what, how often
+  bool at_end_ = false;
+};
+
+void UniversalReader::read_function(const UniversalSet& set, SetProblems& problems) {
+  auto read = read_universal_function(set, units(), problems);
+  if (read.function) file_.functions.push_back(std::move(*read.function));
+  if (!set.binary) return;
+  if (read.end > 0) scanner_.continue_after(set, read.end);
+  else at_end_ = true;  // the end of its values is not known
+}
+
+void UniversalReader::read_mode(const UniversalSet& set, SetProblems& problems) {
+  auto read = read_universal_mode(set, units(), problems);
+  if (read.mode) file_.modes.push_back(std::move(*read.mode));
+  if (!read.other_content.empty()) ++ignored_["55 with " + read.other_content];
+}
+
+void UniversalReader::read_units(const UniversalSet& set, SetProblems& problems) {
+  const bool late = has_quantities() && !file_.units_of_file;
+  if (auto read = read_universal_units(set, problems)) file_.units_of_file = std::move(*read);
+  if (late)
+    problems.warning(set.line, "order", "sets with numbers come before it", "set 164 holds for the sets after it",
+                     "those before it are read as SI");
+}
+
+void UniversalReader::read_set(const UniversalSet& set) {
+  SetProblems problems(problems_, set);
+  if (set.binary && set.type != 58) {
+    problems.error(set.line, "type", in_quotes(set.type_line), "only set 58 has a binary form, 58b",
+                   "export the file again as text");
+    at_end_ = true;
+    return;
+  }
+  switch (set.type) {
+    case 151:
+      file_.header = read_universal_header(set, problems);
+      break;
+    case 164:
+      read_units(set, problems);
+      break;
+    case 15: {
+      const auto nodes = read_universal_nodes(set, units(), problems);
+      file_.nodes.insert(file_.nodes.end(), nodes.begin(), nodes.end());
+      break;
+    }
+    case 82:
+      if (auto line = read_universal_line(set, problems)) file_.lines.push_back(std::move(*line));
+      break;
+    case 55:
+      read_mode(set, problems);
+      break;
+    case 58:
+      read_function(set, problems);
+      break;
+    default:
+      ++ignored_[fmt::format("{}", set.type)];
+  }
+}
+
+void UniversalReader::warn_about_units() {
+  if (!file_.units_of_file && has_quantities())
+    problems_.warning(0, "units", "no set 164", "it has the units of the numbers", "the numbers are read as SI");
+}
+
+void UniversalReader::warn_about_ignored_sets() {
+  if (ignored_.empty()) return;
+  std::vector<std::string> names;
+  for (const auto& [name, count] : ignored_) names.push_back(count == 1 ? name : fmt::format("{} ({}×)", name, count));
+  problems_.warning(0, "sets", foundation::comma_separated(names),
+                    "sets 15, 55 (modes), 58, 58b, 82, 151 and 164 are read", "the others are ignored");
+}
+
+void UniversalReader::warn_about_comments() {
+  if (const auto& comment = scanner_.first_comment())
+    problems_.warning(comment->number, "lines between sets", in_quotes(comment->text),
+                      "a line outside the sets is a comment", "ignored, like other such lines of the file");
+}
+
+foundation::Expected<UniversalRead> UniversalReader::result() {
+  bool any_set = false;
+  while (!at_end_ && !problems_.enough()) {
+    const auto set = scanner_.next();
+    if (!set) break;
+    any_set = true;
+    read_set(*set);
+  }
+  if (!any_set && !problems_.any())
+    problems_.error(0, "universal file", scanner_.found_delimiter() ? "no set after a line with -1" : "no line with -1",
+                    "each set of a universal file is between two lines with only -1 in columns 5 and 6",
+                    "is this a universal file (.unv, .uff)?");
+  if (problems_.any()) return problems_.refused();
+  warn_about_units();
+  warn_about_ignored_sets();
+  warn_about_comments();
+  return UniversalRead{std::move(file_), problems_.all()};
+}
+
+}  // namespace
+
+foundation::Expected<UniversalRead> read_universal_text(std::string_view bytes, const std::string& source) {
+  if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
+  return UniversalReader(bytes, source).result();
+}
+
+foundation::Expected<UniversalRead> read_universal(const std::filesystem::path& path) {
+  const auto bytes = file_bytes(path, universal_file_rules);
+  if (!bytes) return tl::make_unexpected(bytes.error());
+  return read_universal_text(*bytes, path.string());
+}
+
+}  // namespace trivet::exchange

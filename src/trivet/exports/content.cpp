@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/exports/content.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/results/study_arrays.h"
+#include "trivet/results/written_answers.h"
+#include "trivet/study/asked_questions.h"
+
+namespace trivet::exports {
+namespace {
+
+constexpr const char* of_matrices = "matrices";
+
+std::vector<std::string> known_names() {
+  std::vector<std::string> names = {of_matrices};
+  for (const study::AskedQuestion& question : study::asked_questions()) names.emplace_back(question.name);
+  return names;
+}
+
+void require_known(const std::vector<std::string>& what) {
+  const std::vector<std::string> known = known_names();
+  for (const std::string& name : what) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string guess = foundation::nearest_name(name, known);
+    std::string list;
+    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+    throw foundation::InvalidInput("what: \"" + name + "\" is nothing that can be exported; " +
+                                   (guess.empty() ? "known are " + list : "did you mean \"" + guess + "\"?"));
+  }
+}
+
+/// What the file asks for, and the modes.
+std::vector<std::string> asked_in(const project::Analyses& asked) {
+  std::vector<std::string> names = {of_matrices, "modes"};
+  if (asked.roots) names.emplace_back("roots");
+  if (asked.response) names.emplace_back("response");
+  if (asked.peaks) names.emplace_back("peaks");
+  if (asked.static_of) names.emplace_back("static");
+  for (const auto& [name, question] : asked.questions) names.push_back(name);
+  if (!asked.limit_lines.empty()) names.emplace_back("limit_lines");
+  return names;
+}
+
+Group matrices(const project::Case& variant, std::vector<std::string>& notes) {
+  const auto found = std::make_shared<const study::SystemMatrices>(study::system_matrices(variant));
+  if (!found->exact)
+    notes.emplace_back(
+        "elements depend on frequency: B and K are those of their nearest linear system, the answers are exact");
+  return {of_matrices, results::matrix_arrays(*found), nullptr, found};
+}
+
+Group answer(const project::Case& variant, const std::string& question, const foundation::Progress& progress) {
+  const auto found = std::make_shared<const study::Answers>(
+      study::answers(variant, study::asked_question(question).asked(variant), progress));
+  const bool only_beside = question == "response" && found->response;
+  if (!found->failures.empty() && !only_beside) throw foundation::NotComputable(found->failures.front());
+  return {question, results::answer_arrays(question, variant, *found), found, found};
+}
+
+}  // namespace
+
+const Group* Content::find(const std::string& name) const {
+  const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
+  return found == groups.end() ? nullptr : &*found;
+}
+
+std::string Content::words() const { return project.source + (variant.name.empty() ? "" : ", case " + variant.name); }
+
+Content content(const project::Project& project, const project::Case& variant, const std::vector<std::string>& what,
+                const foundation::Progress& progress) {
+  require_known(what);
+  Content found{project, variant, {}, {}};
+  for (const std::string& name : what.empty() ? asked_in(variant.analyses) : what) {
+    if (found.find(name)) continue;
+    found.groups.push_back(name == of_matrices ? matrices(variant, found.notes) : answer(variant, name, progress));
+  }
+  return found;
+}
+
+}  // namespace trivet::exports

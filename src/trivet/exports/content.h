@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/project/project.h"
+#include "trivet/results/labelled_arrays.h"
+#include "trivet/study/answers.h"
+
+namespace trivet::exports {
+
+/// Arrays that belong together: "matrices", or the answer to a question.
+struct Group {
+  std::string name;
+  results::LabelledArrays arrays;
+  std::shared_ptr<const study::Answers> answers;  ///< empty for the matrices
+  std::shared_ptr<const void> held;               ///< what the arrays refer to
+};
+
+/// What files of other programs are written from: one case with its matrices and answers. The project must outlive it.
+struct Content {
+  const project::Project& project;
+  const project::Case& variant;
+  std::vector<Group> groups;
+  std::vector<std::string> notes;  ///< what the data do not say exactly
+
+  [[nodiscard]] const Group* find(const std::string& name) const;
+  /// "machine.toml, case soft": for headers.
+  [[nodiscard]] std::string words() const;
+};
+
+/// Computes the groups. @param what  "matrices" and names of questions; empty: the matrices, the modes, and every
+/// question of the file
+/// @throws foundation::InvalidInput for a name that is neither, NotComputable if a wanted answer does not exist
+[[nodiscard]] Content content(const project::Project& project, const project::Case& variant,
+                              const std::vector<std::string>& what, const foundation::Progress& progress = {});
+
+}  // namespace trivet::exports

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/exports/format.h"
+
+#include <algorithm>
+
+#include "trivet/exports/format_table.h"
+#include "trivet/foundation/invalid_input.h"
+
+namespace trivet::exports {
+namespace {
+
+const Format& format_of(const std::string& name) {
+  const std::vector<Format>& all = formats();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Format& format) { return format.name == name; });
+  if (found != all.end()) return *found;
+  std::vector<std::string> names;
+  std::string list;
+  for (const Format& format : all) {
+    names.emplace_back(format.name);
+    list += (list.empty() ? "" : ", ") + names.back();
+  }
+  const std::string guess = foundation::nearest_name(name, names);
+  throw foundation::InvalidInput("format \"" + name + "\": not known, or not built in; " +
+                                 (guess.empty() ? "known are " + list : "did you mean \"" + guess + "\"?"));
+}
+
+}  // namespace
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all = {
+#define TRIVET_FORMAT(name) name##_format,
+      TRIVET_FORMATS(TRIVET_FORMAT)
+#undef TRIVET_FORMAT
+  };
+  return all;
+}
+
+std::vector<std::string> export_project(const project::Project& project, const project::Case& variant,
+                                        const std::string& format_name, const std::vector<std::string>& what,
+                                        const std::filesystem::path& path, const foundation::Progress& progress) {
+  const Format& format = format_of(format_name);
+  if (format.fixed && !what.empty())
+    throw foundation::InvalidInput(std::string("what: the format ") + format.name +
+                                   " has a fixed content; leave it out");
+  const Target target(path, format.kind);
+  const std::vector<std::string>& wanted = what.empty() ? format.by_default : what;
+  const Content found = format.fixed ? Content{project, variant, {}, {}} : content(project, variant, wanted, progress);
+  std::vector<std::string> notes = found.notes;
+  const std::vector<std::string> lost = format.write(found, target);
+  notes.insert(notes.end(), lost.begin(), lost.end());
+  target.publish();
+  return notes;
+}
+
+}  // namespace trivet::exports

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/exports/functional_mockup_unit.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "trivet/exports/model_description.h"
+#include "trivet/exports/system_text.h"
+#include "trivet/exports/zip_archive.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/project/text/source_file.h"
+#include "trivet/results/whole_file.h"
+
+namespace trivet::exports {
+namespace {
+
+/// "{01234567-89ab-…}": the beginning of the SHA-256 of the content, in the form of a GUID.
+std::string content_token(const LinearSystem& system, FmiVersion version) {
+  const std::string digest = project::sha256(model_description(system, version, "") + system_text(system, "-"));
+  return fmt::format("{{{}-{}-{}-{}-{}}}", digest.substr(0, 8), digest.substr(8, 4), digest.substr(12, 4),
+                     digest.substr(16, 4), digest.substr(20, 12));
+}
+
+constexpr const char* description_name = "modelDescription.xml";
+
+/// Why an earlier file must not be replaced; empty if it is empty or a unit that was written here.
+std::string refusal(const std::filesystem::path& earlier) {
+  constexpr std::size_t name_position = 30;  // after the header of the first file of an archive
+  const std::string name = description_name;
+  std::ifstream stream(earlier, std::ios::binary);
+  std::string head(name_position + name.size(), '\0');
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(to_size(stream.gcount()));
+  const bool is_empty = head.empty() && stream.eof();
+  const bool is_unit = head.starts_with("PK") && head.ends_with(name);
+  return is_empty || is_unit ? "" : "it exists and is not a functional mock-up unit of Trivet; choose another name";
+}
+
+}  // namespace
+
+std::string functional_mockup_unit(const LinearSystem& system, FmiVersion version, const FmuBinaries& binaries) {
+  if (binaries.linux_x86_64.empty() && binaries.windows_x86_64.empty())
+    throw foundation::InvalidInput("this program was built without a shared library for functional mock-up units");
+  const bool two = version == FmiVersion::two;
+  const std::string token = content_token(system, version), identifier = model_identifier(system);
+  ZipArchive archive;
+  archive.add(description_name, model_description(system, version, token));
+  if (!binaries.linux_x86_64.empty())
+    archive.add(fmt::format("binaries/{}/{}.so", two ? "linux64" : "x86_64-linux", identifier), binaries.linux_x86_64);
+  if (!binaries.windows_x86_64.empty())
+    archive.add(fmt::format("binaries/{}/{}.dll", two ? "win64" : "x86_64-windows", identifier),
+                binaries.windows_x86_64);
+  archive.add("resources/system.txt", system_text(system, token));
+  if (!binaries.licence.empty()) archive.add("documentation/licenses/license.txt", binaries.licence);
+  return archive.bytes();
+}
+
+void write_fmu(const LinearSystem& system, FmiVersion version, const FmuBinaries& binaries,
+               const std::filesystem::path& target) {
+  const results::WholeFile file(target, refusal);
+  file.publish(functional_mockup_unit(system, version, binaries));
+}
+
+}  // namespace trivet::exports

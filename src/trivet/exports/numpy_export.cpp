@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "trivet/exports/format_table.h"
+#include "trivet/exports/unicode_text.h"
+#include "trivet/exports/zip_archive.h"
+
+/// Archives of NumPy: an array "response/machine.z" for each array, and "about", JSON with its unit and axes.
+namespace trivet::exports {
+namespace {
+
+using results::LabelledArray;
+
+/// Header of the format .npy 1.0 or 2.0, padded to a multiple of 64 bytes.
+std::string npy_header(const std::string& type, const std::vector<std::size_t>& shape) {
+  std::string sizes;
+  for (const std::size_t size : shape) sizes += fmt::format("{}, ", size);
+  std::string words = fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}), }}", type, sizes);
+  constexpr std::size_t before = 10, multiple = 64;
+  words.append(multiple - (before + words.size() + 1) % multiple, ' ');
+  words += '\n';
+  std::string header = "\x93NUMPY";
+  header += {'\1', '\0', static_cast<char>(words.size() & 0xff), static_cast<char>(words.size() >> 8)};
+  return header + words;
+}
+
+template <typename T>
+std::string npy(const std::string& type, const std::vector<std::size_t>& shape, const std::vector<T>& numbers) {
+  std::string bytes = npy_header(type, shape);
+  const std::size_t start = bytes.size();
+  bytes.resize(start + numbers.size() * sizeof(T));
+  if (!numbers.empty()) std::memcpy(bytes.data() + start, numbers.data(), numbers.size() * sizeof(T));
+  return bytes;
+}
+
+std::string npy_texts(const std::vector<std::size_t>& shape, const std::vector<std::string>& texts) {
+  std::vector<std::u32string> all;
+  std::size_t longest = 1;
+  for (const std::string& text : texts) {
+    all.push_back(code_points(text));
+    longest = std::max(longest, all.back().size());
+  }
+  std::vector<char32_t> padded;
+  for (std::u32string& text : all) {
+    text.resize(longest, U'\0');
+    padded.insert(padded.end(), text.begin(), text.end());
+  }
+  return npy(fmt::format("<U{}", longest), shape, padded);
+}
+
+std::string npy_of(const LabelledArray& array) {
+  if (array.is_text()) return npy_texts(array.shape, array.texts());
+  if (array.is_complex()) return npy("<c16", array.shape, array.complex_numbers());
+  return npy("<f8", array.shape, array.real_numbers());
+}
+
+std::vector<std::string> write_numpy(const Content& content, const Target& target) {
+  ZipArchive archive;
+  nlohmann::ordered_json about{{"source", content.words()}, {"sha256", content.project.sha256}};
+  for (const Group& group : content.groups)
+    for (const LabelledArray& array : group.arrays.list()) {
+      const std::string name = group.name + "/" + array.name;
+      archive.add(name + ".npy", npy_of(array));
+      about["arrays"][name] = {{"unit", array.unit}, {"axes", array.axes}};
+    }
+  archive.add("about.npy", npy_texts({}, {about.dump()}));
+  write_bytes(target.path(), archive.bytes());
+  return {};
+}
+
+}  // namespace
+
+const Format numpy_format = {
+    "numpy", "NumPy archive (.npz): matrices and answers with units", Target::Kind::file, {}, false, write_numpy};
+
+}  // namespace trivet::exports

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/check_text.h"
+
+#include <fmt/format.h>
+
+#include "trivet/results/text_table.h"
+#include "trivet/study/explanation.h"
+
+namespace trivet::results {
+namespace {
+
+std::string checks_text(const std::vector<study::CheckLine>& lines) {
+  TextTable table({"subject", "check", "value", "verdict"});
+  for (const study::CheckLine& line : lines)
+    table.add({line.subject, line.what, line.value, line.passed ? "ok" : "FAILED"});
+  return table.text();
+}
+
+std::string mounts_text(const std::vector<study::MountAtRest>& mounts) {
+  if (mounts.empty()) return "";
+  TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
+  for (const study::MountAtRest& mount : mounts)
+    table.add({mount.name, study::value_words(mount.compression, "N"), study::value_words(mount.across, "N"),
+               study::value_words(mount.deflection, "m")});
+  return table.text();
+}
+
+}  // namespace
+
+std::string case_check_text(const study::CaseCheck& found) {
+  std::string text = found.case_name.empty()
+      ? "Base model\n"
+      : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
+  if (!found.lines.empty()) text += checks_text(found.lines);
+  text += mounts_text(found.mounts);
+  for (const auto* notes : {&found.free_motions, &found.notes})
+    for (const std::string& note : *notes) text += "  note: " + note + "\n";
+  if (found.deep)
+    text += fmt::format(
+        "  two solvers compared at {} frequencies: largest difference {:.2e} at ω = {:.6g} rad/s, allowed {:.2e} "
+        "(round-off × condition): {}\n",
+        found.deep->frequencies, found.deep->worst_difference, found.deep->at_angular_frequency, found.deep->allowed,
+        found.deep->verdict());
+  return text;
+}
+
+}  // namespace trivet::results

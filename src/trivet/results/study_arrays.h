@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/results/labelled_arrays.h"
+#include "trivet/study/design_sweep.h"
+#include "trivet/study/linear_system.h"
+#include "trivet/study/system_matrices.h"
+
+namespace trivet::results {
+
+/// A, B, K, K_loss over (row, column) with the names of the coordinates; load_power, load_delay [s] and load, one row
+/// per term h = Σ s^power e^{−s delay} load, s = iω. Views of `matrices`, but for the loads.
+[[nodiscard]] LabelledArrays matrix_arrays(const study::SystemMatrices& matrices);
+
+/// A, B, C, D with the names and units of states, inputs and outputs. Views of `system`.
+[[nodiscard]] LabelledArrays linear_system_arrays(const study::LinearSystem& system);
+
+/// "amplitude" over one axis per number and one over the results. A view of `sweep`.
+[[nodiscard]] LabelledArrays sweep_arrays(const study::SweepRequest& request, const study::DesignSweep& sweep);
+
+}  // namespace trivet::results

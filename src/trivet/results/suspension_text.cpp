@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/suspension_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/modal/motion_words.h"
+#include "trivet/results/text_table.h"
+
+namespace trivet::results {
+namespace {
+
+using foundation::two_pi;
+
+/// "(0.1, 0, -0.25)": a number far below the others or below `least` is round-off and shown as 0.
+std::string triple(const Eigen::Vector3d& v, double least) {
+  const auto number = [&](double x) {
+    return fmt::format("{:.4g}", std::abs(x) < std::max(least, 1e-9 * v.cwiseAbs().maxCoeff()) ? 0.0 : x);
+  };
+  return fmt::format("({}, {}, {})", number(v.x()), number(v.y()), number(v.z()));
+}
+
+constexpr double nanometre = 1e-9;
+
+std::string elastic_text(const model::Body& body, const modal::BodySuspension& suspension) {
+  if (!suspension.elastic) return "";
+  const elements::StiffnessProperties& c = *suspension.elastic;
+  std::string text = fmt::format("  elastic centre {} m from the pole{}, centre of mass {} m: {:.4g} m apart\n",
+                                 triple(c.elastic_centre, nanometre),
+                                 c.centre_is_unique ? "" : " (not unique: the nearest point of a line)",
+                                 triple(body.mass.centre, nanometre), suspension.centre_distance);
+  text += fmt::format("  coupling that remains at the elastic centre, largest |K_ij|/√(K_ii K_jj): {:.3f}\n",
+                      c.coupling_at_centre);
+  TextTable table({"principal stiffness", "along", "rotational, about the elastic centre", "about"});
+  for (int i = 0; i < 3; ++i)
+    table.add({fmt::format("{:.5g} N/m", c.principal_stiffnesses(i)), modal::direction_words(c.principal_axes.col(i)),
+               fmt::format("{:.5g} N m/rad", c.principal_rotational_stiffnesses(i)),
+               modal::direction_words(c.principal_rotational_axes.col(i))});
+  return text + table.text();
+}
+
+std::string roll_text(const modal::BodySuspension& suspension) {
+  if (suspension.roll_axes.empty()) return "";
+  TextTable table({"moment about", "torque roll axis", "elastic roll axis", "through [m]", "angle", "apart [m]",
+                   "from centre of mass [m]", "torsional stiffness"});
+  for (const modal::RollAxes& axes : suspension.roll_axes) {
+    const spatial::Screw& elastic = axes.elastic_roll_axis;
+    table.add({modal::direction_words(axes.torque), triple(axes.torque_roll_axis, nanometre),
+               triple(elastic.direction, nanometre), triple(elastic.point, nanometre),
+               fmt::format("{:.3g}°", axes.angle * 360 / two_pi < 1e-6 ? 0.0 : axes.angle * 360 / two_pi),
+               fmt::format("{:.4g}", axes.shortest_distance < nanometre ? 0.0 : axes.shortest_distance),
+               fmt::format("{:.4g}", axes.distance_at_centre < nanometre ? 0.0 : axes.distance_at_centre),
+               fmt::format("{:.5g} N m/rad", axes.torsional_stiffness)});
+  }
+  return table.text();
+}
+
+std::string decoupling_text(const modal::BodySuspension& suspension) {
+  const bool heavy_elements =
+      std::any_of(suspension.modes.begin(), suspension.modes.end(),
+                  [](const modal::BodyMode& mode) { return std::abs(mode.in_elements) >= 5e-4; });
+  std::vector<std::string> header = {"f [Hz]", "x", "y", "z", "rx", "ry", "rz"};
+  if (heavy_elements) header.emplace_back("in elements");
+  header.emplace_back("purest");
+  header.emplace_back("decoupled");
+  TextTable table(header);
+  const auto percent = [](double share) { return fmt::format("{:.1f} %", std::abs(share) < 5e-4 ? 0.0 : 100 * share); };
+  for (const modal::BodyMode& mode : suspension.modes) {
+    std::vector<std::string> row = {number_text(mode.angular_frequency.value_or(nothing) / two_pi, 5)};
+    for (const double share : mode.kinetic_energy_share) row.push_back(percent(share));
+    if (heavy_elements) row.push_back(percent(mode.in_elements));
+    row.emplace_back(model::coordinate_names[to_size(mode.purest)]);
+    row.push_back(percent(mode.decoupling()));
+    table.add(row);
+  }
+  return "  kinetic energy of the modes by coordinate at the centre of mass, body axes\n" + table.text();
+}
+
+std::string separation_text(const study::SuspensionAnswer& answer) {
+  std::vector<std::string> header = {"mode", "f [Hz]", "next / this"};
+  for (const double excitation : answer.excitations)
+    header.push_back(fmt::format("{:.4g} Hz / this", excitation / two_pi));
+  TextTable table(header);
+  for (const modal::FrequencySeparation& row : answer.separation) {
+    std::vector<std::string> cells = {std::to_string(row.mode), number_text(row.angular_frequency / two_pi, 5),
+                                      number_text(row.ratio_to_next.value_or(nothing), 4)};
+    for (const double ratio : row.excitation_ratio) cells.push_back(number_text(ratio, 4));
+    table.add(cells);
+  }
+  return "Frequency separation of the whole system" +
+      std::string(answer.excitations.empty() ? "" : " (a mode isolates above √2)") + "\n" + table.text();
+}
+
+}  // namespace
+
+std::string suspension_text(const project::Case& variant, const study::SuspensionAnswer& answer) {
+  std::string text;
+  for (const auto& problem : answer.warnings.list()) text += foundation::message(problem) + "\n";
+  if (!text.empty()) text += "\n";
+  for (const modal::BodySuspension& suspension : answer.bodies) {
+    const model::Body& body = variant.system.bodies()[suspension.body];
+    text += fmt::format("{} on its elements{}; body frame\n", body.name,
+                        answer.bodies.size() > 1 ? ", all other bodies held" : "");
+    text += elastic_text(body, suspension) + roll_text(suspension) + decoupling_text(suspension);
+    for (const std::string& note : suspension.notes) text += "  note: " + note + "\n";
+    text += "\n";
+  }
+  return text + separation_text(answer);
+}
+
+}  // namespace trivet::results

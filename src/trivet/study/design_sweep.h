@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/foundation/interruption.h"
+#include "trivet/project/project.h"
+#include "trivet/response/steady/curve_model.h"
+
+namespace trivet::study {
+
+/// One number of the model and its values.
+struct SweptNumber {
+  std::string path;            ///< as in --set: "elements.mount.scale"
+  std::vector<double> values;  ///< as bare numbers of the file: SI
+};
+
+struct SweepRequest {
+  std::vector<SweptNumber> numbers;
+  std::vector<std::string> of;  ///< results as in `peaks`; empty: those of the case's peaks
+  response::Band band = {0, std::numeric_limits<double>::infinity()};  ///< [rad/s]
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+};
+
+/// Largest amplitudes over all combinations of values.
+struct DesignSweep {
+  std::vector<std::string> results, units;
+  /// Combinations × results, the last number fastest; infinite at an undamped resonance, NaN without a valid model.
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> highest;
+  std::size_t in_kernels = 0, one_by_one = 0, without_model = 0;  ///< combinations
+  std::string no_kernels;                                         ///< why all were computed one by one; else empty
+  std::string first_failure;                                      ///< of those without a valid model
+};
+
+/// Combinations that a sweep may have, times its results.
+inline constexpr std::size_t most_swept_values = 200'000'000;
+
+/// The largest amplitude of every result in the band, under all harmonic excitations. The matrices of all designs are
+/// interpolated (design::SumFamily) where that is exact to round-off, and their peaks found by kernels over designs;
+/// designs that these do not prove are computed one by one.
+/// @throws foundation::InvalidInput for an empty or too large sweep, or a number or result that does not exist;
+/// NotComputable without excitation
+[[nodiscard]] DesignSweep design_sweep(const project::Case& variant, const SweepRequest& request,
+                                       const foundation::Progress& progress = {});
+
+}  // namespace trivet::study

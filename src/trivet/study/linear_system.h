@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/problems.h"
+#include "trivet/project/project.h"
+
+namespace trivet::study {
+
+struct Signal {
+  std::string name;
+  std::string unit;  ///< SI; "1" for a pure number
+};
+
+/// ẋ = A x + B u, y = C x + D u of a case, for control design and simulators.
+///
+/// Inputs are the places and directions of the excitations, whatever their course: NAME.force.x [N] and NAME.moment.x
+/// [N m] in body axes for each direction in which the excitation acts; NAME.x [m], NAME.rx [rad] for a moving ground,
+/// and their derivatives NAME.x.velocity, NAME.x.acceleration where the equations contain them. Delays are left to the
+/// caller. States are displacements and velocities of the free coordinates, or combinations of them where coordinates
+/// have no mass.
+struct LinearSystem {
+  std::vector<Signal> states, inputs, outputs;
+  Eigen::MatrixXd A, B, C, D;
+  foundation::Problems warnings;
+};
+
+/// @param of  outputs, as in `response`  @param quantity  of the motions among them
+/// @param nearest  elements that depend on frequency are replaced by their nearest linear system, with a warning
+/// @throws foundation::NotComputable for loss factors, for frequency-dependent elements unless `nearest`, and for a
+/// travelling wave; InvalidInput for an unknown output
+[[nodiscard]] LinearSystem linear_system(const project::Case& variant, const std::vector<std::string>& of,
+                                         assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement,
+                                         bool nearest = false);
+
+}  // namespace trivet::study

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""MATLAB, NumPy, HDF5, Matrix Market and CSV, read back by Octave, SciPy, NumPy, h5py and xarray."""
+
+import json
+import shutil
+import subprocess
+
+import h5py
+import numpy as np
+import pytest
+import scipy.io
+import scipy.linalg
+import xarray
+
+COORDINATES = [f"{body}.{c}" for body in ("pump 1", "raft") for c in ("x", "y", "z", "rx", "ry", "rz")]
+
+
+def response(program):
+    """Curves of the command line."""
+    found = program.json("response")
+    values = {one["name"]: np.array(one["complex"]) for one in found["results"]}
+    return np.array(found["angular_frequency"]), {
+        name: pairs[..., 0] + 1j * pairs[..., 1] if pairs.ndim == 2 else pairs[::2] + 1j * pairs[1::2]
+        for name, pairs in values.items()
+    }
+
+
+def frequencies(program):
+    return np.array([mode["angular_frequency"] for mode in program.json("modes")["modes"]])
+
+
+def test_numpy(program, tmp_path):
+    program.export("numpy", tmp_path / "machine.npz")
+    data = np.load(tmp_path / "machine.npz")
+    omega, curves = response(program)
+    np.testing.assert_array_equal(data["response/angular_frequency"], omega)
+    for name, values in curves.items():
+        np.testing.assert_array_equal(data[f"response/{name}"], values)
+    assert list(data["matrices/coordinate"]) == COORDINATES
+    squared = scipy.linalg.eigh(data["matrices/K"], data["matrices/A"], eigvals_only=True)
+    np.testing.assert_allclose(np.sqrt(squared), frequencies(program), rtol=1e-10)
+    about = json.loads(str(data["about"]))
+    assert about["arrays"]["response/pump 1.flange.z"] == {"unit": "m", "axes": ["angular_frequency"]}
+    assert {f"{name}" for name in about["arrays"]} | {"about"} == set(data.files)
+
+
+def test_hdf5(program, tmp_path):
+    notes = program.export("hdf5", tmp_path / "machine.h5")
+    assert '"c_d"' not in notes or "slash" in notes
+    omega, curves = response(program)
+    with h5py.File(tmp_path / "machine.h5") as file:
+        assert 'bodies."pump 1".mass = 180' in file.attrs["input"]
+        assert len(file.attrs["sha256"]) == 64
+        for name, values in curves.items():
+            set_ = file["response"][name]
+            np.testing.assert_array_equal(set_[()], values)
+            assert set_.dims[0][0].name == "/response/angular_frequency"
+            assert set_.attrs["units"] in ("m", "rad", "N", "N m")
+        np.testing.assert_array_equal(file["modes"]["angular_frequency"][()], frequencies(program))
+        assert [one.decode() for one in file["matrices"]["coordinate"][()]] == COORDINATES
+        assert file["modes"]["shape"].dims[1][0].name == "/modes/coordinate"
+    data = xarray.open_dataset(tmp_path / "machine.h5", group="response", engine="h5netcdf", phony_dims="sort",
+                               invalid_netcdf=True)  # fmt: skip
+    np.testing.assert_array_equal(data["angular_frequency"], omega)
+    assert data["pump 1.flange.z"].dims == ("angular_frequency",)
+    np.testing.assert_array_equal(data["pump 1.flange.z"].values, curves["pump 1.flange.z"])
+
+
+def test_matlab_in_scipy(program, tmp_path):
+    program.export("matlab", tmp_path / "machine.mat")
+    data = scipy.io.loadmat(tmp_path / "machine.mat", squeeze_me=True, struct_as_record=False)
+    omega, curves = response(program)
+    matrices = data["matrices"]
+    q = np.linalg.solve
+    for k, w in list(enumerate(omega))[:: len(omega) // 9]:
+        stiffness = matrices.K + 1j * matrices.K_loss + 1j * w * matrices.B - w * w * matrices.A
+        found = q(stiffness, np.atleast_2d(matrices.load)[0])
+        expected = [curves[name][k] for name in COORDINATES]
+        np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * max(abs(np.array(expected))))
+    about = data["about"]
+    fields = dict(zip(about.name, about.field, strict=True))
+    assert fields["pump 1.flange.z"] == "response.pump_1_flange_z"
+    np.testing.assert_array_equal(data["response"].pump_1_flange_z, curves["pump 1.flange.z"])
+
+
+@pytest.mark.skipif(shutil.which("octave") is None, reason="Octave is not installed")
+def test_matlab_in_octave(program, tmp_path):
+    """Octave's own backslash."""
+    program.export("matlab", tmp_path / "machine.mat")
+    script = "load machine.mat; printf('%.17g\\n', modes.angular_frequency); run('machine_check.m')"
+    ran = subprocess.run(["octave", "--no-gui", "-qf", "--eval", script], cwd=tmp_path, capture_output=True, text=True)
+    assert ran.returncode == 0, ran.stderr
+    lines = ran.stdout.split("\n")
+    np.testing.assert_array_equal([float(line) for line in lines[:12]], frequencies(program))
+    difference = float(lines[12].split("difference ")[1].split()[0])
+    assert difference < 1e-12, lines[12]
+
+
+def test_matrix_market(program, tmp_path):
+    program.export("matrix_market", tmp_path / "matrices")
+    program.export("numpy", tmp_path / "machine.npz", "--what", "matrices")
+    data = np.load(tmp_path / "machine.npz")
+    for name in ("A", "B", "K", "K_loss"):
+        read = scipy.io.mmread(tmp_path / "matrices" / f"{name}.mtx").toarray()
+        np.testing.assert_array_equal(read, data[f"matrices/{name}"])
+    rows = (tmp_path / "matrices" / "coordinates.csv").read_text().splitlines()
+    assert rows[1] == '1,"pump 1.x",m'
+
+
+def test_csv(program, tmp_path):
+    notes = program.export("csv", tmp_path / "tables", "--what", "response,peaks,matrices")
+    assert "matrices is not written" in notes
+    assert (tmp_path / "tables" / "response.csv").read_text() == program("response", program.path, "--csv").stdout
+    assert (tmp_path / "tables" / "peaks.csv").read_text() == program("peaks", program.path, "--csv").stdout

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Nastran decks, read back by pyNastran and by the importer of the program."""
+
+import re
+
+import numpy as np
+import pytest
+
+MOUNTS = ["a", "b", "c/d", "e", "f", "g"]
+
+
+ONE_MOUNT = """trivet = 1
+[bodies.machine]
+mass = 180
+inertia = {about = "center_of_mass", xx = 6, yy = 9, zz = 8}
+[elements.mount]
+type = "bushing"
+on = "machine"
+at = [0.1, 0.2, -0.2]
+orientation = {axis = [1, 2, 3], angle = "30 deg"}
+translation = [3e5, 4e5, 9.87654321e5]
+rotation = [9e4, 8e4, 3e4]
+"""
+READ_BACK = """type = "imported"
+file = "mounts.bdf"
+name = "MOUNTK"
+on = "machine"
+at = [0.1, 0.2, -0.2]
+nodes = [1001, 1002]
+"""
+
+
+def test_own_importer(with_text, tmp_path):
+    """A mount read from the deck gives the frequencies of the mount itself."""
+    program = with_text(ONE_MOUNT)
+    program.export("nastran", tmp_path / "mounts.bdf")
+    given = [mode["angular_frequency"] for mode in program.json("modes")["modes"]]
+    read = with_text(ONE_MOUNT.split('type = "bushing"')[0] + READ_BACK)
+    found = [mode["angular_frequency"] for mode in read.json("modes")["modes"]]
+    assert found == pytest.approx(given, rel=1e-11)
+
+
+def test_pynastran(program, tmp_path):
+    bdf = pytest.importorskip("pyNastran.bdf.bdf")
+    program.export("nastran", tmp_path / "mounts.bdf")
+    model = bdf.BDF(debug=False)
+    model.read_bdf(tmp_path / "mounts.bdf", punch=True, xref=False)
+    assert sorted(model.nodes) == list(range(1001, 1001 + 2 * len(MOUNTS)))
+    for name, json_key in (("MOUNTK", "stiffness"), ("MOUNTB", "damping")):
+        matrix, rows, columns = model.dmig[name].get_matrix(is_sparse=False)
+        index = {rows[i]: i for i in rows}
+        assert matrix.shape == (12 * len(MOUNTS), 12 * len(MOUNTS)) or matrix.shape[0] <= 12 * len(MOUNTS)
+        for e, mount in enumerate(MOUNTS):
+            if mount == "b":
+                continue  # its axes are turned
+            given = np.array(find(program, mount)[json_key])
+            for i in range(12):
+                for j in range(12):
+                    keys = (1001 + 2 * e + i // 6, i % 6 + 1), (1001 + 2 * e + j // 6, j % 6 + 1)
+                    if keys[0] not in inverse(rows) or keys[1] not in inverse(columns):
+                        assert abs(given[i, j]) <= 1e-12 * abs(given).max()
+                        continue
+                    found = matrix[inverse(rows)[keys[0]], inverse(columns)[keys[1]]]
+                    assert found == pytest.approx(given[i, j], rel=1e-12, abs=1e-12 * abs(given).max())
+        assert index
+
+
+def inverse(names: dict) -> dict:
+    return {tuple(name): i for i, name in names.items()}
+
+
+def find(program, mount: str) -> dict:
+    import json
+
+    return json.loads(program("element", program.path, mount, "--json").stdout)

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What cannot be exported is said before anything is written."""
+
+import pytest
+
+ARRAYS = ["matlab", "numpy", "hdf5", "excel", "universal", "matrix_market", "csv", "nastran", "fmu", "fmu3"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("--to", "matlba", "-o", "x"), 'did you mean "matlab"'),
+        (("--to", "matlab", "-o", "x", "--what", "mods"), 'did you mean "modes"'),
+        (("--to", "matlab", "-o", "absent/x"), "no folder"),
+        (("--to", "matlab", "-o", "machine.toml"), "project file"),
+        (("--to", "matlab", "-o", "."), "folder"),
+        (("--to", "csv", "-o", "."), "not empty"),
+        (("--to", "csv", "-o", "machine.toml"), "is a file"),
+        (("--to", "fmu", "-o", "x", "--what", "modes"), "fixed content"),
+        (("--to", "matrix_market", "-o", "x", "--what", "modes"), "add matrices"),
+        (("--to", "matlab", "-o", "x", "--case", "cold"), "no such case"),
+    ],
+)
+def test_wrong_command_lines(program, tmp_path, monkeypatch, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "machine.toml").write_text(program.path.read_text())
+    said = program("export", "machine.toml", *arguments, code=2).stderr
+    assert words in said
+    assert [file.name for file in tmp_path.iterdir()] == ["machine.toml"]
+
+
+def test_lossy_mounts_have_no_motion_in_time(with_text, program, tmp_path):
+    lossy = with_text(program.path.read_text().replace("proportional = 5e-7", "loss_factor = 0.1"))
+    said = lossy.export("fmu", tmp_path / "x.fmu", code=1)
+    assert "loss factor" in said and "replace" in said
+    assert not (tmp_path / "x.fmu").exists()
+    lossy.export("matlab", tmp_path / "x.mat")  # harmonic answers have loss factors
+
+
+@pytest.mark.parametrize("name", ARRAYS)
+def test_full_disk(program, tmp_path, name):
+    """A file size limit stands for a full disk: a message, and nothing left."""
+    import os
+    import resource
+    import subprocess
+
+    ran = subprocess.run(
+        [os.environ["TRIVET"], "export", program.path, "--to", name, "-o", tmp_path / "out"],
+        capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)),
+    )  # fmt: skip
+    assert ran.returncode in (1, 2), (ran.returncode, ran.stderr)
+    assert "error" in ran.stderr
+    assert list(tmp_path.iterdir()) == []

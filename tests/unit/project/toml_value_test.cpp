@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include "trivet/project/text/toml_text.h"
+#include "trivet/project/text/toml_value.h"
+
+namespace {
+
+using namespace trivet;
+using testing::ElementsAre;
+
+project::Node parsed(const std::string& text) { return *project::parse_toml(text, "test"); }
+
+TEST(TomlValue, IsReadBackWithAllDigits) {
+  for (const std::string text :
+       {"1", "0.1", "1e+300", "0.30000000000000004", "true", R"("3 kN/m")", R"(["a", [1, 2.5]])",
+        R"({loss_factor = 0.1, "two words" = {x = 1}})", "inf", "nan", R"("a \"quote\" \\ \u0007")"}) {
+    const project::Node value = parsed("v = " + text).items.front();
+    EXPECT_EQ(project::toml_value(value), text);
+  }
+}
+
+TEST(SettingWords, AreOneLinePerValueWithTablesInBracesWhole) {
+  const project::Node changes =
+      parsed("elements.\"front left\".scale = 1.5\nelements.a.damping = {loss_factor = 0.1}\n");
+  EXPECT_THAT(project::setting_words({changes}),
+              ElementsAre("elements.\"front left\".scale = 1.5", "elements.a.damping = {loss_factor = 0.1}"));
+}
+
+}  // namespace
