@@ -20,7 +20,13 @@ SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 DOCUMENTS = [SOURCE / name for name in ("README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "benchmarks/README.md")]
 DOCUMENTS += sorted(path for folder in ("docs", "examples") for path in (SOURCE / folder).rglob("*.md"))
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
-LANGUAGES = {"sh": "commands", "toml": "project file or part of one", "csv": "data", "text": "output"}
+LANGUAGES = {
+    "sh": "commands",
+    "toml": "project file or part of one",
+    "csv": "data",
+    "text": "output",
+    "python": "run by tests/python/test_documents.py",
+}
 
 # Commands of the documents that this test cannot run: why not, the file in which CI runs them, and the words there.
 BUILDS = "it builds for minutes or hours"
@@ -32,6 +38,8 @@ LONG_CAMPAIGN = "python3 tests/campaign/campaign.py --each 2000"
 RANDOM_MACHINES = "TRIVET_LONG_TESTS=1 build/release/tests/agreement_tests --gtest_filter='RelativeCoordinates.*'"
 ELSEWHERE = {
     "scripts/start": ("it installs packages and builds", ".ci/run", "scripts/start"),
+    "pip install .": ("it compiles for minutes", ".ci/run", "scripts/python"),
+    'pip install ".[plots,tables,units]"': ("it compiles for minutes", ".ci/run", "scripts/python"),
     "scripts/test": ("it installs packages, builds and runs this test", ".ci/run", "scripts/test"),
     ".ci/run": ("it runs this test", ".ci/run", "scripts/test"),
     ".ci/run long": ("it takes hours", ".ci/run", "long_stage; exit"),
@@ -59,7 +67,7 @@ ELSEWHERE = {
     "build/release/benchmarks/random_response": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/solid_condensation": (IDLE, ".ci/run", COMPILED),
 }
-COMMAND_ELSEWHERE = re.compile(r"(scripts/|\.ci/|cmake |python3 |build/\w+/(tests|benchmarks)/)")
+COMMAND_ELSEWHERE = re.compile(r"(scripts/|pip install |\.ci/|cmake |python3 |build/\w+/(tests|benchmarks)/)")
 
 
 @dataclasses.dataclass

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "core/project.h"
+#include "core/task.h"
+
+namespace trivet::python {
+namespace {
+
+namespace nb = nanobind;
+
+/// The result of work on another thread (core/task.h).
+template <typename Result, typename Work>
+Result done(int threads, const nb::object& progress, const OpenProject& open, Work work) {
+  if (threads < 0) throw nb::value_error("threads: a number ≥ 1, or 0 for all of the machine");
+  const auto result = std::make_shared<Result>();
+  run_task({threads, progress}, [result, project = open.project, work = std::move(work)](const Progress& report) {
+    *result = work(project, report);
+  });
+  return std::move(*result);
+}
+
+}  // namespace
+
+void bind_commands(nb::class_<OpenProject>& of) {
+  const auto threads = nb::arg("threads") = 0;
+  const auto progress = nb::arg("progress") = nb::none();
+  const auto of_case = nb::arg("case") = "";
+  of.def(
+      "ask",
+      [](const OpenProject& open, const std::string& question, const std::string& name, int count,
+         const nb::object& shown) {
+        return done<Answer>(count, shown, open, [question, name](const ProjectPointer& project, const Progress& report) {
+          return asked(project, question, name, report);
+        });
+      },
+      nb::arg("question"), of_case, threads, progress, "The answer to a question of the table of questions.");
+  of.def(
+      "map",
+      [](const OpenProject& open, const std::string& name, int nx, int ny, int count, const nb::object& shown) {
+        return done<Answer>(count, shown, open, [name, nx, ny](const ProjectPointer& project, const Progress& report) {
+          return mapped(project, name, nx, ny, report);
+        });
+      },
+      of_case, nb::arg("nx") = 0, nb::arg("ny") = 0, threads, progress);
+  of.def(
+      "select",
+      [](const OpenProject& open, int most, int count, const nb::object& shown) {
+        return done<Answer>(count, shown, open, [most](const ProjectPointer& project, const Progress& report) {
+          return selected(project, most, report);
+        });
+      },
+      nb::arg("most") = 10, threads, progress);
+  of.def(
+      "optimize",
+      [](const OpenProject& open, int count, const nb::object& shown) { return done<Answer>(count, shown, open, optimized); },
+      threads, progress);
+  of.def(
+      "verdict",
+      [](const OpenProject& open, int count, const nb::object& shown) { return done<Answer>(count, shown, open, judged); },
+      threads, progress);
+  of.def(
+      "check",
+      [](const OpenProject& open, bool deep, int count) {
+        return done<Answer>(count, nb::none(), open,
+                            [deep](const ProjectPointer& project, const Progress&) { return checked(project, deep); });
+      },
+      nb::arg("deep") = false, threads);
+  of.def(
+      "explain",
+      [](const OpenProject& open, const std::vector<std::string>& results, int most, const std::string& name, int count,
+         const nb::object& shown) {
+        return done<Answer>(count, shown, open,
+                            [results, most, name](const ProjectPointer& project, const Progress& report) {
+                              return explained(project, name, results, most, report);
+                            });
+      },
+      nb::arg("of") = std::vector<std::string>(), nb::arg("most") = 10, of_case, threads, progress);
+  of.def(
+      "suspension",
+      [](const OpenProject& open, const std::vector<std::vector<double>>& torques,
+         const std::vector<double>& excitations, const std::string& name) {
+        return done<Answer>(0, nb::none(), open,
+                            [torques, excitations, name](const ProjectPointer& project, const Progress&) {
+                              return suspended(project, name, torques, excitations);
+                            });
+      },
+      nb::arg("torques") = std::vector<std::vector<double>>(), nb::arg("excitations") = std::vector<double>(), of_case);
+  of.def(
+      "element",
+      [](const OpenProject& open, const std::string& element_name, bool all, const std::string& name, int count,
+         const nb::object& shown) {
+        return done<Answer>(count, shown, open,
+                            [element_name, all, name](const ProjectPointer& project, const Progress& report) {
+                              return element(project, element_name, name, all, report);
+                            });
+      },
+      nb::arg("name"), nb::arg("all") = false, of_case, threads, progress);
+  of.def(
+      "run",
+      [](const OpenProject& open, const std::string& folder, int count, const nb::object& shown) {
+        return done<std::vector<Answer>>(count, shown, open,
+                                         [folder](const ProjectPointer& project, const Progress& report) {
+                                           return ran(project, folder, report);
+                                         });
+      },
+      nb::arg("folder"), threads, progress);
+  of.def(
+      "export",
+      [](const OpenProject& open, const std::string& format, const std::string& target,
+         const std::vector<std::string>& what, const std::string& name, int count, const nb::object& shown) {
+        return done<std::vector<std::string>>(
+            count, shown, open, [format, target, what, name](const ProjectPointer& project, const Progress& report) {
+              return exported(project, format, target, what, name, report);
+            });
+      },
+      nb::arg("format"), nb::arg("target"), nb::arg("what"), of_case, threads, progress);
+}
+
+}  // namespace trivet::python

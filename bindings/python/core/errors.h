@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <exception>
+#include <utility>
+
+#include "trivet/foundation/problems.h"
+
+namespace trivet::python {
+
+/// Problems of the input; trivet.InputError in Python.
+struct WrongInput : std::exception {
+  explicit WrongInput(foundation::Problems found) : problems(std::move(found)) {}
+  [[nodiscard]] const char* what() const noexcept override { return "wrong input"; }
+  foundation::Problems problems;
+};
+
+/// The value, or its problems as WrongInput.
+template <typename T>
+T value_or_throw(foundation::Expected<T>&& expected) {
+  if (!expected) throw WrongInput(std::move(expected.error()));
+  return std::move(*expected);
+}
+
+void bind_errors(nanobind::module_& module);
+
+}  // namespace trivet::python

@@ -1,0 +1,44 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes _questions.pyi: the signatures of the questions, with the keys of the schema of the project file.
+
+usage: question_stubs.py FOLDER-OF-_core TARGET
+"""
+
+import json
+import keyword
+import sys
+
+folder, target = sys.argv[1:]
+sys.path.insert(0, folder)
+import _core  # noqa: E402
+
+analyses = json.loads(_core.schema())["properties"]["analyses"]["properties"]
+lines = [
+    "# SPDX-License-Identifier: BSD-3-Clause",
+    "from typing import Any",
+    "",
+    "from trivet._answer import Answer",
+    "from trivet._progress import Progress",
+    "",
+    "class Questions:",
+]
+for name, about in _core.questions():
+    keys = [key for key in analyses.get(name, {}).get("properties", {}) if key != "accept"]
+    keys = [key + "_" if keyword.iskeyword(key) else key for key in keys]
+    arguments = "".join(f"        {key}: Any = ...,\n" for key in keys)
+    lines += [
+        f"    def {name}(",
+        "        self,",
+        "        *,",
+        '        case: str = "",',
+        "        threads: int = 0,",
+        "        progress: Progress | bool | None = None,",
+        f"{arguments}    ) -> Answer:",
+        f'        """{about[0].upper()}{about[1:]}."""',
+    ]
+lines += [
+    "    def _ask(self, question: str, keys: dict[str, Any], case: str, threads: int,"
+    " progress: Progress | bool | None) -> Answer: ...",
+]
+with open(target, "w", encoding="utf-8") as file:
+    file.write("\n".join(lines) + "\n")

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Vibration of bodies on real elastic elements.
+
+    project = trivet.open("machine.toml")
+    stiffer = project.changed({"elements.mount.scale": 1.5})
+    peaks = stiffer.peaks().to_dataframe()
+    stiffer.response(band=("0 Hz", "40 Hz")).plot()
+
+Numbers are SI. Names, keys and messages are those of the project file and the command line.
+"""
+
+from trivet import _start
+from trivet._answer import Answer, Curve
+from trivet._core import Problem, schema, starter, version as __version__
+from trivet._errors import InputError, ModelWarning, NotComputable
+from trivet._project import Project, open
+from trivet._study import Matrices, Run, StateSpace, Sweep
+
+__all__ = [
+    "Answer",
+    "Curve",
+    "InputError",
+    "Matrices",
+    "ModelWarning",
+    "NotComputable",
+    "Problem",
+    "Project",
+    "Run",
+    "StateSpace",
+    "Sweep",
+    "__version__",
+    "open",
+    "schema",
+    "starter",
+]
+
+del _start

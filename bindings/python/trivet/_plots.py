@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of answers: what is drawn (panels of lines), and two ways to draw it."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from trivet import _core, _tables
+from trivet._errors import InputError, problem
+
+if TYPE_CHECKING:
+    from trivet._answer import Answer, Curve, Numbers
+
+#: Colours of the report; people with any colour vision tell them apart.
+_colours = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#000000", "#E69F00")
+_dashes = ("solid", "dashed", "dotted", "dashdot")
+_plotly_dashes = ("solid", "dash", "dot", "dashdot")
+_level_words = {"amplitude": "amplitude", "peak_to_peak": "peak to peak", "rms": "rms"}
+_quantity_words = {
+    "m": "displacement", "rad": "rotation", "m/s": "velocity", "rad/s": "angular velocity", "m/s²": "acceleration",
+    "rad/s²": "angular acceleration", "N": "force", "N m": "moment", "W": "power", "1": "ratio",
+}  # fmt: skip
+_shown_decades = 1e-8  # of the highest value of a panel: smaller ones are symmetry or round-off
+_axis_words = {"angular_frequency": "frequency", "time": "time", "speed": "shaft speed"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Line:
+    name: str
+    x: Numbers
+    y: Numbers
+
+
+@dataclasses.dataclass(frozen=True)
+class Panel:
+    """Lines with common axes. marks: only points, with a stem to the axis."""
+
+    x_label: str
+    y_label: str
+    lines: list[Line]
+    log_x: bool = False
+    log_y: bool = False
+    marks: bool = False
+    phase: bool = False
+
+
+def picture(answer: Answer, names: tuple[str, ...], backend: str) -> Any:
+    """A figure of the backend."""
+    drawers = {"matplotlib": _with_matplotlib, "plotly": _with_plotly}
+    if backend not in drawers:
+        rule = 'known are "matplotlib" and "plotly"'
+        raise InputError([problem("backend", f'"{backend}"', rule, "choose one of them")])
+    panels = _panels(answer, names)
+    if not panels:
+        remedy = "use .svg()" if answer._core.figures else "use .to_dataframe() or print it"
+        raise InputError([problem(answer.question, "nothing to plot", "the answer has no curves", remedy)])
+    title = answer.project.title + (f" · {answer.case}" if answer.case else "")
+    return drawers[backend](panels, title)
+
+
+def _panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
+    if answer.question == "modes":
+        return _mode_panels(answer)
+    if answer.question == "peaks":
+        return _peak_panels(answer, names)
+    curves = answer.curves
+    shown = names or [name for name in curves if answer.question != "orders" or name.endswith(" rms")]
+    chosen = [curves[name] for name in shown if name in curves]
+    return _curve_panels(chosen, answer._shown)
+
+
+def _curve_panels(curves: list[Curve], shown: _core.ShownUnits) -> list[Panel]:
+    groups: dict[tuple[str, str], list[Curve]] = {}
+    for curve in curves:
+        groups.setdefault((curve.axis, curve.unit), []).append(curve)
+    panels = [_amplitude_panel(axis, unit, group, shown) for (axis, unit), group in groups.items()]
+    harmonic = [curve for curve in curves if np.iscomplexobj(curve.values)]
+    if harmonic:
+        x_label, factor = _axis(harmonic[0].axis, shown)
+        lines = [Line(curve.name, curve.places * factor, np.degrees(curve.phase)) for curve in harmonic]
+        panels.append(Panel(x_label, "phase [°]", lines, panels[0].log_x, phase=True))
+    return panels
+
+
+def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
+    x_label, factor = _axis(axis, shown)
+    harmonic = any(np.iscomplexobj(curve.values) for curve in curves)
+    word = _level_words[shown.level] if harmonic else _quantity_words.get(unit, "value")
+    per_axis, words = 1.0, unit
+    if unit.endswith("/(rad/s)") and not shown.frequency:  # a density over the axis, which is in Hz
+        per_axis, word, words = 2 * np.pi, "density", unit.removesuffix("(rad/s)") + "Hz"
+    positive = axis != "time" and all(np.all((y := _heights(curve))[np.isfinite(y)] >= 0) for curve in curves)
+    lines = [Line(curve.name, curve.places * factor, _heights(curve) * per_axis) for curve in curves]
+    return Panel(x_label, _label(word, words), lines, _spans_decades(lines[0].x), positive and axis != "speed")
+
+
+def _label(word: str, unit: str) -> str:
+    return f"{word} [{'–' if unit == '1' else unit}]"
+
+
+def _heights(curve: Curve) -> Numbers:
+    return curve.amplitude if np.iscomplexobj(curve.values) else curve.values
+
+
+def _spans_decades(x: Numbers) -> bool:
+    positive = x[x > 0]
+    return len(positive) == len(x) > 1 and positive.max() / positive.min() > 200
+
+
+def _axis(axis: str, shown: _core.ShownUnits) -> tuple[str, float]:
+    """Label of an axis, and the factor from SI. Frequencies are in Hz and speeds in rpm, as in the report, unless a
+    unit was chosen."""
+    if axis in ("angular_frequency", "speed"):
+        unit = shown.frequency or ("Hz" if axis == "angular_frequency" else "rpm")
+        return f"{_axis_words[axis]} [{unit}]", _core.in_unit(1.0, "rad/s", unit)
+    return f"{_axis_words.get(axis, axis)} [{'s' if axis == 'time' else 'SI'}]", 1.0
+
+
+def _mode_panels(answer: Answer) -> list[Panel]:
+    x_label, factor = _axis("angular_frequency", answer._shown)
+    frequencies = answer.array("angular_frequency") * factor
+    numbers = np.arange(1, len(frequencies) + 1)
+    return [Panel("mode", x_label, [Line("natural frequency", numbers, frequencies)], marks=True)]
+
+
+def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
+    table = {column.name: column.values for column in _tables.shown(_tables.columns(answer.to_csv()), answer._shown)}
+    x_label, factor = _axis("angular_frequency", answer._shown)
+    places = np.asarray(answer.array("angular_frequency"), dtype=float) * factor
+    panels = []
+    for unit in dict.fromkeys(table["unit"]):
+        lines = []
+        for name in dict.fromkeys(table["name"]):
+            rows = [i for i, (one, of) in enumerate(zip(table["name"], table["unit"], strict=True)) if (one, of) == (name, unit)]
+            if rows and (not names or name in names):
+                lines.append(Line(str(name), places[rows], np.array([table["amplitude"][i] for i in rows], dtype=float)))
+        if lines:
+            panels.append(Panel(x_label, _label(_level_words[answer._shown.level], str(unit)), lines, log_y=True, marks=True))
+    return panels
+
+
+def _with_matplotlib(panels: list[Panel], title: str) -> Any:
+    from matplotlib.figure import Figure
+
+    heights = [2.6 if not panel.phase else 1.7 for panel in panels]
+    figure = Figure(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    all_axes = figure.subplots(len(panels), 1, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
+    figure.suptitle(title, fontsize=11)
+    for axes, panel in zip(all_axes, panels, strict=True):
+        for i, line in enumerate(panel.lines):
+            style = {"color": _colours[i % len(_colours)], "label": line.name}
+            if panel.marks:
+                axes.plot(line.x, line.y, "o", markersize=5, **style)
+                axes.vlines(line.x, *_stems(panel, line), color=style["color"], linewidth=1, alpha=0.6)
+            else:
+                axes.plot(line.x, line.y, linewidth=1.4, linestyle=_dashes[i // len(_colours) % 4], **style)
+        axes.set_ylabel(panel.y_label)
+        axes.set_xlabel(panel.x_label)
+        if panel.log_x:
+            axes.set_xscale("log")
+        if panel.log_y:
+            axes.set_yscale("log")
+            if not panel.marks:
+                axes.set_ylim(*_log_range(panel))
+        if panel.phase:
+            axes.set_ylim(-190, 190)
+            axes.set_yticks([-180, -90, 0, 90, 180])
+        if panel.marks and panel.x_label == "mode":
+            axes.set_xticks(panel.lines[0].x)
+        axes.grid(True, color="#e4e4e4", linewidth=0.8)
+        axes.set_axisbelow(True)
+        if not panel.phase and panel.x_label != "mode":
+            axes.legend(fontsize=8, loc="upper left", bbox_to_anchor=(1.0, 1.0), frameon=False)
+    return figure
+
+
+def _log_range(panel: Panel) -> tuple[float | None, float | None]:
+    """Decades of a logarithmic axis: those of the values, at most eight."""
+    heights = np.concatenate([line.y for line in panel.lines])
+    heights = heights[np.isfinite(heights) & (heights > 0)]
+    if len(heights) == 0:
+        return None, None
+    return max(heights.min(), _shown_decades * heights.max()) / 1.5, heights.max() * 1.5
+
+
+def _stems(panel: Panel, line: Line) -> tuple[Any, Any]:
+    """Ends of the vertical lines: from below the lowest mark of the panel."""
+    lowest = min((float(np.nanmin(one.y)) for one in panel.lines if len(one.y)), default=0.0)
+    return (np.full_like(line.y, lowest / 3) if panel.log_y else np.zeros_like(line.y)), line.y
+
+
+def _with_plotly(panels: list[Panel], title: str) -> Any:
+    from plotly.subplots import make_subplots
+
+    figure = make_subplots(rows=len(panels), cols=1, vertical_spacing=0.32 / max(len(panels), 2))
+    for row, panel in enumerate(panels, 1):
+        for i, line in enumerate(panel.lines):
+            figure.add_scatter(
+                x=line.x, y=line.y, name=line.name, legendgroup=line.name, showlegend=not panel.phase,
+                mode="markers" if panel.marks else "lines",
+                line={"color": _colours[i % len(_colours)], "dash": _plotly_dashes[i // len(_colours) % 4]},
+                marker={"color": _colours[i % len(_colours)]},
+                row=row, col=1,
+            )  # fmt: skip
+        figure.update_xaxes(title=panel.x_label, type="log" if panel.log_x else "linear", row=row, col=1)
+        figure.update_yaxes(title=panel.y_label, type="log" if panel.log_y else "linear", row=row, col=1)
+        low, high = _log_range(panel) if panel.log_y and not panel.marks else (None, None)
+        if low is not None and high is not None:
+            figure.update_yaxes(range=[np.log10(low), np.log10(high)], row=row, col=1)
+        if panel.phase:
+            figure.update_yaxes(range=[-190, 190], tickvals=[-180, -90, 0, 90, 180], row=row, col=1)
+    figure.update_layout(title=title, template="plotly_white", height=240 * len(panels) + 160)
+    return figure

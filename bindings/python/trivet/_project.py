@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A machine on its springs, checked, with its questions."""
+
+from __future__ import annotations
+
+import keyword
+import os
+import pathlib
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from trivet import _core, _errors, _html
+from trivet._answer import Answer
+from trivet._errors import InputError, problem
+from trivet._progress import Progress, shown
+from trivet._questions import Questions
+from trivet._study import Matrices, Run, StateSpace, Sweep
+from trivet._values import key_text, plain, settings_of, toml_text
+
+
+class Project(Questions):
+    """A checked project. It does not change: `changed` gives another one. Two projects are equal if their content is.
+
+    Project(bodies={"machine": {"mass": 12.5, …}}, elements={…}, …) takes the tables of the project file; `open` reads
+    one.
+    """
+
+    _inner: _core.Project
+
+    def __init__(self, /, **tables: Any) -> None:
+        wrong: list[_core.Problem] = []
+        document = plain({"trivet": 1, **tables}, "", wrong)
+        if wrong:
+            raise InputError(wrong)
+        self._inner = _core.read(toml_text(document), "project", [])
+
+    @classmethod
+    def from_toml(cls, text: str, source: str = "project") -> Project:
+        """The project of a text. Files that it names are relative to the folder of `source`."""
+        _require_text("text", text)
+        return cls._read(text, source, [])
+
+    @classmethod
+    def _read(cls, text: str, source: str, settings: list[str]) -> Project:
+        self = cls.__new__(cls)
+        self._inner = _core.read(text, source, settings)
+        return self
+
+    @property
+    def title(self) -> str:
+        return self._inner.title
+
+    @property
+    def source(self) -> str:
+        """Name of the project file."""
+        return self._inner.source
+
+    @property
+    def cases(self) -> list[str]:
+        """Names of the cases beside the base model."""
+        return self._inner.cases
+
+    @property
+    def bodies(self) -> list[str]:
+        return self._inner.parts[0]
+
+    @property
+    def elements(self) -> list[str]:
+        return self._inner.parts[1]
+
+    @property
+    def excitations(self) -> list[str]:
+        return self._inner.parts[2]
+
+    def changed(self, changes: Mapping[str, Any]) -> Project:
+        """The project with other values: {"elements.mount.scale": 1.5, "bodies.engine.mass": "412 kg"}. Paths are those
+        of --set; a later change of a value replaces an earlier one. Raises InputError."""
+        return self._with_settings(settings_of(changes))
+
+    def _with_settings(self, new: Iterable[tuple[str, str]]) -> Project:
+        text, settings = self._inner.text, dict(setting.split(" = ", 1) for setting in self._inner.settings)
+        for path, value in new:
+            if any(path.startswith(earlier + ".") for earlier in settings):
+                text, settings = Project._read(text, self.source, _lines(settings)).to_toml(), {}
+            settings = {one: old for one, old in settings.items() if one != path and not one.startswith(path + ".")}
+            settings[path] = value
+        return Project._read(text, self.source, _lines(settings))
+
+    def to_toml(self) -> str:
+        """The project file again, with the changes; its comments, order and format stay. Raises InputError for a change
+        that its text cannot hold, such as a number in a table file."""
+        return self._inner.to_toml()
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the project file."""
+        pathlib.Path(path).write_text(self.to_toml(), encoding="utf-8")
+
+    def _ask(
+        self, question: str, keys: dict[str, Any], case: str, threads: int, progress: Progress | bool | None
+    ) -> Answer:
+        asked = self._with_keys(question, keys)
+        with shown(progress) as callback:
+            return asked._answer(asked._inner.ask(question, case, threads, callback))
+
+    def _with_keys(self, question: str, keys: dict[str, Any]) -> Project:
+        """The project with other keys of one analysis."""
+        if not keys:
+            return self
+        return self.changed({f"analyses.{question}.{key_text(_key(key))}": value for key, value in keys.items()})
+
+    def _answer(self, core: _core.Answer) -> Answer:
+        _errors.warn(core.warnings)
+        return Answer(core, self)
+
+    def map(
+        self,
+        *,
+        points: int | tuple[int, int] | None = None,
+        case: str = "",
+        threads: int = 0,
+        progress: Progress | bool | None = None,
+        **keys: Any,
+    ) -> Answer:
+        """Map of the requirements over two parameters: [analyses.map]. points: designs along both axes instead of those
+        of the file. Other keywords replace its keys."""
+        nx, ny = (points, points) if isinstance(points, int) else points or (0, 0)
+        asked = self._with_keys("map", keys)
+        with shown(progress) as callback:
+            return asked._answer(asked._inner.map(case, nx, ny, threads, callback))
+
+    def select(self, *, most: int = 10, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
+        """The mounts of a catalogue with the largest least margin; `best` is the project with them."""
+        with shown(progress) as callback:
+            return self._answer(self._inner.select(most, threads, callback))
+
+    def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Answer:
+        """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].
+        `best` is the project with them."""
+        asked = self._with_keys("optimize", keys)
+        with shown(progress) as callback:
+            return asked._answer(asked._inner.optimize(threads, callback))
+
+    def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
+        """Is every requirement met in every case, which one governs, and by what margin?"""
+        with shown(progress) as callback:
+            return self._answer(self._inner.verdict(threads, callback))
+
+    def check(self, *, deep: bool = False, threads: int = 0) -> Answer:
+        """All checks of the data; with `deep` two independent solvers are compared."""
+        return self._answer(self._inner.check(deep, threads))
+
+    def explain(
+        self,
+        of: str | Iterable[str] = (),
+        *,
+        most: int = 10,
+        case: str = "",
+        threads: int = 0,
+        progress: Progress | bool | None = None,
+    ) -> Answer:
+        """Causes of each resonance peak, and the parameters that change it. of: results; by default those of `peaks`."""
+        names = [of] if isinstance(of, str) else list(of)
+        with shown(progress) as callback:
+            return self._answer(self._inner.explain(names, most, case, threads, callback))
+
+    def suspension(
+        self,
+        *,
+        torques: Iterable[Iterable[float]] = (),
+        excitations: Iterable[float | str] = (),
+        case: str = "",
+    ) -> Answer:
+        """Elastic centre, roll axes, decoupling and frequency separation. torques: moments, body axes. excitations:
+        frequencies to compare with the natural ones, in rad/s or with units."""
+        axes = [[float(x) for x in torque] for torque in torques]
+        return self._answer(self._inner.suspension(axes, [_frequency(f) for f in excitations], case))
+
+    def element(
+        self,
+        name: str,
+        *,
+        all: bool = False,
+        case: str = "",
+        threads: int = 0,
+        progress: Progress | bool | None = None,
+    ) -> Answer:
+        """One element: its 12×12, checks, energy, and a comparison with three springs in its place."""
+        with shown(progress) as callback:
+            return self._answer(self._inner.element(name, all, case, threads, callback))
+
+    def run(
+        self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None
+    ) -> Run:
+        """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
+        with shown(progress) as callback:
+            answers = self._inner.run(os.fspath(folder), threads, callback)
+        return Run(pathlib.Path(folder), {core.case: self._answer(core) for core in answers})
+
+    def export(
+        self,
+        path: str | os.PathLike[str],
+        to: str | None = None,
+        *,
+        what: Iterable[str] = (),
+        case: str = "",
+        threads: int = 0,
+        progress: Progress | bool | None = None,
+    ) -> list[str]:
+        """Writes matrices and answers in a file of another program, and returns what that format loses.
+
+        to: one of "matlab", "universal", "universal_binary", "nastran", "numpy", "hdf5", "excel", "fmu", "fmu3",
+        "matrix_market", "csv"; by default by the ending of the path. what: "matrices" and names of questions; by default
+        what the format and the file have."""
+        target = os.fspath(path)
+        format_name = to or _formats_by_ending.get(pathlib.Path(target).suffix.lower(), "")
+        if not format_name:
+            known = ", ".join(name for name, _ in _core.formats())
+            raise InputError([problem("to", target, "its ending is none of a format", f"name one: {known}")])
+        wanted = [what] if isinstance(what, str) else list(what)
+        with shown(progress) as callback:
+            return self._inner.export(format_name, target, wanted, case, threads, callback)
+
+    def matrices(self, *, case: str = "") -> Matrices:
+        """A, B, K, the loads, and the names of the rows."""
+        return Matrices(self._inner.matrices(case))
+
+    def state_space(
+        self,
+        of: str | Iterable[str] = "coordinates",
+        *,
+        quantity: str = "displacement",
+        nearest: bool = False,
+        case: str = "",
+    ) -> StateSpace:
+        """x' = A x + B u, y = C x + D u with inputs at the excitations and the results `of` as outputs.
+
+        Inputs are forces and moments in the directions of the excitations [N, N m], and motions of the ground with
+        their derivatives. Loss factors and frequency-dependent elements raise NotComputable; with `nearest` the nearest
+        linear system takes the place of the latter."""
+        results = [of] if isinstance(of, str) else list(of)
+        return StateSpace(self._inner.state_space(results, quantity, nearest, case))
+
+    def sweep(
+        self,
+        values: Mapping[str, Iterable[float]],
+        *,
+        of: str | Iterable[str] = (),
+        band: tuple[float | str, float | str] | None = None,
+        quantity: str = "displacement",
+        case: str = "",
+        threads: int = 0,
+        progress: Progress | bool | None = None,
+    ) -> Sweep:
+        """Largest amplitudes over all combinations of values of some numbers, without a loop in Python.
+
+        values: {"elements.mount.scale": array, …}, SI. of: results; by default those of `peaks`.
+        band: frequencies in which amplitudes are sought, by default all."""
+        names, arrays = _sweep_values(values)
+        results = [of] if isinstance(of, str) else list(of)
+        limits = None if band is None else [_frequency(f) for f in band]
+        with shown(progress) as callback:
+            return Sweep(
+                self._inner.sweep(names, arrays, results, limits or [], quantity, case, threads, callback), self.title
+            )
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Project) and self._inner.content == other._inner.content
+
+    def __hash__(self) -> int:
+        return hash(self._inner.content)
+
+    def __reduce__(self) -> tuple[Any, tuple[str, str, list[str]]]:
+        return _unpickled, (self._inner.text, _absolute(self.source), self._inner.settings)
+
+    def __copy__(self) -> Project:
+        return self
+
+    def __deepcopy__(self, memo: object) -> Project:
+        return self
+
+    def __repr__(self) -> str:
+        changes = f", {len(self._inner.settings)} changed" if self._inner.settings else ""
+        return f"<trivet.Project {self.title or self.source!r}: {len(self.bodies)} bodies, {len(self.elements)} elements{changes}>"
+
+    def _repr_html_(self) -> str:
+        return _html.project(self)
+
+
+_formats_by_ending = {
+    ".mat": "matlab", ".uff": "universal", ".unv": "universal", ".bdf": "nastran", ".nas": "nastran", ".npz": "numpy",
+    ".h5": "hdf5", ".hdf5": "hdf5", ".xlsx": "excel", ".fmu": "fmu",
+}  # fmt: skip
+
+
+def open(path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> Project:
+    """Reads and checks a project file. changes: as `Project.changed`. Raises InputError with all problems, OSError."""
+    source = os.fspath(path)
+    if isinstance(source, bytes):
+        source = os.fsdecode(source)
+    project = Project._read(_core.read_text(source), source, [])
+    return project.changed(changes) if changes else project
+
+
+def _unpickled(text: str, source: str, settings: list[str]) -> Project:
+    return Project._read(text, source, settings)
+
+
+def _key(word: str) -> str:
+    """The key of a keyword argument: "from_" stands for "from", which is a word of Python."""
+    return word[:-1] if word.endswith("_") and keyword.iskeyword(word[:-1]) else word
+
+
+def _lines(settings: Mapping[str, str]) -> list[str]:
+    return [f"{path} = {value}" for path, value in settings.items()]
+
+
+def _absolute(source: str) -> str:
+    return source if source == "project" else os.path.abspath(source)
+
+
+def _require_text(name: str, value: object) -> None:
+    if not isinstance(value, str):
+        raise InputError([problem(name, type(value).__name__, "it must be a text", "read the file first")])
+
+
+def _frequency(value: float | str) -> float:
+    """[rad/s]"""
+    wrong: list[_core.Problem] = []
+    given = plain(value, "frequency", wrong)
+    if wrong or not isinstance(given, (int, float, str)):
+        raise InputError(wrong or [problem("frequency", value, "it is a number in rad/s, or a text", 'write "25 Hz"')])
+    return _core.angular_frequency(given) if isinstance(given, str) else float(given)
+
+
+def _sweep_values(values: Mapping[str, Iterable[float]]) -> tuple[list[str], list[list[float]]]:
+    import numpy as np
+
+    wrong, arrays = [], []
+    for path, numbers in values.items():
+        try:
+            array = np.asarray(numbers)
+            if array.dtype.kind not in "iuf" or array.ndim != 1:
+                raise TypeError
+            arrays.append([float(x) for x in array])
+        except (TypeError, ValueError):
+            wrong.append(problem(path, type(numbers).__name__, "a list of numbers is wanted", "give a 1-D array"))
+    if wrong:
+        raise InputError(wrong)
+    return list(values), arrays

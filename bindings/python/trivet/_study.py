@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Results that are not answers of a command: a whole run, matrices, a sweep over designs."""
+
+from __future__ import annotations
+
+import dataclasses
+import pathlib
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from trivet import _core, _html
+from trivet._errors import InputError, problem
+
+if TYPE_CHECKING:
+    import xarray
+
+    from trivet._answer import Answer
+
+Real = npt.NDArray[np.float64]
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """A result folder, and the answers of each case ("" is the base model)."""
+
+    folder: pathlib.Path
+    cases: dict[str, Answer]
+
+    @property
+    def report(self) -> pathlib.Path:
+        return self.folder / "report.html"
+
+    def __str__(self) -> str:
+        return "\n".join(str(answer) for answer in self.cases.values())
+
+    def _repr_html_(self) -> str:
+        notices = "".join(
+            _html.notice(answer.warnings, "#b00020") + _html.notice(answer.failures, "#b00020")
+            for answer in self.cases.values()
+        )
+        return f"<p>Report: {self.report}</p>{notices}"
+
+
+class _Arrays:
+    """Named arrays of the core."""
+
+    def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]]) -> None:
+        self._arrays = {name: values for name, _, _, values in arrays}
+        self._units = {name: unit for name, unit, _, _ in arrays}
+        self._axes = {name: axes for name, _, axes, _ in arrays}
+
+    def array(self, name: str) -> npt.NDArray[Any]:
+        """An array by its name; read-only."""
+        if name not in self._arrays:
+            known = ", ".join(self._arrays)
+            raise InputError([problem(type(self).__name__, f'"{name}"', "there is no such array", f"known: {known}")])
+        values = self._arrays[name]
+        return np.array(values, dtype=np.str_) if isinstance(values, list) else values
+
+    @property
+    def arrays(self) -> list[str]:
+        return list(self._arrays)
+
+    def _texts(self, name: str) -> list[str]:
+        return list(self._arrays[name])
+
+
+class Matrices(_Arrays):
+    """A q̈ + B q̇ + (K + i K_loss) q = h of the whole system, SI."""
+
+    @property
+    def A(self) -> Real:
+        """Mass matrix, n × n."""
+        return self.array("A")
+
+    @property
+    def B(self) -> Real:
+        """Damping matrix, n × n."""
+        return self.array("B")
+
+    @property
+    def K(self) -> Real:
+        """Stiffness matrix, n × n."""
+        return self.array("K")
+
+    @property
+    def K_loss(self) -> Real:
+        """Imaginary part of the stiffness for ω > 0, n × n; zero without loss factors."""
+        return self.array("K_loss")
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of the rows."""
+        return self._texts("coordinate")
+
+    @property
+    def units(self) -> list[str]:
+        """Unit of each coordinate."""
+        return self._texts("coordinate_unit")
+
+    @property
+    def exact(self) -> bool:
+        """False if elements depend on frequency: then B and K are of their nearest linear system."""
+        return bool(self.array("exact"))
+
+    def load(self, angular_frequency: float) -> npt.NDArray[np.complex128]:
+        """Right side h of all harmonic excitations together at ω > 0 [rad/s], motions of the ground included."""
+        s = 1j * float(angular_frequency)
+        powers, delays = self.array("load_power"), self.array("load_delay")
+        terms = self.array("load")
+        total = np.zeros(len(self.coordinates), dtype=np.complex128)
+        for power, delay, term in zip(powers, delays, terms, strict=True):
+            total += s**power * np.exp(-s * delay) * term
+        return total
+
+    def dynamic_stiffness(self, angular_frequency: float) -> npt.NDArray[np.complex128]:
+        """K + i K_loss + iωB − ω²A."""
+        w = float(angular_frequency)
+        stiffness: npt.NDArray[np.complex128] = self.K + 1j * self.K_loss + 1j * w * self.B - w * w * self.A
+        return stiffness
+
+    def __repr__(self) -> str:
+        return f"<trivet.Matrices of {len(self.coordinates)} coordinates>"
+
+
+class StateSpace(_Arrays):
+    """x' = A x + B u, y = C x + D u, SI. Unpacks as (A, B, C, D) for SciPy and python-control."""
+
+    @property
+    def A(self) -> Real:
+        return self.array("A")
+
+    @property
+    def B(self) -> Real:
+        return self.array("B")
+
+    @property
+    def C(self) -> Real:
+        return self.array("C")
+
+    @property
+    def D(self) -> Real:
+        return self.array("D")
+
+    @property
+    def states(self) -> list[str]:
+        return self._texts("state")
+
+    @property
+    def inputs(self) -> list[str]:
+        """Names of the inputs: excitations, and their derivatives where a moving ground needs them."""
+        return self._texts("input")
+
+    @property
+    def outputs(self) -> list[str]:
+        return self._texts("output")
+
+    def __iter__(self) -> Any:
+        return iter((self.A, self.B, self.C, self.D))
+
+    def __len__(self) -> int:
+        return 4
+
+    def __repr__(self) -> str:
+        return f"<trivet.StateSpace: {len(self.states)} states, {len(self.inputs)} inputs, {len(self.outputs)} outputs>"
+
+
+class Sweep(_Arrays):
+    """Largest amplitudes of results over all combinations of some numbers."""
+
+    def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]], title: str) -> None:
+        super().__init__(arrays)
+        self._title = title
+
+    @property
+    def parameters(self) -> list[str]:
+        return list(self._axes["amplitude"][:-1])
+
+    @property
+    def results(self) -> list[str]:
+        return self._texts("result")
+
+    @property
+    def amplitude(self) -> Real:
+        """Largest amplitude of each result [its unit], one axis per parameter and then the results; infinite at an
+        undamped resonance, NaN where there is no valid model."""
+        return self.array("amplitude")
+
+    @property
+    def exactly(self) -> dict[str, int]:
+        """How many designs were computed by which method."""
+        return {name: int(self.array(name)) for name in ("in_kernels", "one_by_one", "without_model")}
+
+    def to_xarray(self) -> xarray.DataArray:
+        """The amplitudes with their axes."""
+        import xarray
+
+        axes = self._axes["amplitude"]
+        coordinates: dict[str, Any] = {name: (name, self._arrays[name]) for name in axes}
+        coordinates["unit"] = ("result", self._arrays["unit"])
+        return xarray.DataArray(self.amplitude, coordinates, axes, "amplitude", {"title": self._title})
+
+    def __getitem__(self, result: str) -> Real:
+        """Amplitudes of one result."""
+        if result not in self.results:
+            raise InputError(
+                [problem("sweep", f'"{result}"', "there is no such result", "known: " + ", ".join(self.results))]
+            )
+        amplitudes: Real = self.amplitude[..., self.results.index(result)]
+        return amplitudes
+
+    def __repr__(self) -> str:
+        shape = " × ".join(str(n) for n in self.amplitude.shape[:-1])
+        return f"<trivet.Sweep: {shape} designs, {len(self.results)} results>"

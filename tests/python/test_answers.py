@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Numbers of answers: views without a copy, tables, units, pictures of themselves."""
+
+import gc
+import json
+
+import numpy as np
+import pytest
+from conftest import MACHINE, example
+
+import trivet
+
+
+def address(array: np.ndarray) -> int:
+    return array.__array_interface__["data"][0]
+
+
+def test_curves_are_views_of_the_core(machine):
+    answer = machine.response()
+    first, again = answer._core.arrays(), answer._core.arrays()
+    for (name, _, _, one), (_, _, _, other) in zip(first, again, strict=True):
+        if isinstance(one, np.ndarray):
+            assert address(one) == address(other), name
+            assert not one.flags.writeable
+            assert not one.flags.owndata
+    assert address(answer["machine.z"].complex) == address(answer.array("machine.z"))
+    with pytest.raises(ValueError, match="read-only"):
+        answer.array("machine.z")[0] = 0
+
+
+def test_views_outlive_the_project():
+    curve = trivet.Project(**MACHINE).response()["machine.z"]
+    values = curve.complex.copy()
+    gc.collect()
+    trivet.Project(**MACHINE).response()
+    np.testing.assert_array_equal(curve.complex, values)
+
+
+def test_curve(machine):
+    curve = machine.response(band=(1.0, 200.0))["machine.z"]
+    assert curve.unit == "m"
+    np.testing.assert_array_equal(curve.amplitude, abs(curve.complex))
+    np.testing.assert_array_equal(curve.frequency_hz, curve.angular_frequency / (2 * np.pi))
+    assert np.all((curve.phase > -np.pi) & (curve.phase <= np.pi))
+    np.testing.assert_allclose(curve.amplitude * np.exp(1j * curve.phase), curve.complex, rtol=1e-14)
+    np.testing.assert_array_equal(np.asarray(curve), curve.complex)
+    with pytest.raises(trivet.InputError, match="curve over angular_frequency"):
+        _ = curve.time
+
+
+def test_tables_have_all_digits(machine):
+    answer = machine.response(at=[10.0, 37.1])
+    table = answer.to_dataframe()
+    np.testing.assert_array_equal(table["machine.z re [m]"], answer.array("machine.z").real)
+    peaks = machine.peaks()
+    np.testing.assert_array_equal(peaks.to_dataframe()["amplitude"], peaks.array("amplitude"))
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+@pytest.mark.parametrize(
+    ("path", "question"),
+    [
+        ("paper/corrected.toml", "modes"),
+        ("paper/corrected.toml", "roots"),
+        ("paper/corrected.toml", "response"),
+        ("paper/corrected.toml", "peaks"),
+        ("genset/load_cases.toml", "static"),
+        ("track/bogie.toml", "random"),
+        ("transport_shock/device.toml", "transient"),
+        ("transport_shock/device.toml", "shock_spectrum"),
+        ("genset/genset.toml", "orders"),
+        ("genset/genset.toml", "power"),
+        ("genset/genset.toml", "shapes"),
+        ("optical_table/table.toml", "transmissibility"),
+        ("genset/genset.toml", "limit_lines"),
+        ("paper/map.toml", "map"),
+        ("powertrain/decoupled.toml", "optimize"),
+    ],
+)
+def test_xarray_has_every_array_with_axes_and_units(path, question):
+    answer = getattr(trivet.open(example(path)), question)()
+    data = answer.to_xarray()
+    assert len(answer.names) > 0
+    for name in answer.names:
+        variable = data[name]
+        assert variable.dims == answer.axes(name)
+        if variable.dtype.kind in "fc":
+            assert variable.attrs["units"] == answer.unit(name)
+            np.testing.assert_array_equal(variable.values, answer.array(name))
+    assert not answer.to_dataframe().empty
+    assert answer._repr_html_().count("<table") == 1
+    assert repr(answer).startswith(f"<trivet.Answer {question}")
+    assert len(str(answer)) > 40
+
+
+def test_other_units(machine):
+    answer = machine.response(band=(1.0, 200.0))
+    shown = answer.to(frequency="rpm", length="in", force="lbf", level="peak_to_peak")
+    inch = 0.0254
+    curve, si = shown["machine.z"], answer["machine.z"]
+    assert curve.unit == "in"
+    np.testing.assert_allclose(curve.amplitude, 2 * si.amplitude / inch, rtol=1e-15)
+    np.testing.assert_allclose(curve.complex, si.complex / inch, rtol=1e-15)
+    table = shown.to_dataframe()
+    np.testing.assert_allclose(table["angular_frequency [rpm]"], answer.angular_frequency * 30 / np.pi, rtol=1e-15)
+    np.testing.assert_allclose(table["machine.z amplitude [in]"], curve.amplitude, rtol=1e-15)
+    np.testing.assert_array_equal(shown.array("machine.z"), answer.array("machine.z"))  # arrays stay SI
+    assert shown.to_json() == answer.to_json()
+    peaks = machine.peaks()
+    np.testing.assert_allclose(
+        peaks.to(length="mm", level="rms").to_dataframe().query("unit == 'mm'")["amplitude"],
+        peaks.to_dataframe().query("unit == 'm'")["amplitude"] * 1000 / np.sqrt(2),
+        rtol=1e-14,
+    )
+    with pytest.raises(trivet.InputError, match="unit of length") as wrong:
+        answer.to(length="s", level="peak", colour="red")
+    assert len(wrong.value.problems) == 3
+
+
+def test_unknown_result_has_a_nearest_name(machine):
+    with pytest.raises(trivet.InputError, match=r'did you mean "machine.z"'):
+        _ = machine.response()["machine.zz"]
+
+
+def test_json_is_that_of_the_documents(machine):
+    found = machine.modes().to_dict()
+    assert found == json.loads(machine.modes().to_json())
+    assert len(found["modes"]) == 6

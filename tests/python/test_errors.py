@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Wrong input: all problems at once, in the words of the command line; nothing crashes."""
+
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import MACHINE, ROOT
+
+import trivet
+
+
+def test_all_problems_at_once():
+    tables = {
+        **MACHINE,
+        "bodies": {"machine": {"mass": -1.0, "inertia": {"about": "center_of_mass", "xx": 1, "yy": 1, "zz": 1}}},
+        "elemnts": {},
+    }
+    with pytest.raises(trivet.InputError) as wrong:
+        trivet.Project(**tables)
+    problems = wrong.value.problems
+    assert len(problems) >= 2
+    mass = next(problem for problem in problems if "mass" in problem.subject)
+    assert (mass.severity, mass.subject) == ("error", "bodies.machine.mass")
+    assert mass.line > 0
+    assert mass.rule == "a mass must be > 0"
+    assert "elements" in str(wrong.value)
+
+
+def test_messages_are_those_of_the_command_line():
+    import os
+
+    path = ROOT / "tests" / "bad"
+    files = sorted(path.glob("*.toml"))[:40]
+    assert len(files) == 40
+    for file in files:
+        said = subprocess.run([os.environ["TRIVET"], "check", str(file)], capture_output=True, text=True, cwd=ROOT)
+        if said.returncode != 2:
+            continue
+        with pytest.raises(trivet.InputError) as wrong:
+            trivet.open(str(file))
+        errors = [line for line in said.stderr.splitlines() if ": warning: " not in line]
+        assert str(wrong.value).splitlines() == errors, file
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"elements.e.scale": 2}, "no such key or part"),
+        ({"bodies.machine.mass": 1 + 2j}, "a real number is wanted"),
+        ({"bodies.machine.mass": object()}, "a value is a number, a text"),
+        ({"bodies.machine.mass": "12 Hz"}, "mass"),
+        ({"bodies.machine.mass": float("nan")}, "mass"),
+        ({"bodies.machine.mass": [1, 2]}, "mass"),
+        ({"bodies.machine.mass": "kg"}, "mass"),
+        ({"bodies.machine.inertia": {1: 2}}, "keys are texts"),
+        ({"": 3}, "a path is a text"),
+        ({3: 3}, "a path is a text"),
+        ({"elements.a.scale = 3 #": 3}, "keys with points"),
+        ({"elements..scale": 3}, "keys with points"),
+        ({"title": "\ud800"}, "Unicode"),
+        ("elements.a.scale", "changes are a dict"),
+    ],
+)
+def test_wrong_changes(machine, changes, words):
+    with pytest.raises(trivet.InputError, match=words) as wrong:
+        machine.changed(changes)
+    assert all(problem.rule or problem.finding for problem in wrong.value.problems)
+
+
+def test_two_wrong_changes_are_two_problems(machine):
+    with pytest.raises(trivet.InputError) as wrong:
+        machine.changed({"bodies.machine.mass": -3, "elements.e.scale": 2})
+    assert len(wrong.value.problems) == 2
+
+
+@pytest.mark.parametrize(
+    ("keys", "words"),
+    [
+        ({"bamd": (0, 1)}, 'did you mean "band"'),
+        ({"band": ("40 Hz", "40 Hz")}, "band"),
+        ({"band": ("0 Hz",)}, "band"),
+        ({"of": ["machine.w"]}, "machine"),
+        ({"at": []}, "empty list"),
+        ({"quantity": "jerk"}, "displacement"),
+        ({"case": "x"}, "no such case"),
+    ],
+)
+def test_wrong_questions(machine, keys, words):
+    with pytest.raises(trivet.InputError, match=words):
+        machine.response(**keys)
+
+
+def test_no_excitation_is_said_with_a_remedy():
+    tables = {key: value for key, value in MACHINE.items() if key != "excitations"}
+    project = trivet.Project(**tables)
+    with pytest.raises(trivet.InputError, match="excitation"):
+        project.response()
+
+
+def test_what_does_not_exist_is_not_computable(machine):
+    lossy = machine.changed({f"elements.{name}.damping": {"loss_factor": 0.1} for name in machine.elements})
+    with pytest.raises(trivet.NotComputable, match="loss factor"):
+        lossy.state_space()
+
+
+def test_files(tmp_path):
+    for name, words in (("absent.toml", "absent.toml"), (".", "folder|directory|file")):
+        with pytest.raises((trivet.InputError, OSError), match=words):
+            trivet.open(tmp_path / name)
+    (tmp_path / "binary.toml").write_bytes(bytes(range(256)))
+    with pytest.raises(trivet.InputError):
+        trivet.open(tmp_path / "binary.toml")
+    with pytest.raises(TypeError):
+        trivet.open(3.5)
+
+
+def test_errors_pickle():
+    with pytest.raises(trivet.InputError) as wrong:
+        trivet.Project()
+    again = pickle.loads(pickle.dumps(wrong.value))
+    assert isinstance(again, trivet.InputError)
+    assert str(again).endswith(str(wrong.value).removeprefix("error: ")[-30:])
+
+
+def test_warnings_are_python_warnings():
+    light = {**MACHINE, "bodies": {"machine": {**MACHINE["bodies"]["machine"], "mass": 1.2e7}}}
+    project = trivet.Project(**light)
+    with pytest.warns(trivet.ModelWarning, match="mass") as caught:
+        answer = project.modes()
+    assert [str(one.message) for one in caught] == [str(problem) for problem in answer.warnings]
+    assert all(one.filename == __file__ for one in caught)
+    assert str(answer.warnings[0].subject) in answer._repr_html_()
+
+
+def test_import_is_quick():
+    """Beyond NumPy at most 30 ms, the median of several starts."""
+    program = "import numpy, time; t = time.perf_counter(); import trivet; print(time.perf_counter() - t)"
+    times = [
+        float(subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True).stdout)
+        for _ in range(5)
+    ]
+    assert np.median(times) < 0.3  # a limit against mistakes, not a measurement: benchmarks/python.py measures

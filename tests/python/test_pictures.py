@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures: what they show, their labels and units. People looked at them; this keeps them as they were."""
+
+import pytest
+from conftest import example
+
+import trivet
+
+
+def labels(figure) -> list[str]:
+    return [text for axes in figure.axes for text in (axes.get_xlabel(), axes.get_ylabel()) if text]
+
+
+def test_response(machine, tmp_path):
+    figure = machine.response(band=("0 Hz", "20 Hz"), of=["coordinates"]).plot()
+    assert labels(figure) == [
+        "frequency [Hz]", "amplitude [m]", "frequency [Hz]", "amplitude [rad]", "frequency [Hz]", "phase [°]",
+    ]  # fmt: skip
+    assert [line.get_label() for line in figure.axes[0].get_lines()] == ["machine.x", "machine.y", "machine.z"]
+    assert figure.axes[0].get_yscale() == "log"
+    figure.savefig(tmp_path / "response.png")
+    assert (tmp_path / "response.png").stat().st_size > 10_000
+
+
+def test_labels_tell_the_units(machine):
+    shown = machine.response(band=("1 Hz", "20 Hz")).to(frequency="rpm", length="mil", level="peak_to_peak")
+    assert labels(shown.plot("machine.z")) == ["frequency [rpm]", "peak to peak [mil]", "frequency [rpm]", "phase [°]"]
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+@pytest.mark.parametrize("backend", ["matplotlib", "plotly"])
+@pytest.mark.parametrize(
+    ("path", "question"),
+    [
+        ("paper/corrected.toml", "modes"),
+        ("paper/corrected.toml", "peaks"),
+        ("track/bogie.toml", "random"),
+        ("transport_shock/device.toml", "transient"),
+        ("genset/genset.toml", "orders"),
+        ("genset/genset.toml", "power"),
+        ("optical_table/table.toml", "transmissibility"),
+    ],
+)
+def test_every_answer_with_curves_has_a_picture(path, question, backend, tmp_path):
+    figure = getattr(trivet.open(example(path)), question)().plot(backend=backend)
+    if backend == "matplotlib":
+        figure.savefig(tmp_path / "picture.png")
+        assert all(label for label in labels(figure))
+    else:
+        assert len(figure.data) > 0
+        figure.to_json()
+
+
+def test_what_cannot_be_drawn(machine):
+    with pytest.raises(trivet.InputError, match="no curves"):
+        machine.suspension().plot()
+    with pytest.raises(trivet.InputError, match="matplotlib"):
+        machine.response().plot(backend="paper")
+    with pytest.raises(trivet.InputError, match="no such result"):
+        machine.response().plot("machine.q")
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_maps_and_fronts_are_those_of_the_report():
+    assert trivet.open(example("paper/map.toml")).map(points=30).svg().startswith("<svg")
