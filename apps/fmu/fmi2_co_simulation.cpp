@@ -3,6 +3,7 @@
 // during the next step, which are the exact solution's inputs too; derivatives apply to one step only, and those of
 // higher order are ignored with a warning. After the step, the inputs have the values at its end.
 #include <algorithm>
+#include <stdexcept>
 
 #include "fmu/fmi2_interface.h"
 #include "fmu/fmi2_status.h"

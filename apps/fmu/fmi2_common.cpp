@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "fmu/fmi2_interface.h"
 #include "fmu/fmi2_status.h"
@@ -48,7 +49,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
                               const fmi2CallbackFunctions* functions, fmi2Boolean, fmi2Boolean logging_on) {
   try {
     return new_instance(
-        type == fmi2ModelExchange ? Kind::model_exchange : Kind::co_simulation, guid,
+        type == fmi2ModelExchange ? InterfaceKind::model_exchange : InterfaceKind::co_simulation, guid,
         [&] { return path_of_uri(&place(resources, "the location of the resources")); }, log_of(functions, name),
         logging_on != fmi2False);
   } catch (...) {  // not enough memory for the log itself

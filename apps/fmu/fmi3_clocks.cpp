@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The model has no clocks. Each function succeeds only for no clocks at all.
+#include <stdexcept>
+
 #include "fmu/fmi3_interface.h"
 #include "fmu/fmi3_status.h"
 #include "fmu/guarded_call.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Inputs keep their values during a step: version 3.0 has no function for derivatives of inputs, and the model has no
 // intermediate update.
+#include <stdexcept>
+
 #include "fmu/fmi3_interface.h"
 #include "fmu/fmi3_status.h"
 #include "fmu/value_calls.h"

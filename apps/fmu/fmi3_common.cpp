@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <limits>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "fmu/fmi3_interface.h"
 #include "fmu/fmi3_status.h"
@@ -21,8 +23,8 @@ Log log_of(fmi3InstanceEnvironment environment, fmi3LogMessageCallback callback)
 }
 
 /// @param refusal  reason why the instance must not be made, or null
-fmi3Instance instantiated(Kind kind, fmi3String token, fmi3String resources, bool logging_on, const Log& log,
-                          const char* refusal) {
+fmi3Instance checked_instance(InterfaceKind kind, fmi3String token, fmi3String resources, bool logging_on,
+                              const Log& log, const char* refusal) {
   return new_instance(
       kind, token,
       [&] {
@@ -44,23 +46,24 @@ fmi3Status fmi3SetDebugLogging(fmi3Instance instance, fmi3Boolean on, std::size_
 fmi3Instance fmi3InstantiateModelExchange(fmi3String, fmi3String token, fmi3String resources, fmi3Boolean,
                                           fmi3Boolean logging_on, fmi3InstanceEnvironment environment,
                                           fmi3LogMessageCallback log) {
-  return instantiated(Kind::model_exchange, token, resources, logging_on, log_of(environment, log), nullptr);
+  return checked_instance(InterfaceKind::model_exchange, token, resources, logging_on, log_of(environment, log),
+                          nullptr);
 }
 
 fmi3Instance fmi3InstantiateCoSimulation(fmi3String, fmi3String token, fmi3String resources, fmi3Boolean,
                                          fmi3Boolean logging_on, fmi3Boolean event_mode_used, fmi3Boolean,
                                          const fmi3ValueReference[], std::size_t, fmi3InstanceEnvironment environment,
                                          fmi3LogMessageCallback log, fmi3IntermediateUpdateCallback) {
-  return instantiated(Kind::co_simulation, token, resources, logging_on, log_of(environment, log),
-                      event_mode_used ? "the model has no event mode in co-simulation" : nullptr);
+  return checked_instance(InterfaceKind::co_simulation, token, resources, logging_on, log_of(environment, log),
+                          event_mode_used ? "the model has no event mode in co-simulation" : nullptr);
 }
 
 fmi3Instance fmi3InstantiateScheduledExecution(fmi3String, fmi3String token, fmi3String resources, fmi3Boolean,
                                                fmi3Boolean logging_on, fmi3InstanceEnvironment environment,
                                                fmi3LogMessageCallback log, fmi3ClockUpdateCallback,
                                                fmi3LockPreemptionCallback, fmi3UnlockPreemptionCallback) {
-  return instantiated(Kind::co_simulation, token, resources, logging_on, log_of(environment, log),
-                      "the model has no clocks, so there is no scheduled execution");
+  return checked_instance(InterfaceKind::co_simulation, token, resources, logging_on, log_of(environment, log),
+                          "the model has no clocks, so there is no scheduled execution");
 }
 
 void fmi3FreeInstance(fmi3Instance instance) { std::unique_ptr<Instance>(static_cast<Instance*>(instance)).reset(); }

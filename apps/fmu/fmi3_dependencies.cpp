@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <vector>
+
 #include "fmu/fmi3_interface.h"
 #include "fmu/fmi3_status.h"
 #include "fmu/guarded_call.h"

@@ -2,14 +2,16 @@
 #include "fmu/instance.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "fmu/shown_number.h"
 
 namespace trivet::fmu {
 
-Instance::Instance(Kind kind, LinearModel model, Log log)
+Instance::Instance(InterfaceKind kind, LinearModel model, Log log)
     : kind_(kind), simulation_(std::move(model)), log_(std::move(log)) {}
 
 void Instance::report_event(const std::string& message) {

@@ -24,9 +24,9 @@ inline constexpr const char *events = "logEvents", *warnings = "logStatusWarning
 /// One instance of the unit. Instances share nothing, so that each may be used by its own thread.
 class Instance {
  public:
-  Instance(Kind kind, LinearModel model, Log log);
+  Instance(InterfaceKind kind, LinearModel model, Log log);
 
-  [[nodiscard]] Kind kind() const { return kind_; }
+  [[nodiscard]] InterfaceKind kind() const { return kind_; }
   [[nodiscard]] Phases phase() const { return phase_; }
   void enter(Phases phase) { phase_ = phase; }
   [[nodiscard]] Simulation& simulation() { return simulation_; }
@@ -54,7 +54,7 @@ class Instance {
   [[nodiscard]] SavedState& known(void* saved) const;
   void* store(SavedState state, void* earlier);
 
-  Kind kind_;
+  InterfaceKind kind_;
   Phases phase_ = phase::instantiated;
   Simulation simulation_;
   Log log_;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fmu/instantiation.h"
 
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "fmu/guarded_call.h"
@@ -10,8 +12,8 @@
 
 namespace trivet::fmu {
 
-Instance* new_instance(Kind kind, const char* token, const std::function<std::string()>& folder, const Log& log,
-                       bool reports_events) noexcept {
+Instance* new_instance(InterfaceKind kind, const char* token, const std::function<std::string()>& folder,
+                       const Log& log, bool reports_events) noexcept {
   try {
     const std::string wanted = &place(token, "the token");
     LinearModel model = linear_model(text_in_folder(folder(), "system.txt"));

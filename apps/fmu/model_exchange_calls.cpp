@@ -2,6 +2,7 @@
 #include "fmu/model_exchange_calls.h"
 
 #include <algorithm>
+#include <span>
 
 namespace trivet::fmu {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fmu/phase.h"
 
+#include <string>
+
 namespace trivet::fmu {
 
 std::string phase_name(Phases phase) {

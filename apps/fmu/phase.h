@@ -5,7 +5,7 @@
 
 namespace trivet::fmu {
 
-enum class Kind { model_exchange, co_simulation };
+enum class InterfaceKind { model_exchange, co_simulation };
 
 /// Phases of an instance, as bits, so that a function can name all in which it may be called. In co-simulation,
 /// initialization is followed by `step`; in model exchange, by `event`.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fmu/phase_calls.h"
 
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace trivet::fmu {
@@ -37,7 +39,7 @@ Outcome enter_initialization_mode(void* instance, const char* function) {
 
 Outcome exit_initialization_mode(void* instance, const char* function) {
   return guarded_call(instance, function, phase::initialization, [](Instance& self) {
-    self.enter(self.kind() == Kind::co_simulation ? phase::step : phase::event);
+    self.enter(self.kind() == InterfaceKind::co_simulation ? phase::step : phase::event);
   });
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace trivet::fmu {
@@ -27,8 +29,8 @@ std::vector<double> numbers(const SavedState& state) {
   return numbers;
 }
 
-bool is_phase_of(Phases phase, Kind kind) {
-  const Phases running = kind == Kind::co_simulation ? phase::step : phase::event | phase::continuous_time;
+bool is_phase_of(Phases phase, InterfaceKind kind) {
+  const Phases running = kind == InterfaceKind::co_simulation ? phase::step : phase::event | phase::continuous_time;
   const Phases possible = phase::instantiated | phase::initialization | phase::terminated | running;
   return (phase & possible) != 0 && (phase & (phase - 1)) == 0;
 }
@@ -68,7 +70,7 @@ std::string serialized(const SavedState& state, const LinearModel& model) {
   return bytes;
 }
 
-SavedState deserialized(std::string_view bytes, const LinearModel& model, Kind kind) {
+SavedState deserialized(std::string_view bytes, const LinearModel& model, InterfaceKind kind) {
   constexpr std::size_t single_numbers = 6;
   const std::string head = heading(model);
   const std::size_t count = single_numbers + model.states() + 2 * model.inputs();

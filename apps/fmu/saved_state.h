@@ -11,7 +11,7 @@ namespace trivet::fmu {
 
 /// The state of an instance to which it can return.
 struct SavedState {
-  Kind kind = Kind::co_simulation;
+  InterfaceKind kind = InterfaceKind::co_simulation;
   Phases phase = phase::instantiated;
   SimulationState simulation;
 };
@@ -20,6 +20,6 @@ struct SavedState {
 [[nodiscard]] std::string serialized(const SavedState& state, const LinearModel& model);
 
 /// @throws std::runtime_error if the bytes are not a state of an instance of this kind and this model
-[[nodiscard]] SavedState deserialized(std::string_view bytes, const LinearModel& model, Kind kind);
+[[nodiscard]] SavedState deserialized(std::string_view bytes, const LinearModel& model, InterfaceKind kind);
 
 }  // namespace trivet::fmu

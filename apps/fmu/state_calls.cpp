@@ -2,6 +2,8 @@
 #include "fmu/state_calls.h"
 
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 namespace trivet::fmu {
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "fmu/balancing.h"
 #include "fmu/matrix_exponential.h"

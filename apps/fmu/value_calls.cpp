@@ -2,6 +2,8 @@
 #include "fmu/value_calls.h"
 
 #include <algorithm>
+#include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace trivet::fmu {

@@ -112,3 +112,29 @@ def test_csv(program, tmp_path):
     assert "matrices is not written" in notes
     assert (tmp_path / "tables" / "response.csv").read_text() == program("response", program.path, "--csv").stdout
     assert (tmp_path / "tables" / "peaks.csv").read_text() == program("peaks", program.path, "--csv").stdout
+
+
+def test_parts_are_read_back(program, with_text, tmp_path):
+    """Tables of bodies, elements and points in place of the parts give the same answers."""
+    program.export("csv", tmp_path / "tables", "--what", "modes")
+    rest = program.path.read_text().split("[excitations.shaft]")[1]
+    tables = "".join(f'[tables.{kind}]\nfile = "tables/{kind}.csv"\n' for kind in ("bodies", "elements", "points"))
+    read = with_text(f'trivet = 1\ntitle = "Pump on a raft"\n{tables}[excitations.shaft]{rest}')
+    assert read.json("modes") == program.json("modes")
+    assert read.json("response")["results"] == program.json("response")["results"]
+
+
+@pytest.mark.parametrize("ending", ["\n", "\r\n"])
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_sheets_saved_as_csv(program, with_text, tmp_path, separator, ending):
+    """With a byte order mark, empty cells at the end of rows, and empty rows at the end, as spreadsheets save them."""
+    program.export("csv", tmp_path / "tables", "--what", "modes")
+    for kind in ("bodies", "elements", "points"):
+        path = tmp_path / "tables" / f"{kind}.csv"
+        lines = [line.replace(",", separator) + 2 * separator for line in path.read_text().splitlines()]
+        lines += [separator * lines[0].count(separator)] * 2
+        path.write_bytes(b"\xef\xbb\xbf" + ending.join(lines).encode() + ending.encode())
+    rest = program.path.read_text().split("[excitations.shaft]")[1]
+    tables = "".join(f'[tables.{kind}]\nfile = "tables/{kind}.csv"\n' for kind in ("bodies", "elements", "points"))
+    read = with_text(f'trivet = 1\ntitle = "Pump on a raft"\n{tables}[excitations.shaft]{rest}')
+    assert read.json("modes") == program.json("modes")

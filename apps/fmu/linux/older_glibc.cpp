@@ -19,6 +19,7 @@ char __libc_single_threaded = 0;
 
 #if __GLIBC_PREREQ(2, 34)
 /// In the C library itself since 2.34, in the library of threads before. The runtime only asks whether it exists.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): the name is that of the C library
 extern "C" int __pthread_key_create(pthread_key_t*, void (*)(void*)) { return -1; }
 
 /// Likewise. The other threads wait until the first one is ready.
@@ -44,7 +45,8 @@ struct Search {
   dl_find_object* result;
 };
 
-/// Fills the result if this object contains the address. @returns 1 if it does, which ends the search
+/// Fills the part of the result that the runtime reads, if this object contains the address. @returns 1 if it does,
+/// which ends the search
 int describe(dl_phdr_info* object, std::size_t, void* data) {
   const Search& search = *static_cast<Search*>(data);
   const ElfW(Phdr)* table = nullptr;
@@ -53,12 +55,10 @@ int describe(dl_phdr_info* object, std::size_t, void* data) {
     const ElfW(Phdr)& part = object->dlpi_phdr[i];
     const ElfW(Addr) begin = object->dlpi_addr + part.p_vaddr, end = begin + part.p_memsz;
     if (part.p_type == PT_GNU_EH_FRAME) table = &part;
-    if (part.p_type != PT_LOAD || search.address < begin || search.address >= end) continue;
-    contains = true;
-    search.result->dlfo_map_start = reinterpret_cast<void*>(begin);
-    search.result->dlfo_map_end = reinterpret_cast<void*>(end);
+    if (part.p_type == PT_LOAD && search.address >= begin && search.address < end) contains = true;
   }
   if (!contains || table == nullptr) return 0;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the loader gives addresses as integers
   search.result->dlfo_eh_frame = reinterpret_cast<void*>(object->dlpi_addr + table->p_vaddr);
   return 1;
 }

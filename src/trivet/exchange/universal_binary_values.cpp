@@ -151,17 +151,6 @@ Real real_at(const char* bytes, bool big_endian) {
   return value;
 }
 
-/// The shortest decimal number that has this single-precision number: 10.1, not 10.1000003815. Test systems have
-/// decimal abscissas; in text form they have six digits.
-double shortest_decimal(float value) {
-  if (!std::isfinite(value)) return value;
-  char text[32];
-  const auto written = std::to_chars(text, text + sizeof(text), value);
-  double decimal = 0;
-  std::from_chars(text, written.ptr, decimal);
-  return decimal;
-}
-
 double value_at(const char* bytes, std::size_t size, bool big_endian) {
   return size == 4 ? real_at<float>(bytes, big_endian) : real_at<double>(bytes, big_endian);
 }
@@ -172,8 +161,7 @@ std::vector<double> numbers_of_block(std::string_view data, const BinaryBlock& b
   numbers.reserve(block.points * (layout.reals + 1));
   const char* at = data.data();
   for (std::size_t point = 0; point < block.points; ++point) {
-    if (layout.abscissa == 4) numbers.push_back(shortest_decimal(real_at<float>(at, big_endian)));
-    if (layout.abscissa == 8) numbers.push_back(real_at<double>(at, big_endian));
+    if (layout.abscissa > 0) numbers.push_back(value_at(at, layout.abscissa, big_endian));
     at += layout.abscissa;
     for (std::size_t i = 0; i < layout.reals; ++i, at += layout.value)
       numbers.push_back(value_at(at, layout.value, big_endian));

@@ -67,8 +67,7 @@ std::string other_than_mode(const ModeDefinition& definition) {
 std::optional<std::vector<double>> next_values(ModeReading& reading, std::size_t count, const std::string& what) {
   std::vector<double> values;
   while (values.size() < count && reading.lines.next()) {
-    const auto line = values_of_line(reading.lines.line(), reading.line(), mode_value_widths, count - values.size(),
-                                     reading.problems);
+    const auto line = values_of_line(reading.lines.line(), reading.line(), mode_value_widths, reading.problems);
     if (!line) return std::nullopt;
     values.insert(values.end(), line->begin(), line->end());
   }

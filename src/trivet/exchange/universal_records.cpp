@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace trivet::exchange {
 namespace {
 
@@ -48,20 +46,18 @@ std::array<std::string, universal_id_lines> read_ids(const std::vector<HeadLine>
 }
 
 std::optional<std::vector<double>> values_of_line(std::string_view text, int line, FieldWidths widths,
-                                                  std::size_t wanted, SetProblems& problems) {
-  auto separated = numbers_between_blanks(text);
-  if (separated && (separated->size() == widths.size() || separated->size() == wanted)) return separated;
+                                                  SetProblems& problems) {
+  // Numbers without blanks between them are never one valid number, because each has its own decimal point.
+  if (auto separated = numbers_between_blanks(text)) return separated;
   auto in_columns = numbers_in_columns(text, widths, BlankFields::end_the_line);
-  if (in_columns && (!separated || in_columns->size() == std::min(widths.size(), wanted))) {
+  if (in_columns)
     problems.warning(line, "values", "numbers without blanks between them", "numbers are separated by blanks",
                      "read in fixed columns");
-    return in_columns;
-  }
-  if (!separated)
+  else
     problems.error(line, "values", in_quotes(wrong_part(text)),
                    "a line of values has finite numbers, in columns or with blanks",
                    "correct the line, or find the cause in the program that wrote it");
-  return separated;
+  return in_columns;
 }
 
 }  // namespace trivet::exchange

@@ -29,10 +29,9 @@ struct HeadLine {
 [[nodiscard]] std::array<std::string, universal_id_lines> read_ids(const std::vector<HeadLine>& head,
                                                                    std::size_t present, SetProblems& problems);
 
-/// The numbers of one line of values: separated by blanks, or in columns if that fails or gives another number of
-/// values than the line should have. Warns about columns. nullopt with an error if a number is missing or not finite.
-/// @param wanted  values that the set still needs
+/// The numbers of one line of values: separated by blanks, or in columns if that fails, with a warning.
+/// nullopt with an error if a number is missing or not finite.
 [[nodiscard]] std::optional<std::vector<double>> values_of_line(std::string_view text, int line, FieldWidths widths,
-                                                                std::size_t wanted, SetProblems& problems);
+                                                                SetProblems& problems);
 
 }  // namespace trivet::exchange

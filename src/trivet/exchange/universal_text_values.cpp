@@ -65,8 +65,7 @@ std::optional<std::vector<double>> read_text_values(const UniversalSet& set, con
   Lines lines(data);
   while (numbers.size() < wanted && lines.next()) {
     if (trimmed(lines.line()).empty()) continue;
-    const auto line =
-        values_of_line(lines.line(), head.last_line + lines.number(), widths, wanted - numbers.size(), problems);
+    const auto line = values_of_line(lines.line(), head.last_line + lines.number(), widths, problems);
     if (!line) return std::nullopt;
     numbers.insert(numbers.end(), line->begin(), line->end());
   }

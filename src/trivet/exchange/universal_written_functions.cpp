@@ -108,7 +108,7 @@ std::string binary_values(const UniversalFunction& function) {
   std::string bytes;
   bytes.reserve(function.values.size() * numbers_per_point(function) * sizeof(Real));
   for (std::size_t i = 0; i < function.values.size(); ++i) {
-    if (abscissa) append<Real>(bytes, as_universal_abscissa((*abscissa)[i]));
+    if (abscissa) append<Real>(bytes, (*abscissa)[i]);
     append<Real>(bytes, function.values[i].real());
     if (function.is_complex) append<Real>(bytes, function.values[i].imag());
   }
@@ -126,7 +126,12 @@ bool must_increase(const UniversalFunction& function) {
   return quantity == UniversalQuantity::time || quantity == UniversalQuantity::frequency;
 }
 
-void require_abscissa(const UniversalFunction& function, bool single) {
+/// The abscissa that the file holds: six digits in text, a number in single precision in binary form.
+double held_abscissa(double value, bool binary) {
+  return binary ? static_cast<double>(static_cast<float>(value)) : as_universal_abscissa(value);
+}
+
+void require_abscissa(const UniversalFunction& function, bool single, bool binary) {
   if (const auto* even = std::get_if<EvenAbscissa>(&function.abscissa)) {
     if (!std::isfinite(even->first) || !std::isfinite(even->step) || (function.values.size() > 1 && !(even->step > 0)))
       reject(function, fmt::format("step {:.9g}, must be > 0", even->step));
@@ -138,10 +143,10 @@ void require_abscissa(const UniversalFunction& function, bool single) {
   for (std::size_t i = 0; i < abscissa.size(); ++i) {
     require_range(function, abscissa[i], single);
     if (i > 0 && must_increase(function) &&
-        as_universal_abscissa(abscissa[i]) <= as_universal_abscissa(abscissa[i - 1]))
+        held_abscissa(abscissa[i], binary) <= held_abscissa(abscissa[i - 1], binary))
       reject(function,
-             fmt::format("{:.9g} after {:.9g}: times and frequencies must increase, also with six digits", abscissa[i],
-                         abscissa[i - 1]));
+             fmt::format("{:.9g} after {:.9g}: times and frequencies must increase, also with {} digits", abscissa[i],
+                         abscissa[i - 1], binary ? "seven" : "six"));
   }
 }
 
@@ -157,7 +162,7 @@ void require_writable(const UniversalFunction& function, bool binary) {
     require_range(function, value.imag(), single);
     if (!function.is_complex && value.imag() != 0) reject(function, "it is real and has an imaginary part");
   }
-  require_abscissa(function, single);
+  require_abscissa(function, single, binary);
 }
 
 std::string function_set(const UniversalFunction& function, bool binary) {

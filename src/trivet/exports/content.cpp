@@ -40,6 +40,7 @@ std::vector<std::string> asked_in(const project::Analyses& asked) {
   if (asked.static_of) names.emplace_back("static");
   for (const auto& [name, question] : asked.questions) names.push_back(name);
   if (!asked.limit_lines.empty()) names.emplace_back("limit_lines");
+  if (!asked.measurements.empty()) names.emplace_back("measurements");
   return names;
 }
 

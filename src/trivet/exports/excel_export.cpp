@@ -11,13 +11,16 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/text/toml_value.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
+#include "trivet/results/verdict_words.h"
 #include "trivet/study/verdict.h"
 
 /// Excel: the input, the requirements with their margins, a sheet for each list of rows, and native charts of curves.
 namespace trivet::exports {
 namespace {
 
+using results::DisplayUnit;
 using results::LabelledArray;
 using results::LabelledArrays;
 
@@ -48,23 +51,66 @@ std::string sheet_name(std::string name, std::set<std::string>& used) {
   return unique;
 }
 
-void add_column(const LabelledArray& array, Sheet& sheet) {
+/// The units of the rows of an axis, if they differ.
+const LabelledArray* units_of_rows(const LabelledArrays& all, const std::string& axis) {
+  const LabelledArray* own = all.find(axis + ".unit");
+  if (own) return own;
+  const LabelledArray* plain = all.find("unit");
+  return plain && plain->is_text() && plain->axes.front() == axis ? plain : nullptr;
+}
+
+/// Are the numbers with the unit of their row amplitudes of harmonic quantities?
+bool is_harmonic(const Group& group, const std::string& axis) {
+  return group.name == "peaks" || axis == "limit" || axis == "critical_speed";
+}
+
+DisplayUnit unit_of_row(const Group& group, const std::string& axis, const std::string& si_unit,
+                        const project::ShownUnits& display) {
+  return is_harmonic(group, axis) ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
+}
+
+/// Unit of a whole column of real numbers. A number in rad/s is a frequency, except in time.
+DisplayUnit unit_of_column(const LabelledArray& array, const project::ShownUnits& display) {
+  if (array.unit != "rad/s" || array.axes.front() == "time") return results::display_unit(display, array.unit);
+  if (array.name == "angular_frequency") return {array.unit};
+  return {results::frequency_unit(display, "rad/s"), "", results::shown_frequency(display, 1, "rad/s")};
+}
+
+std::vector<std::string> shown_texts(const LabelledArray& array, const Group& group,
+                                     const project::ShownUnits& display) {
+  std::vector<std::string> texts = array.texts();
+  if (&array == units_of_rows(group.arrays, array.axes.front()))
+    for (std::string& unit : texts) unit = unit_of_row(group, array.axes.front(), unit, display).label();
+  return texts;
+}
+
+void add_real_column(const LabelledArray& array, const Group& group, const project::ShownUnits& display, Sheet& sheet) {
+  const DisplayUnit whole = unit_of_column(array, display);
+  const LabelledArray* units =
+      array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(group.arrays, array.axes.front()) : nullptr;
+  std::vector<double> numbers = array.real_numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    numbers[i] *= units ? unit_of_row(group, array.axes.front(), units->texts()[i], display).factor : whole.factor;
+  sheet.columns.push_back({array.name, whole.label(), std::move(numbers), {}});
+  if (array.name != "angular_frequency") return;
+  std::vector<double> frequencies;
+  for (const double omega : array.real_numbers()) frequencies.push_back(results::shown_frequency(display, omega));
+  sheet.columns.push_back({"frequency", results::frequency_unit(display), std::move(frequencies), {}});
+}
+
+void add_column(const LabelledArray& array, const Group& group, const project::ShownUnits& display, Sheet& sheet) {
   if (array.is_text()) {
-    sheet.columns.push_back({array.name, "", {}, array.texts()});
+    sheet.columns.push_back({array.name, "", {}, shown_texts(array, group, display)});
     return;
   }
   if (!array.is_complex()) {
-    sheet.columns.push_back({array.name, array.unit, array.real_numbers(), {}});
-    if (array.name == "angular_frequency") {
-      std::vector<double> hertz = array.real_numbers();
-      for (double& value : hertz) value /= foundation::two_pi;
-      sheet.columns.push_back({"frequency", "Hz", std::move(hertz), {}});
-    }
+    add_real_column(array, group, display, sheet);
     return;
   }
-  SheetColumn amplitude{array.name + " amplitude", array.unit, {}, {}}, phase{array.name + " phase", "°", {}, {}};
+  const DisplayUnit unit = results::amplitude_unit(display, array.unit);
+  SheetColumn amplitude{array.name + " amplitude", unit.label(), {}, {}}, phase{array.name + " phase", "°", {}, {}};
   for (const std::complex<double>& value : array.complex_numbers()) {
-    amplitude.numbers.push_back(std::abs(value));
+    amplitude.numbers.push_back(std::abs(value) * unit.factor);
     phase.numbers.push_back(std::arg(value) * 360 / foundation::two_pi);
   }
   sheet.columns.push_back(std::move(amplitude));
@@ -87,8 +133,8 @@ void add_matrix(const LabelledArray& array, const LabelledArrays& all, Sheet& sh
 bool is_charted(const std::string& axis) { return axis == "angular_frequency" || axis == "time" || axis == "speed"; }
 
 /// One sheet for each axis of a group; phases of a response are beside its amplitudes.
-void add_sheets(const Group& group, std::set<std::string>& used, std::vector<Sheet>& sheets,
-                std::vector<std::string>& lost) {
+void add_sheets(const Group& group, const project::ShownUnits& display, std::set<std::string>& used,
+                std::vector<Sheet>& sheets, std::vector<std::string>& lost) {
   std::vector<std::pair<std::string, Sheet>> by_axis;
   for (const LabelledArray& array : group.arrays.list()) {
     if (array.axes.empty() || array.axes.size() > 2 || (array.axes.size() == 2 && array.is_complex())) {
@@ -105,7 +151,7 @@ void add_sheets(const Group& group, std::set<std::string>& used, std::vector<She
       by_axis.push_back({array.axes[0], {}});
       found = by_axis.end() - 1;
     }
-    if (array.axes.size() == 1) add_column(array, found->second);
+    if (array.axes.size() == 1) add_column(array, group, display, found->second);
     else add_matrix(array, group.arrays, found->second);
   }
   for (auto& [axis, sheet] : by_axis) {
@@ -150,10 +196,11 @@ void add_verdict(const Content& content, std::set<std::string>& used, std::vecto
   for (const study::CaseVerdict& judged : verdict.cases)
     for (const study::RequirementResult& result : judged.results) {
       sheet.columns[0].texts.push_back(judged.case_name.empty() ? "base model" : judged.case_name);
-      sheet.columns[1].texts.push_back(result.words);
-      sheet.columns[2].texts.push_back(result.unit);
-      sheet.columns[3].numbers.push_back(result.allowed);
-      sheet.columns[4].numbers.push_back(result.value.value_or(results::nothing));
+      const DisplayUnit unit = results::requirement_unit(result, judged.display);
+      sheet.columns[1].texts.push_back(results::requirement_words(result, judged.display));
+      sheet.columns[2].texts.push_back(unit.label());
+      sheet.columns[3].numbers.push_back(result.allowed * unit.factor);
+      sheet.columns[4].numbers.push_back(result.value.value_or(results::nothing) * unit.factor);
       sheet.columns[5].numbers.push_back(result.margin);
       sheet.columns[6].texts.emplace_back(result.met() ? "met" : "NOT MET");
     }
@@ -245,7 +292,8 @@ std::vector<std::string> write_excel(const Content& content, const Target& targe
   std::vector<Sheet> sheets = {input_sheet(content, used)};
   std::vector<std::string> lost;
   add_verdict(content, used, sheets);
-  for (const Group& group : content.groups) add_sheets(group, used, sheets, lost);
+  for (const Group& group : content.groups)
+    add_sheets(group, group.name == "matrices" ? project::ShownUnits() : content.variant.display, used, sheets, lost);
   const std::string path = target.path().string();
   lxw_workbook* const book = workbook_new(path.c_str());
   if (!book) throw std::runtime_error(fmt::format("cannot write {}", path));

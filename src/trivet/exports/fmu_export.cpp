@@ -11,30 +11,22 @@
 namespace trivet::exports {
 namespace {
 
-std::vector<Signal> signals(const std::vector<study::Signal>& given, const std::string& before) {
-  std::vector<Signal> all;
-  for (const study::Signal& signal : given)
-    all.push_back({before + signal.name, signal.unit == "1" ? "" : signal.unit, "", 1});
-  return all;
+/// The results that the file asks for in time, else those of its response, else all coordinates.
+project::AnswerSelection outputs(const project::Analyses& asked) {
+  if (const auto found = asked.questions.find("transient"); found != asked.questions.end())
+    return found->second->selection;
+  return asked.response ? asked.response->selection : project::AnswerSelection();
 }
 
 /// States have names of their own: "state.machine.x" beside the output "machine.x".
-LinearSystem with_names(const study::LinearSystem& system, const Content& content) {
-  LinearSystem named;
-  named.title = content.project.title.empty() ? content.words() : content.project.title;
-  named.states = signals(system.states, "state.");
-  named.inputs = signals(system.inputs, "");
-  named.outputs = signals(system.outputs, "");
-  named.A = system.A;
-  named.B = system.B;
-  named.C = system.C;
-  named.D = system.D;
-  return named;
+LinearSystem with_names(LinearSystem system, const Content& content) {
+  system.title = content.project.title.empty() ? content.words() : content.project.title;
+  for (Signal& state : system.states) state.name = "state." + state.name;
+  return system;
 }
 
 std::string unit_of_case(const Content& content, FmiVersion version, std::vector<std::string>& notes) {
-  const auto& response = content.variant.analyses.response;
-  const project::AnswerSelection wanted = response ? response->selection : project::AnswerSelection();
+  const project::AnswerSelection wanted = outputs(content.variant.analyses);
   study::LinearSystem system = study::linear_system(content.variant, wanted.of, wanted.quantity, true);
   if (system.inputs.empty())
     throw foundation::NotComputable(

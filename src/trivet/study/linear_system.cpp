@@ -114,12 +114,14 @@ void add_inputs(const Port& port, const InputMatrix& on_states, const Eigen::Mat
   }
 }
 
+constexpr double typical_displacement = 1e-3, typical_velocity = 0.1;  // [m], [rad]; [m/s], [rad/s]
+
 /// States q and q̇ in place of others, where all coordinates have mass.
 void take_physical_states(const response::StateSpace& space, const std::vector<Signal>& coordinates,
                           LinearSystem& system) {
   const Eigen::Index n = to_index(coordinates.size());
   if (space.size() != 2 * n) {
-    for (Eigen::Index i = 0; i < space.size(); ++i) system.states.push_back({fmt::format("state {}", i + 1), "1"});
+    for (Eigen::Index i = 0; i < space.size(); ++i) system.states.push_back({fmt::format("state {}", i + 1), ""});
     return;
   }
   Eigen::MatrixXd to_states(2 * n, 2 * n);
@@ -136,9 +138,9 @@ void take_physical_states(const response::StateSpace& space, const std::vector<S
   system.C = system.C * to_states;
   for (const bool velocity : {false, true})
     for (Eigen::Index i = 0; i < n; ++i) {
-      const auto& [name, unit] = coordinates[to_size(i)];
-      if (velocity) system.states.push_back({name + ".velocity", unit + "/s"});
-      else system.states.push_back({name, unit});
+      const std::string &name = coordinates[to_size(i)].name, &unit = coordinates[to_size(i)].unit;
+      if (velocity) system.states.push_back({name + ".velocity", unit.empty() ? "1/s" : unit + "/s", "", typical_velocity});
+      else system.states.push_back({name, unit, "", typical_displacement});
     }
 }
 
@@ -172,11 +174,11 @@ LinearSystem linear_system(const project::Case& variant, const std::vector<std::
     add_inputs(all[c], space.G(c),
                rows.on_input.middleCols(to_index(c) * response::input_derivatives, response::input_derivatives),
                system);
-  for (const assembly::Channel& channel : channels) system.outputs.push_back({channel.name, channel.unit});
+  for (const assembly::Channel& channel : channels) system.outputs.push_back({channel.name, channel.unit == "1" ? "" : channel.unit});
   const std::vector<std::string> names = row_names(variant.system, assembled),
                                  units = row_units(variant.system, assembled);
   std::vector<Signal> coordinates;
-  for (std::size_t i = 0; i < names.size(); ++i) coordinates.push_back({names[i], units[i]});
+  for (std::size_t i = 0; i < names.size(); ++i) coordinates.push_back({names[i], units[i] == "1" ? "" : units[i]});
   take_physical_states(space, coordinates, system);
   return system;
 }

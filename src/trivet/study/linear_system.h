@@ -10,9 +10,12 @@
 
 namespace trivet::study {
 
+/// A state, an input or an output.
 struct Signal {
   std::string name;
-  std::string unit;  ///< SI; "1" for a pure number
+  std::string unit;              ///< coherent SI: "m", "rad/s", "N m", "m/s²"; empty for a pure number
+  std::string description = {};  ///< may be empty
+  double nominal = 1;            ///< typical size, > 0, in this unit; integrators take their tolerances from it
 };
 
 /// ẋ = A x + B u, y = C x + D u of a case, for control design and simulators.
@@ -23,9 +26,14 @@ struct Signal {
 /// caller. States are displacements and velocities of the free coordinates, or combinations of them where coordinates
 /// have no mass.
 struct LinearSystem {
+  std::string title;
   std::vector<Signal> states, inputs, outputs;
-  Eigen::MatrixXd A, B, C, D;
-  foundation::Problems warnings;
+  Eigen::MatrixXd A;              ///< n × n
+  Eigen::MatrixXd B;              ///< n × m
+  Eigen::MatrixXd C;              ///< p × n
+  Eigen::MatrixXd D;              ///< p × m
+  Eigen::VectorXd initial = {};   ///< states at the start, n; zero if it is empty
+  foundation::Problems warnings = {};
 };
 
 /// @param of  outputs, as in `response`  @param quantity  of the motions among them

@@ -52,6 +52,7 @@ TEST(UniversalText, MayHaveNumbersWithoutBlanksInColumns) {
 
 TEST(UniversalText, MayHaveAnyNumberOfValuesPerLineAndZerosAfterTheLast) {
   expect_four_numbers(universal({.values = "1\n-2\n\n3 4\n"}));
+  expect_four_numbers(universal({.values = "            1.0\n           -2.0\n            3.0\n            4.0\n"}));
   const std::string filled = universal({.values = "1. -2. 3. 4. 0. 0.\n"});
   expect_four_numbers(filled);
   EXPECT_THAT(warnings(filled), HasSubstr("2 zeros too many"));
@@ -76,6 +77,10 @@ TEST(UniversalText, MayHaveALongNameOfAnEntity) {
   EXPECT_EQ(function_of(shifted).response.node, 12);
   EXPECT_EQ(function_of(shifted).reference.direction, 3);
   EXPECT_THAT(warnings(shifted), HasSubstr("read by the blanks between them"));
+  const std::string node_in_wrong_columns =
+      universal({.place = "    4        25    1         0 PF-I-0301y1         2   3 NONE               7   3"});
+  EXPECT_EQ(function_of(node_in_wrong_columns).response.node, 2);
+  EXPECT_EQ(function_of(node_in_wrong_columns).reference.node, 7);
   const std::string name_of_two_words =
       universal({.place = "    4         1    0         0 MOTOR  1          12  -3 RIG                7   3"});
   EXPECT_EQ(function_of(name_of_two_words).response.entity, "MOTOR  1");
@@ -87,6 +92,10 @@ TEST(UniversalText, MayHaveTextsInOtherAlphabets) {
       function_of(universal({.numerator = "         8    0    0    0 Größe µm²            mm"}));
   EXPECT_EQ(utf8.numerator.label, "Größe µm²");
   EXPECT_EQ(utf8.numerator.unit, "mm");
+  const UniversalFunction full =
+      function_of(universal({.numerator = "         8    0    0    0 Größe der Höhe x y z mm"}));
+  EXPECT_EQ(full.numerator.label, "Größe der Höhe x y z");
+  EXPECT_EQ(full.numerator.unit, "mm");
   const UniversalFunction latin = function_of(universal({.ids = "Gr\xF6\xDF"
                                                                 "e\tA\nNONE\nNONE\nNONE\nNONE\n"}));
   EXPECT_EQ(latin.ids[0], "Größe A");
@@ -112,6 +121,12 @@ TEST(UniversalSets, MayLackADelimiter) {
   const std::string nodes = "    -1\n    15\n         1         0         0         0  1.0  2.0  3.0\n";
   EXPECT_EQ(content(nodes).nodes.size(), 1u);
   EXPECT_THAT(warnings(nodes), HasSubstr("was the file cut off?"));
+}
+
+TEST(UniversalSets, OfOtherTypesEndWithADelimiterLikeTheirFirst) {
+  const std::string text = "   -1\n    18\n      -1\nx\n   -1\n" + universal({});
+  EXPECT_EQ(content(text).functions.size(), 1u);
+  EXPECT_THAT(warnings(text), HasSubstr("f:5: warning: set 1 (type 18), delimiter"));
 }
 
 TEST(UniversalSets, OfOtherTypesAndCommentsAreIgnoredWithOneWarningEach) {
@@ -192,11 +207,11 @@ TEST(UniversalBinary, MayHaveUpperCaseInItsType) {
   EXPECT_THAT(warnings(binary(type, "    -1\n", bytes_of<double>(four_numbers))), HasSubstr("read as 58b"));
 }
 
-TEST(UniversalBinary, HasDecimalAbscissasInSinglePrecision) {
+TEST(UniversalBinary, HasAbscissasInSinglePrecision) {
   const std::string text = universal({.type = binary_type(1, 2, 24),
                                       .form = "         5         2         0          0.0          0.0          0.0",
                                       .values = bytes_of<float>({10.1, 1, 2, 33.3, 3, 4})});
-  EXPECT_THAT(abscissa_values(function_of(text)), ElementsAre(10.1, 33.3));
+  EXPECT_THAT(abscissa_values(function_of(text)), ElementsAre(10.1f, 33.3f));
 }
 
 struct WrongFile {

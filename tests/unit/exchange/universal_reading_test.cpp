@@ -56,10 +56,11 @@ TEST(UniversalFiles, OfOtherProgramsAreReadInAllForms) {
     const char* name;
     bool even;
     double unit, tolerance;
+    bool single_abscissa = false;
   } files[] = {{"without_blanks.unv", true, -1, round_off},
                {"line_end_before_delimiter.unv", true, 1, single_precision},
                {"big_endian_wrong_bytes.unv", true, 1, round_off},
-               {"uneven_single_abscissa.unv", false, 1, round_off},
+               {"uneven_single_abscissa.unv", false, 1, round_off, true},
                {"uneven_double_abscissa.unv", false, 1, round_off},
                {"inch_units.unv", true, inch / pound_force, round_off},
                {"pyuff_text.unv", false, 1, round_off},
@@ -69,6 +70,8 @@ TEST(UniversalFiles, OfOtherProgramsAreReadInAllForms) {
     ASSERT_EQ(read.functions.size(), 1u) << file.name;
     expect_receptance(read.functions[0], file.unit, file.tolerance);
     if (file.even) EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(5, 5.5, 6, 6.5, 7, 7.5, 8));
+    else if (file.single_abscissa)
+      EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(1, 2.5, 4.25, 10.1f, 11, 30.7f, 99.9f));
     else EXPECT_THAT(abscissa_values(read.functions[0]), ElementsAre(1, 2.5, 4.25, 10.1, 11, 30.7, 99.9));
     EXPECT_EQ(read.functions[0].response.node, 12);
     EXPECT_EQ(read.functions[0].response.direction, -3);
@@ -216,7 +219,9 @@ TEST(UniversalUnits, FollowQuantityAndDirection) {
   EXPECT_THAT(si_of_one(1, 0, 0, acceleration, unused), DoubleEq(1e-3));  // a scalar by its powers
   EXPECT_THAT(si_of_one(1, 0, 0, displacement, unused), DoubleEq(1e-3));  // a scalar without powers
   EXPECT_THAT(si_of_one(0, 0, 0, general, unused), DoubleEq(1e-3));
-  EXPECT_THAT(si_of_one(6, 1, 2, acceleration, force), DoubleEq(1));  // coherence has no unit
+  bool in_file_units = true;
+  EXPECT_THAT(si_of_one(6, 1, 2, acceleration, unused, &in_file_units), DoubleEq(1));  // coherence has no unit
+  EXPECT_FALSE(in_file_units);
   EXPECT_THAT(si_of_one(5, 1, 2, acceleration, acceleration), DoubleEq(1));
 }
 

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/exports/part_tables.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "trivet/foundation/plain_text.h"
+#include "trivet/project/text/model_path.h"
+
+namespace trivet::exports {
+namespace {
+
+using project::Node;
+
+/// Cells of one row: key path and value, in the order of the file.
+using PartRow = std::vector<std::pair<std::string, Node>>;
+
+/// Flattens a value into cells. @returns the key of a value that no cell can hold; empty if all have one
+std::string add_cells(const std::string& key, const Node& value, PartRow& row) {
+  if (value.kind == Node::Kind::table) {
+    for (std::size_t i = 0; i < value.keys.size(); ++i)
+      if (const std::string bad = add_cells(key + "." + foundation::path_key(value.keys[i]), value.items[i], row);
+          !bad.empty())
+        return bad;
+    return "";
+  }
+  if (value.kind != Node::Kind::array) {
+    row.emplace_back(key, value);
+    return "";
+  }
+  constexpr std::array axes = {"x", "y", "z"};
+  const auto is_number = [](const Node& item) { return project::written_number(item).has_value(); };
+  if (value.items.size() != axes.size() || !std::all_of(value.items.begin(), value.items.end(), is_number)) return key;
+  for (std::size_t i = 0; i < axes.size(); ++i) row.emplace_back(key + "." + axes[i], value.items[i]);
+  return "";
+}
+
+std::string quoted_cell(const std::string& text) {
+  if (text.find_first_of(",;\t\"\n#") == std::string::npos && !text.empty()) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return cell + "\"";
+}
+
+/// A column of a table; its unit if all its values are numbers of one quantity with units.
+struct PartColumn {
+  std::string key;
+  std::optional<std::string> unit;
+};
+
+PartColumn column_of(const std::string& key, const std::vector<PartRow>& rows) {
+  PartColumn column{key, std::nullopt};
+  for (const PartRow& row : rows)
+    for (const auto& [cell, value] : row) {
+      if (cell != key) continue;
+      const auto number = project::written_number(value);
+      if (!number || !project::is_known_unit(number->unit)) return {key, std::nullopt};
+      if (!column.unit) column.unit = number->unit;
+      else if (!project::in_unit(*number, *column.unit)) return {key, std::nullopt};
+    }
+  return column;
+}
+
+std::string cell_text(const PartColumn& column, const PartRow& row) {
+  for (const auto& [key, value] : row) {
+    if (key != column.key) continue;
+    if (const auto number = project::written_number(value); number && column.unit)
+      return fmt::format("{}", *project::in_unit(*number, *column.unit));
+    if (value.kind == Node::Kind::boolean) return value.boolean ? "true" : "false";
+    return value.kind == Node::Kind::text ? quoted_cell(value.text) : fmt::format("{}", value.number);
+  }
+  return "";
+}
+
+std::string csv_of(const std::vector<PartRow>& rows) {
+  std::vector<PartColumn> columns;
+  for (const PartRow& row : rows)
+    for (const auto& cell : row)
+      if (std::none_of(columns.begin(), columns.end(), [&](const PartColumn& one) { return one.key == cell.first; }))
+        columns.push_back(column_of(cell.first, rows));
+  std::string text;
+  for (const PartColumn& column : columns)
+    text += (text.empty() ? "" : ",") +
+        quoted_cell(column.key + (column.unit && !column.unit->empty() ? " [" + *column.unit + "]" : ""));
+  text += "\n";
+  for (const PartRow& row : rows) {
+    std::string line;
+    for (std::size_t c = 0; c < columns.size(); ++c) line += (c > 0 ? "," : "") + cell_text(columns[c], row);
+    text += line + "\n";
+  }
+  return text;
+}
+
+Node text_node(const std::string& text) {
+  Node node;
+  node.kind = Node::Kind::text;
+  node.text = text;
+  return node;
+}
+
+void add_points(const std::string& body, const Node& points, std::vector<PartRow>& rows,
+                std::vector<std::string>& lost) {
+  for (std::size_t i = 0; i < points.keys.size(); ++i) {
+    PartRow row = {{"name", text_node(points.keys[i])}, {"on", text_node(body)}};
+    if (add_cells("at", points.items[i], row).empty()) rows.push_back(std::move(row));
+    else lost.push_back(fmt::format("point {} of {}: its place is no list of three numbers", points.keys[i], body));
+  }
+}
+
+}  // namespace
+
+std::vector<PartTable> part_tables(const Node& document, std::vector<std::string>& lost) {
+  std::vector<PartTable> tables;
+  std::vector<PartRow> points;
+  for (const char* kind : {"bodies", "nodes", "elements"}) {
+    const Node* parts = document.find(kind);
+    std::vector<PartRow> rows;
+    for (std::size_t i = 0; parts && i < parts->keys.size(); ++i) {
+      PartRow row = {{"name", text_node(parts->keys[i])}};
+      std::string bad;
+      for (std::size_t k = 0; k < parts->items[i].keys.size() && bad.empty(); ++k) {
+        const std::string& key = parts->items[i].keys[k];
+        if (key == "points" && std::string(kind) == "bodies") add_points(parts->keys[i], parts->items[i].items[k], points, lost);
+        else bad = add_cells(foundation::path_key(key), parts->items[i].items[k], row);
+      }
+      if (bad.empty()) rows.push_back(std::move(row));
+      else lost.push_back(fmt::format("{} {}: {} fits in no cell; keep it in the project file", kind, parts->keys[i], bad));
+    }
+    if (!rows.empty()) tables.push_back({kind, csv_of(rows)});
+  }
+  if (!points.empty()) tables.push_back({"points", csv_of(points)});
+  return tables;
+}
+
+}  // namespace trivet::exports
