@@ -103,6 +103,16 @@ Node text_node(const std::string& text) {
   return node;
 }
 
+/// If some elements stand on a body, the others name the ground.
+void name_the_ground(std::vector<PartRow>& rows) {
+  const auto has_from = [](const PartRow& row) {
+    return std::any_of(row.begin(), row.end(), [](const auto& cell) { return cell.first == "from"; });
+  };
+  if (std::none_of(rows.begin(), rows.end(), has_from)) return;
+  for (PartRow& row : rows)
+    if (!has_from(row)) row.emplace_back("from", text_node("ground"));
+}
+
 void add_points(const std::string& body, const Node& points, std::vector<PartRow>& rows,
                 std::vector<std::string>& lost) {
   for (std::size_t i = 0; i < points.keys.size(); ++i) {
@@ -131,6 +141,7 @@ std::vector<PartTable> part_tables(const Node& document, std::vector<std::string
       if (bad.empty()) rows.push_back(std::move(row));
       else lost.push_back(fmt::format("{} {}: {} fits in no cell; keep it in the project file", kind, parts->keys[i], bad));
     }
+    name_the_ground(rows);
     if (!rows.empty()) tables.push_back({kind, csv_of(rows)});
   }
   if (!points.empty()) tables.push_back({"points", csv_of(points)});

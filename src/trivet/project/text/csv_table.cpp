@@ -233,6 +233,15 @@ foundation::Expected<std::string> table_text(const std::filesystem::path& path) 
   return text;
 }
 
+/// Spreadsheets save empty cells right of a table, and empty rows below it.
+void drop_empty_end(std::size_t columns, std::vector<std::string>& row) {
+  while (row.size() > columns && row.back().empty()) row.pop_back();
+}
+
+bool is_empty(const std::vector<std::string>& row) {
+  return row.size() > 1 && std::all_of(row.begin(), row.end(), [](const std::string& cell) { return cell.empty(); });
+}
+
 }  // namespace
 
 foundation::Expected<CsvTable> read_csv_table(const std::filesystem::path& path, std::size_t most_rows) {
@@ -266,6 +275,8 @@ foundation::Expected<TextTable> read_text_table(const std::filesystem::path& pat
     }
     if (table.columns.empty()) separator = separator_of(content);
     auto row = cells(content, separator);
+    if (row) drop_empty_end(table.columns.empty() ? 1 : table.columns.size(), *row);
+    if (row && !table.columns.empty() && is_empty(*row)) continue;
     // `content` lacks the last tabs of a row with empty last cells.
     if (row && !table.columns.empty() && row->size() < table.columns.size() && (separator == '\t'))
       row->resize(table.columns.size());
