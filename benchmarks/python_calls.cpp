@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/study/answers.h"
 #include "trivet/study/asked_questions.h"
 #include "trivet/study/design_sweep.h"
 
@@ -48,12 +49,14 @@ int main(int count, char** words) {
     last = std::abs(study::answers(base, response.asked(base)).response->curves.curves.front().value(0));
   });
   study::SweepRequest request;
-  request.numbers = {{"elements." + base.system.elements().front().name + ".scale", spread(0.5, 2, 1000)},
-                     {"elements." + base.system.elements().front().name + ".damping.proportional", spread(0.02, 0.2, 1000)}};
+  request.numbers = {
+      {"elements." + base.system.elements().front().name + ".scale", spread(0.5, 2, 1000)},
+      {"elements." + base.system.elements().front().name + ".damping.proportional", spread(0.02, 0.2, 1000)}};
   double largest = 0;
   const double of_sweep = median_time(5, [&] { largest = study::design_sweep(base, request).highest.maxCoeff(); });
-  std::fputs(fmt::format("{{\"response\": {}, \"sweep\": {}, \"checks\": [{}, {}]}}\n", of_response, of_sweep, last, largest)
-                 .c_str(),
-             stdout);
+  std::fputs(
+      fmt::format("{{\"response\": {}, \"sweep\": {}, \"checks\": [{}, {}]}}\n", of_response, of_sweep, last, largest)
+          .c_str(),
+      stdout);
   return 0;
 }

@@ -54,6 +54,8 @@ started = [
 ]
 response = statistics.median(python / core["response"] for core, python, _ in rounds)
 rate = statistics.median(core["sweep"] / python for core, _, python in rounds)
-print(f"response of {len(project.matrices().coordinates)} coordinates: {1e3 * rounds[0][1]:.3f} ms, {response:.3f} × the C++ call (goal ≤ 1.2)")
+print(
+    f"response of {len(project.matrices().coordinates)} coordinates: {1e3 * rounds[0][1]:.3f} ms, {response:.3f} × the C++ call (goal ≤ 1.2)"
+)
 print(f"sweep of 1e6 designs: {rounds[0][2]:.3f} s, {rate:.2f} of the rate of the core (goal ≥ 0.8)")
 print(f"import trivet: {1e3 * statistics.median(started):.1f} ms beyond NumPy (goal ≤ 30)")

@@ -128,6 +128,7 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
+    ("docs/measurements.md", "Measured beside computed curves"): DRIVEN_FRAME,
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."
     + REQUIRED[1].partition("[cases.")[2],
@@ -158,6 +159,7 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
 """,
     (KEYS, "Element types"): GENSET,
     (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
+    (KEYS, "Units of tables and pictures"): FRAME + mounts("frame"),
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,
     (KEYS, "Flexible foundations"): FRAME + mounts("frame", ["hull", "hull", "deck", "measured"]),
     (KEYS, "Further analyses"): DRIVEN_FRAME,
@@ -169,6 +171,9 @@ NOT_A_PROJECT = {("docs/elements/catalogue.md", "Catalogues of mounts"): "maker.
 # Files that a part names: a text, or a path of a file with the contents.
 CONES = {"catalogue/cones.toml": SOURCE / "examples/genset/catalogue/cones.toml"}
 FILES = {
+    ("docs/measurements.md", "Measured beside computed curves"): {
+        "impact_test.uff": SOURCE / "tests/data/measured/seat.uff"
+    },
     ("docs/design.md", "Choices of mounts"): CONES,
     ("docs/design.md", "trivet select"): CONES,
     (KEYS, "Flexible foundations"): {"y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n"},

@@ -41,6 +41,9 @@ history = {half_sine = {amplitude = "10 g", duration = "11 ms"}}
 [limit_lines.severity]
 of = "device.z"
 rows = [[2, 1e-3], [40, 1e-3]]
+[measurements.shaker]
+file = "shaker.csv"
+force = "motor"
 [analyses]
 response = {band = ["2 Hz", "40 Hz"]}
 power = {band = ["2 Hz", "40 Hz"]}
@@ -48,6 +51,7 @@ shapes = {at = ["9 Hz"]}
 shock_spectrum = {band = ["5 Hz", "500 Hz"]}
 earthquake = {direction = "x", rows = [[0.02, 3], [0.1, 9], [0.5, 9], [2, 2]]}
 """
+MEASURED = "frequency [Hz],device.z re [m/N],device.z im [m/N]\n5,1e-5,-1e-6\n10,4e-5,-2e-5\n20,-2e-6,-1e-7\n"
 
 
 def trivet(*arguments, code=0):
@@ -57,9 +61,10 @@ def trivet(*arguments, code=0):
 
 
 def questions():
-    """All tables of [analyses] except the map and the search, and the limit lines; MACHINE or an example must contain each."""
+    """All tables of [analyses] except the map and the search, the limit lines and the measurements; MACHINE or an
+    example must contain each."""
     analyses = json.loads(trivet("schema").stdout)["properties"]["analyses"]["properties"]
-    return [*(name for name in analyses if name not in ("map", "optimize")), "limit_lines"]
+    return [*(name for name in analyses if name not in ("map", "optimize")), "limit_lines", "measurements"]
 
 
 QUESTIONS = questions()
@@ -72,6 +77,7 @@ class Questions(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.machine = self.folder / "machine.toml"
         self.machine.write_text(MACHINE)
+        (self.folder / "shaker.csv").write_text(MEASURED)
 
     def test_report_what_run_reports(self):
         met = set()
@@ -109,6 +115,7 @@ class Questions(unittest.TestCase):
             ("shock_spectrum", "band"),
             ("earthquake", "direction"),
             ("limit_lines", "[limit_lines.NAME]"),
+            ("measurements", "[measurements.NAME]"),
         ):
             said = trivet(question, bare, code=2).stderr
             self.assertIn(question + ": no", said)

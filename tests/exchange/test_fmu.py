@@ -35,7 +35,9 @@ def driven(program, with_text):
     text = program.path.read_text().replace("proportional = 5e-7", "proportional = 2e-4")
     head, rest = text.split("[excitations.shaft]")
     analyses = rest.split("[analyses]")[1].replace("peaks = {}", "")
-    analyses = analyses.replace('response = {band = ["1 Hz", "30 Hz"], of = ', 'transient = {from = 0, to = 0.3, step = 1e-4, of = ')
+    analyses = analyses.replace(
+        'response = {band = ["1 Hz", "30 Hz"], of = ', 'transient = {from = 0, to = 0.3, step = 1e-4, of = '
+    )
     return with_text(head + DRIVEN + "[analyses]" + analyses)
 
 
@@ -141,7 +143,11 @@ def test_model_exchange_is_the_transient(driven, tmp_path, to):
     """FMPy integrates from a displaced state without inputs; the program does the same by exact steps."""
     driven.export(to, tmp_path / "machine.fmu")
     text = driven.path.read_text().split("[excitations.push]")
-    free = text[0] + "[analyses]" + text[1].split("[analyses]")[1].replace("to = 0.3", 'to = 0.3, initial_displacement = {"raft.z" = 1e-3}')
+    free = (
+        text[0]
+        + "[analyses]"
+        + text[1].split("[analyses]")[1].replace("to = 0.3", 'to = 0.3, initial_displacement = {"raft.z" = 1e-3}')
+    )
     driven.path.write_text(free)
     expected = curve(transient(driven), "pump 1.z")
     driven.path.write_text(text[0] + "[excitations.push]" + text[1])

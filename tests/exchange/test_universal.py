@@ -22,7 +22,9 @@ def recomputed(program, hertz) -> dict[str, np.ndarray]:
     """The response of the program at the frequencies of the file, per newton."""
     found = program.json("response", "--at", ",".join(repr(float(2 * np.pi * f)) for f in hertz))
     curves = {one["name"]: np.array(one["complex"]) for one in found["results"]}
-    return {name: (c[..., 0] + 1j * c[..., 1] if c.ndim == 2 else c[::2] + 1j * c[1::2]) / 25 for name, c in curves.items()}
+    return {
+        name: (c[..., 0] + 1j * c[..., 1] if c.ndim == 2 else c[::2] + 1j * c[1::2]) / 25 for name, c in curves.items()
+    }
 
 
 @pytest.mark.parametrize(("to", "digits"), [("universal", 1e-11), ("universal_binary", 1e-6)])

@@ -73,6 +73,7 @@ def test_tables_have_all_digits(machine):
         ("genset/genset.toml", "shapes"),
         ("optical_table/table.toml", "transmissibility"),
         ("genset/genset.toml", "limit_lines"),
+        ("measured_response/machine.toml", "measurements"),
         ("paper/map.toml", "map"),
         ("powertrain/decoupled.toml", "optimize"),
     ],

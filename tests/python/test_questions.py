@@ -23,6 +23,7 @@ ASKED_IN = {
     "shapes": "genset/genset.toml",
     "transmissibility": "optical_table/table.toml",
     "limit_lines": "genset/genset.toml",
+    "measurements": "measured_response/machine.toml",
     "static": "genset/load_cases.toml",
 }
 

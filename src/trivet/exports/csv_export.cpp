@@ -24,7 +24,12 @@ std::vector<std::string> write_csv(const Content& content, const Target& target)
 
 }  // namespace
 
-const Format csv_format = {"csv",    "folder with the CSV tables of the answers, and bodies, elements and points as tables that a file reads", Target::Kind::folder, {}, false,
-                           write_csv};
+const Format csv_format = {
+    "csv",
+    "folder with the CSV tables of the answers, and bodies, elements and points as tables that a file reads",
+    Target::Kind::folder,
+    {},
+    false,
+    write_csv};
 
 }  // namespace trivet::exports

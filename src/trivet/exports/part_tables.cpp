@@ -135,11 +135,14 @@ std::vector<PartTable> part_tables(const Node& document, std::vector<std::string
       std::string bad;
       for (std::size_t k = 0; k < parts->items[i].keys.size() && bad.empty(); ++k) {
         const std::string& key = parts->items[i].keys[k];
-        if (key == "points" && std::string(kind) == "bodies") add_points(parts->keys[i], parts->items[i].items[k], points, lost);
+        if (key == "points" && std::string(kind) == "bodies")
+          add_points(parts->keys[i], parts->items[i].items[k], points, lost);
         else bad = add_cells(foundation::path_key(key), parts->items[i].items[k], row);
       }
       if (bad.empty()) rows.push_back(std::move(row));
-      else lost.push_back(fmt::format("{} {}: {} fits in no cell; keep it in the project file", kind, parts->keys[i], bad));
+      else
+        lost.push_back(
+            fmt::format("{} {}: {} fits in no cell; keep it in the project file", kind, parts->keys[i], bad));
     }
     name_the_ground(rows);
     if (!rows.empty()) tables.push_back({kind, csv_of(rows)});

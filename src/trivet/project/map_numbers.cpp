@@ -58,7 +58,8 @@ Node changed(const DesignAxis& axis, double value) { return ModelNumber(axis).ch
 }  // namespace
 
 Node without_questions(Node document) {
-  for (const char* question : {"analyses", "limits", "limit_lines", "requirements", "parameters", "cases"})
+  for (const char* question :
+       {"analyses", "limits", "limit_lines", "measurements", "requirements", "parameters", "cases"})
     if (const auto at = std::find(document.keys.begin(), document.keys.end(), question); at != document.keys.end()) {
       document.items.erase(document.items.begin() + (at - document.keys.begin()));
       document.keys.erase(at);

@@ -13,10 +13,12 @@
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/project/analyses/requirements_reader.h"
 #include "trivet/project/body_reader.h"
+#include "trivet/project/display_reader.h"
 #include "trivet/project/elements/element_reader.h"
 #include "trivet/project/excitations/excitation_reader.h"
 #include "trivet/project/foundation_reader.h"
 #include "trivet/project/map_numbers.h"
+#include "trivet/project/measurements_reader.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/mount_choices.h"
 #include "trivet/project/node_reader.h"
@@ -117,7 +119,9 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   read_observations(root, description, in_file);
   for (const auto& adjust : in_file.adjustments) adjust(description);
   Analyses analyses = read_analyses(root, in_file);
+  read_measurements(root, description, in_file, analyses);
   analyses.choices = read_mount_choices(root, written);
+  const ShownUnits display = read_display(root);
   root.also_known({"cases", "accept", "element_types", "tables"});
   root.finish();
 
@@ -158,7 +162,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   all.sort_by_origin();
   problems.add(all);
   if (!good || !system) return std::nullopt;
-  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), written, document};
+  return Case{name, {}, std::move(*system), std::move(analyses), std::move(all), written, document, display};
 }
 
 /// Adds the suspicions of a case to its warnings, except those accepted, and the error of clearances without rest.

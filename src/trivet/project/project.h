@@ -9,6 +9,7 @@
 #include "trivet/model/system.h"
 #include "trivet/project/analyses/analyses.h"
 #include "trivet/project/text/document.h"
+#include "trivet/project/text/shown_units.h"
 
 namespace trivet::project {
 
@@ -21,6 +22,7 @@ struct Case {
   foundation::Problems warnings;  ///< of reading and checking, with their places
   Node written;                   ///< the file with the changes applied
   Node document;                  ///< `written` with the element types merged in: the input of the model
+  ShownUnits display;             ///< of its tables and pictures
 };
 
 /// A project file that passed every check, in all its cases.

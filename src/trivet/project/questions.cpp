@@ -25,6 +25,7 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
       {"map", [](Analyses& a) { a.map.reset(); }},
       {"limits", [](Analyses& a) { a.limits.clear(); }},
       {"limit_lines", [](Analyses& a) { a.limit_lines.clear(); }},
+      {"measurements", [](Analyses& a) { a.measurements.clear(); }},
       {"requirements", [](Analyses& a) { a.requirements.reset(); }},
       {"parameters", [](Analyses& a) { a.parameters.clear(); }},
       {"optimize", [](Analyses& a) { a.optimize.reset(); }},
@@ -36,7 +37,8 @@ const std::vector<std::pair<std::string, std::function<void(Analyses&)>>>& remov
 /// itself; empty for a part of the model.
 std::string question_of(const std::string& subject) {
   std::string first = subject.substr(0, subject.find('.'));
-  if (first == "limits" || first == "limit_lines" || first == "requirements" || first == "parameters") return first;
+  for (const char* table : {"limits", "limit_lines", "measurements", "requirements", "parameters"})
+    if (first == table) return first;
   if (first != "analyses") return "";
   if (subject == first) return first;
   const std::size_t from = first.size() + 1;
@@ -60,6 +62,8 @@ class UsedExcitationCollector {
     };
     add_request(a.response, harmonic);
     add_request(a.peaks, harmonic);
+    for (const auto& measurement : a.measurements)
+      if (!measurement->excitation.empty()) used_.names.insert(measurement->excitation);
     for (const QuestionReader& reader : question_readers())
       if (const Question* question = a.find<Question>(reader.name)) add_question(*question, reader.drive);
     if (a.requirements) add_requirements(*a.requirements);

@@ -35,6 +35,9 @@ namespace trivet::report {
 /// Answers with their limit lines, exceeded bands shaded.
 [[nodiscard]] std::vector<Figure> limit_figures(const study::Answers& answers);
 
+/// Measured amplitudes and phases over the computed ones.
+[[nodiscard]] std::vector<Figure> measurement_figures(const study::Answers& answers);
+
 /// Operating deflection shapes in three views and an isometric one, at rest and at the largest excursion.
 [[nodiscard]] std::vector<Figure> shape_figures(const study::Answers& answers);
 

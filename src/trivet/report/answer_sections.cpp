@@ -15,7 +15,7 @@ namespace {
 std::string shown(std::string html, const std::vector<Figure>& figures) {
   for (const Figure& figure : figures)
     html += "<figure><div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + escaped(figure.title) +
-        "\">" + figure.svg + "</div></figure>\n";
+        "\">" + figure.html() + "</div></figure>\n";
   return html;
 }
 
@@ -40,6 +40,7 @@ const std::vector<Shown>& all_shown() {
       {"Shock response spectrum", shock_table, {shock_figures}},
       {"Earthquake", earthquake_tables, {}},
       {"Limit lines", limit_line_table, {limit_figures}},
+      {"Measurements", measurement_tables, {measurement_figures}},
       {"Operating shapes", nullptr, {shape_figures}},
       {"Load sharing", load_sharing_table, {}},
   };

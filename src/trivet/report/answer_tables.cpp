@@ -22,7 +22,6 @@ namespace trivet::report {
 namespace {
 
 using foundation::rpm_per_rad_s;
-using foundation::two_pi;
 
 std::string remark(const response::RandomAnswer& answer) { return answer.vanishes ? "below round-off" : answer.reason; }
 
@@ -51,7 +50,7 @@ std::string random_table(const study::Answers& answers) {
   std::vector<std::vector<Cell>> rows;
   for (const response::RandomAnswer& a : random.response.answers) {
     const auto bounded_cell = [&](const std::optional<double>& value, bool infinite, const std::string& unit) {
-      return value ? quantity_cell(*value, unit) : right(infinite ? "∞" : "–");
+      return value ? quantity_cell(*value, results::display_unit(answers.display, unit)) : right(infinite ? "∞" : "–");
     };
     std::vector<Cell> row = {{a.name},
                              bounded_cell(a.rms, a.infinite_rms, a.unit),
@@ -66,10 +65,11 @@ std::string random_table(const study::Answers& answers) {
   }
   const bool by_poles = random.response.method == response::RandomMethod::poles;
   return html_table(headings, rows) +
-      hint(fmt::format("RMS values over {:.4g} … {:.4g} Hz, {}.{}", random.response.from / two_pi,
-                       random.response.to / two_pi,
-                       by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
-                       random.response.remark.empty() ? "" : " " + random.response.remark));
+      hint(fmt::format(
+          "RMS values over {:.4g} … {:.4g} {}, {}.{}", results::shown_frequency(answers.display, random.response.from),
+          results::shown_frequency(answers.display, random.response.to), results::frequency_unit(answers.display),
+          by_poles ? "integrated in closed form over the poles" : "by quadrature with controlled error",
+          random.response.remark.empty() ? "" : " " + random.response.remark));
 }
 
 std::string transient_table(const study::Answers& answers) {
@@ -77,16 +77,17 @@ std::string transient_table(const study::Answers& answers) {
   if (!transient) return "";
   std::vector<std::vector<Cell>> rows;
   for (const response::TimeCurve& c : transient->response.curves) {
+    const results::DisplayUnit unit = results::display_unit(answers.display, c.unit);
     if (is_round_off(transient->response, c)) {
       rows.push_back({{c.name}, right("≈ 0"), right("–"), right("≈ 0"), right("–"), right("≈ 0")});
       continue;
     }
     rows.push_back({{c.name},
-                    quantity_cell(c.largest.value, c.unit),
+                    quantity_cell(c.largest.value, unit),
                     quantity_cell(c.largest.time, "s"),
-                    quantity_cell(c.smallest.value, c.unit),
+                    quantity_cell(c.smallest.value, unit),
                     quantity_cell(c.smallest.time, "s"),
-                    quantity_cell(c.rms, c.unit)});
+                    quantity_cell(c.rms, unit)});
   }
   return html_table(
              {{"result"}, right("largest"), right("at"), right("smallest"), right("at"), right("rms over the time")},
@@ -107,8 +108,8 @@ std::string run_up_tables(const study::Answers& answers) {
     rows.push_back({{curve.name},
                     number_cell(c.order),
                     number_cell(c.speed * rpm_per_rad_s, 5),
-                    hertz_cell(c.angular_frequency),
-                    quantity_cell(c.amplitude, curve.unit),
+                    frequency_cell(c.angular_frequency, answers.display),
+                    quantity_cell(c.amplitude, results::amplitude_unit(answers.display, curve.unit)),
                     percent_cell(c.relative_height),
                     right(c.nearest_mode ? std::to_string(*c.nearest_mode) : "–")});
   }
@@ -117,13 +118,13 @@ std::string run_up_tables(const study::Answers& answers) {
     points.push_back({right(p.mode ? std::to_string(*p.mode) : "–"),
                       number_cell(p.order),
                       number_cell(p.speed * rpm_per_rad_s, 5),
-                      hertz_cell(p.angular_frequency),
+                      frequency_cell(p.angular_frequency, answers.display),
                       p.modal_force_share ? percent_cell(*p.modal_force_share) : right("–"),
                       {p.excited ? "yes" : "no"}});
   return html_table({{"result"},
                      right("order"),
                      right("critical speed [rpm]"),
-                     right("f [Hz]"),
+                     frequency_cell_heading("f", answers.display),
                      right("amplitude"),
                      right("of its highest"),
                      right("nearest mode")},
@@ -133,7 +134,7 @@ std::string run_up_tables(const study::Answers& answers) {
              html_table({right("mode"),
                          right("order"),
                          right("speed [rpm]"),
-                         right("f [Hz]"),
+                         frequency_cell_heading("f", answers.display),
                          right("modal force share"),
                          {"excited"}},
                         points));
@@ -151,12 +152,13 @@ std::string transmissibility_table(const study::Answers& answers) {
         std::find_if(t.peaks.curves.begin(), t.peaks.curves.end(), [&](const auto& s) { return s.name == c.name; });
     row.push_back(summary == t.peaks.curves.end() ? right("–")
                                                   : number_cell(response::transmissibility_level(summary->highest)));
-    row.push_back(summary == t.peaks.curves.end() ? right("–") : hertz_cell(summary->highest_at));
+    row.push_back(summary == t.peaks.curves.end() ? right("–") : frequency_cell(summary->highest_at, answers.display));
     const bool known = i < t.crossovers.size() && t.crossovers[i].angular_frequency;
-    row.push_back(t.is_share(i)                                 ? right("–")
-                      : !known                                  ? right("none")
-                      : *t.crossovers[i].angular_frequency == 0 ? right("everywhere")
-                                                                : hertz_cell(*t.crossovers[i].angular_frequency));
+    row.push_back(t.is_share(i) ? right("–")
+                      : !known  ? right("none")
+                      : *t.crossovers[i].angular_frequency == 0
+                      ? right("everywhere")
+                      : frequency_cell(*t.crossovers[i].angular_frequency, answers.display));
     const double last = c.value.size() > 0 ? std::abs(c.value(c.value.size() - 1)) : 0;
     row.push_back(number_cell(response::transmissibility_level(last)));
     row.push_back(t.is_share(i) ? right("–") : percent_cell(response::isolation_efficiency(last)));
@@ -164,12 +166,13 @@ std::string transmissibility_table(const study::Answers& answers) {
   }
   const std::string end = t.curves.angular_frequency.empty()
       ? ""
-      : fmt::format(" at {:.4g} Hz", t.curves.angular_frequency.back() / two_pi);
+      : fmt::format(" at {:.4g} {}", results::shown_frequency(answers.display, t.curves.angular_frequency.back()),
+                    results::frequency_unit(answers.display));
   return "<p>" + escaped(t.words) + "</p>\n" +
       html_table({{"result"},
                   right("highest [dB]"),
-                  right("at [Hz]"),
-                  right("isolates above [Hz]"),
+                  frequency_cell_heading("at", answers.display),
+                  frequency_cell_heading("isolates above", answers.display),
                   right("level" + end + " [dB]"),
                   right("isolation efficiency there")},
                  rows);
@@ -185,7 +188,7 @@ std::string power_table(const study::Answers& answers) {
                  fed = p.by_forces(at) + std::max(p.by_ground(at), 0.0);
     return std::vector<Cell>{{name},
                              quantity_cell(most, "W"),
-                             hertz_cell(p.angular_frequency[to_size(at)]),
+                             frequency_cell(p.angular_frequency[to_size(at)], answers.display),
                              total > 0 && most > 0 ? percent_cell(most / total) : right("–"),
                              quantity_cell(fed, "W")};
   };
@@ -195,7 +198,7 @@ std::string power_table(const study::Answers& answers) {
   rows.push_back(row("all mounts", p.into_ground_in_total));
   return html_table({{"mount"},
                      right("largest power into the ground"),
-                     right("at [Hz]"),
+                     frequency_cell_heading("at", answers.display),
                      right("share of all mounts"),
                      right("input power there")},
                     rows) +

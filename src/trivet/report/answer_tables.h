@@ -31,6 +31,9 @@ namespace trivet::report {
 /// Least margins and exceeded bands.
 [[nodiscard]] std::string limit_line_table(const study::Answers& answers);
 
+/// Differences of measured and computed curves, peaks and mode shapes.
+[[nodiscard]] std::string measurement_tables(const study::Answers& answers);
+
 /// Governing rules of a map, its best design, and the verdict on every case.
 [[nodiscard]] std::string map_tables(const study::Answers& answers);
 

@@ -77,4 +77,9 @@ UnitPrefix unit_prefix(double largest, const std::string& unit) {
   return {std::pow(10.0, -3 * n), names[n + 3] + unit};
 }
 
+UnitPrefix unit_prefix(double largest, const results::DisplayUnit& unit) {
+  const UnitPrefix prefix = unit.si ? unit_prefix(largest * unit.factor, unit.unit) : UnitPrefix{1, unit.unit};
+  return {prefix.factor * unit.factor, prefix.unit + unit.level};
+}
+
 }  // namespace trivet::report

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/shown_numbers.h"
+
 namespace trivet::report {
 
 struct Tick {
@@ -28,5 +30,7 @@ struct UnitPrefix {
   std::string unit;
 };
 [[nodiscard]] UnitPrefix unit_prefix(double largest, const std::string& unit);
+/// From SI numbers to shown ones; only SI units get a prefix.
+[[nodiscard]] UnitPrefix unit_prefix(double largest, const results::DisplayUnit& unit);
 
 }  // namespace trivet::report

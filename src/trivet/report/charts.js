@@ -5,7 +5,7 @@
 const view = {case: 0, ylog: false, xlog: false, hz: false, zoom: null, compare: '', hidden: new Set()};
 let charts = [];        // of the selected case
 let comparison = null;  // the chart of all cases
-const axisFactor = () => (view.hz ? 1 / TURN : 1);  // from rad/s to the unit of the frequency axes
+const axisFactor = () => (view.hz ? 1 / TURN : frequency?.factor ?? 1);  // from rad/s to the unit of the frequency axes
 const FEW_POINTS = 24;  // so few points of a response are drawn as dots, because the line between them shows little
 
 const byId = id => document.getElementById(id);
@@ -47,20 +47,23 @@ function ceilingOf(chart) {
   return 1000 * largestOf(chart.curves.map(c => commonTop(inRange(c, ...chart.band)))) || Infinity;
 }
 
+/// Is the amplitude axis logarithmic?
+const isLogarithmic = chart => view.ylog || chart.spiky;
 const shownCurves = chart => chart.curves.filter(c => !view.hidden.has(c.key));
 const limitsOf = chart => chart.limits ?? shownCurves(chart).flatMap(c => c.limits.map(l => ({...l, label: c.label})));
 
 /// Range of the amplitude axis: all shown curves and peaks, and limits near them.
 function amplitudeRange(chart) {
   const range = frequencyRange(chart), curves = shownCurves(chart), lines = curves.map(c => inRange(c, ...range));
+  const log = isLogarithmic(chart);
   const peaks = curves.flatMap(c => c.peaks).filter(p => inside(p, range));
   let largest = largestOf([...lines.map(line => largestOf(line.map(p => p[1]))), ...peaks.map(p => p.amplitude)]);
   if (peaks.some(p => p.unbounded))
-    largest = Math.min(largest, chart.ceiling, view.ylog ? Infinity : 2 * largestOf(lines.map(commonTop)) || Infinity);
-  const limits = limitsOf(chart).map(l => l.limit).filter(l => l <= largest * (view.ylog ? 100 : 3));
+    largest = Math.min(largest, chart.ceiling, log ? Infinity : 2 * largestOf(lines.map(commonTop)) || Infinity);
+  const limits = limitsOf(chart).map(l => l.limit).filter(l => l <= largest * (log ? 100 : 3));
   const top = Math.max(largest, ...limits);
-  if (!(top > 0)) return view.ylog ? [0.1, 1] : [0, 1];
-  if (!view.ylog) return [0, 1.06 * top];
+  if (!(top > 0)) return log ? [0.1, 1] : [0, 1];
+  if (!log) return [0, 1.06 * top];
   const alive = lines.map(line => line.map(p => p[1])).filter(values => largestOf(values) > 1e-9 * largest);
   const least = Math.max(smallestOf(alive.map(smallestOf)), 1e-8 * largest), from = Math.min(least / 1.6, top / 10);
   return [from, top * (top / from) ** 0.06];
@@ -158,11 +161,11 @@ function drawMarks(chart, u) {
 
 /// Data for uPlot: frequencies in the unit of the axis, then one list for each curve.
 function dataOf(chart) {
-  const factor = axisFactor(), missing = v => v === null || (view.ylog && !(v > 0));
+  const factor = axisFactor(), missing = v => v === null || (isLogarithmic(chart) && !(v > 0));
   const usable = v => (missing(v) ? null : Math.min(v, chart.ceiling));
   const values = c => (chart.phase ? c.phase : c.amplitude.map(usable));
   const lists = chart.curves.map(c => [c.omega.map(w => w * factor), values(c)]);
-  return chart === comparison ? uPlot.join(lists) : [lists[0][0], ...lists.map(list => list[1])];
+  return chart.joined ? uPlot.join(lists) : [lists[0][0], ...lists.map(list => list[1])];
 }
 
 /// Index of the point of a curve nearest to the cursor; a comparison has points that belong to other curves.
@@ -184,15 +187,15 @@ function axesOf(chart) {
   const logarithmic = {filter: (u, ticks) => ticks,
                        splits: (u, axis, from, to, step) => logarithmicTicks(from, to, step)};
   const labels = (ticks, log, room) => (log ? logarithmicLabels(ticks, room) : ticks.map(tick => number(tick, 8)));
-  const {quantity} = units[chart.unit], suited = u => multiple(u.scales.y.max, chart.unit);
-  const name = quantity.includes(' ') ? quantity : `${quantity} amplitude`;
-  const x = {...AXIS, label: view.hz ? 'f [Hz]' : 'ω [rad/s]', size: 24, space: 50,
+  const {quantity} = units[chart.unit], ylog = isLogarithmic(chart), suited = u => multiple(u.scales.y.max, chart.unit);
+  const name = level || quantity.includes(' ') ? quantity : `${quantity} amplitude`;
+  const x = {...AXIS, label: view.hz ? 'f [Hz]' : frequency?.label ?? 'ω [rad/s]', size: 24, space: 50,
              values: (u, ticks) => labels(ticks, view.xlog, u.width / 50),
              ...(view.xlog ? logarithmic : {})};
   const angles = {...AXIS, label: 'phase [°]', size: 50, space: 22, incrs: [45, 90, 180, 360, 720, 1440, 3600, 14400]};
-  const amplitudes = {...AXIS, label: u => `${name} [${suited(u).unit}]`, size: 50, space: view.ylog ? 20 : 30,
-                      values: (u, ticks) => labels(ticks.map(v => v * suited(u).factor), view.ylog, chart.height / 25),
-                      ...(view.ylog ? logarithmic : {})};
+  const amplitudes = {...AXIS, label: u => `${name} [${suited(u).unit}]`, size: 50, space: ylog ? 20 : 30,
+                      values: (u, ticks) => labels(ticks.map(v => v * suited(u).factor), ylog, chart.height / 25),
+                      ...(ylog ? logarithmic : {})};
   return [x, chart.phase ? angles : amplitudes];
 }
 function seriesOf(chart, curve) {
@@ -204,9 +207,9 @@ function seriesOf(chart, curve) {
           points: {show: few, size: 6, width: 0, fill: curve.colour}};
 }
 function optionsOf(chart) {
-  const [from, to] = frequencyRange(chart).map(w => w * axisFactor()), ylog = view.ylog && !chart.phase;
+  const [from, to] = frequencyRange(chart).map(w => w * axisFactor()), ylog = isLogarithmic(chart) && !chart.phase;
   return {
-    width: Math.max(280, chart.holder.clientWidth), height: chart.height, ...chart.paper, padding: [10, 12, 0, 0],
+    width: chart.width ?? Math.max(280, chart.holder.clientWidth), height: chart.height, padding: [10, 12, 0, 0],
     legend: {show: false}, axes: axesOf(chart), series: [{}, ...chart.curves.map(curve => seriesOf(chart, curve))],
     scales: {x: {time: false, distr: view.xlog ? 3 : 1, min: from, max: to, range: (u, low, high) => [low, high]},
              y: {distr: ylog ? 3 : 1, range: () => chart.phase || amplitudeRange(chart)}},
@@ -222,9 +225,10 @@ function isNear({holder}) {
   const {top, bottom} = holder.getBoundingClientRect(), margin = 300;
   return bottom > -margin && top < window.innerHeight + margin;
 }
-/// Draws a chart anew, or only moves it to the shown frequencies. One outside the window waits, except for print.
+/// Draws a chart anew, or only moves it to the shown frequencies. One outside the window waits, except on paper, where
+/// charts have a fixed width.
 function draw(chart) {
-  if (!chart.stale || !(chart.paper.width || isNear(chart))) return;
+  if (!chart.stale || !(chart.width || isNear(chart))) return;
   if (chart.stale === 'range') {
     const [min, max] = frequencyRange(chart).map(w => w * axisFactor());
     chart.plot.setScale('x', {min, max});
@@ -236,7 +240,7 @@ function draw(chart) {
   chart.stale = '';
 }
 function makeChart(options) {
-  const chart = {height: 250, phase: null, modes: [], stale: 'all', paper: {}, ...options};
+  const chart = {height: 250, phase: null, modes: [], stale: 'all', ...options};
   chart.ceiling = ceilingOf(chart);
   chart.marks = html('div', {class: 'marks'});
   const holder = chart.holder = html('div', {class: 'picture', tabindex: 0, role: 'img', 'aria-label': chart.title,
@@ -257,7 +261,7 @@ const bindings = {
 /// Position of the cursor: in the charts of one case at the nearest drawn frequency, except while a range is selected.
 function snapped(chart, u, x, y) {
   if (x < 0 || x > u.over.clientWidth) return [-10, -10];
-  if (chart === comparison || u.cursor.event?.buttons) return [x, y];
+  if (chart.joined || u.cursor.event?.buttons) return [x, y];
   const nearest = u.valToPos(u.data[0][nearestIndex(u.data[0], u.posToVal(x, 'x'))], 'x');
   return [nearest >= 0 && nearest <= u.over.clientWidth ? nearest : x, y];
 }

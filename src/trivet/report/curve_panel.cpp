@@ -10,7 +10,7 @@ namespace trivet::report {
 namespace {
 
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
-                 key_line = 15, title_height = 40;
+                 key_line = 15, title_height = 40, label_above_panel = 12;
 
 constexpr double widest_text = 36;  // characters that fit next to a panel
 constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
@@ -156,19 +156,20 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
   for (const PanelMark& mark : row.marks) draw_mark(canvas, panel, mark);
 }
 
-std::string stacked_rows(const std::string& title, const std::vector<PanelRow>& rows) {
+Figure stacked_rows(const std::string& title, const std::string& file_name, const std::vector<PanelRow>& rows) {
   double height = title_height;
   for (const PanelRow& row : rows) height += height_of(row);
   SvgCanvas canvas(canvas_width, height);
   canvas.text({canvas_width / 2, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   double top = title_height;
   for (const PanelRow& row : rows) {
+    if (top > title_height) canvas.permit_break(top - label_above_panel);
     const PlotPanel panel{{panel_left, top}, panel_width, row_height, row.x, row.y};
     draw_row(canvas, panel, row);
     draw_key(canvas, {panel_left + panel_width + 18, top}, row.curves);
     top += height_of(row);
   }
-  return canvas.svg(title);
+  return {title, file_name, canvas.svg(title), canvas.strips(title)};
 }
 
 Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label) {

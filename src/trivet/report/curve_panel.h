@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/report/figures.h"
 #include "trivet/report/plot_panel.h"
 
 namespace trivet::report {
@@ -41,8 +42,9 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row);
 /// Draws samples of strokes with their texts, downwards from a corner.
 void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves);
 
-/// Rows below each other under a title, as SVG.
-[[nodiscard]] std::string stacked_rows(const std::string& title, const std::vector<PanelRow>& rows);
+/// Rows below each other under a title; a page may break between them.
+[[nodiscard]] Figure stacked_rows(const std::string& title, const std::string& file_name,
+                                  const std::vector<PanelRow>& rows);
 
 /// A logarithmic axis over the finite values of curves, down to `depth` times the largest at most.
 [[nodiscard]] Axis logarithmic_axis(const std::vector<PanelCurve>& curves, double depth, std::string label);

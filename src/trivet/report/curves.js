@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Curves of the cases from the data of the page, and numbers with units. All values in the data are SI and rad/s.
+// Curves of the cases from the data of the page, and numbers with units. All values in the data are SI and rad/s;
+// amplitudes are converted to the units that the page shows.
 
 const read = id => JSON.parse(document.getElementById(id).textContent);
 const {cases} = read('results');
-const {strokes, units, groups} = read('drawing');  // as in the figures for print, see drawing_json.h
+const {strokes, units, groups, level, frequency} = read('drawing');  // as in the figures for print, see drawing_json.h
 const TURN = 2 * Math.PI;
+
+/// Factor from an SI amplitude to the unit that the page shows.
+const factorOf = unit => units[unit]?.factor ?? 1;
+for (const c of cases) {
+  for (const p of c.peaks) if (p.amplitude !== null) p.amplitude *= factorOf(p.unit);
+  for (const l of c.limits) l.limit *= factorOf(l.unit);
+}
 
 const caseName = index => cases[index].name || 'Base model';
 
@@ -27,14 +35,16 @@ const reading = (value, digits) => number(value, digits, true);
 function multiple(largest, unit) {
   const {multiples} = units[unit];
   const [size, name] = multiples.findLast(([least]) => largest >= least * (1 - 1e-9)) ?? multiples[0];
-  return largest > 0 ? {factor: 1 / size, unit: name} : {factor: 1, unit};
+  const plain = multiples.find(([least]) => least === 1)?.[1] ?? unit;
+  return largest > 0 ? {factor: 1 / size, unit: name} : {factor: 1, unit: plain};
 }
 function withUnit(value, unit, digits) {
   if (!Number.isFinite(value)) return '∞';
   const suited = multiple(Math.abs(value), unit);
   return `${reading(value * suited.factor, digits)} ${suited.unit}`;
 }
-const frequencyWords = omega => `ω = ${reading(omega, 6)} rad/s, f = ${reading(hertz(omega), 6)} Hz`;
+const frequencyWords = omega => (frequency ? `${reading(omega * frequency.factor, 6)} ${frequency.unit}`
+                                           : `ω = ${reading(omega, 6)} rad/s, f = ${reading(hertz(omega), 6)} Hz`);
 
 /// Values [re, im, re, im, …] of all curves of a model at ω: Σ w v/(ω − x) / Σ w/(ω − x) over the nodes x, times
 /// e^{−iωd} for each delay d.
@@ -134,12 +144,13 @@ function tabled(c) {
   return {angular_frequency: points.map(p => p.w), results};
 }
 
-/// Curves of a case in ascending ω: amplitude in SI, phase in degrees; null if the answer is not defined.
+/// Curves of a case in ascending ω: amplitude in the shown unit, phase in degrees; null if the answer is not defined.
 function readCurves(c) {
   const response = c.response.pieces ? tabled(c) : c.response, all = response.angular_frequency;
   const order = all.map((_, i) => i).sort((a, b) => all[a] - all[b]), omega = order.map(i => all[i]);
   return response.results.map(r => {
-    const amplitude = order.map(i => (r.complex[i] ? Math.hypot(...r.complex[i]) : null));
+    const factor = factorOf(r.unit);
+    const amplitude = order.map(i => (r.complex[i] ? factor * Math.hypot(...r.complex[i]) : null));
     const phase = order.map((i, k) => (amplitude[k] > 0 && r.phase[i] !== null ? r.phase[i] * 360 / TURN : null));
     return {key: r.name, name: r.name, unit: r.unit, omega, amplitude, phase,
             peaks: c.peaks.filter(p => same(p, r)), limits: c.limits.filter(l => same(l, r)),

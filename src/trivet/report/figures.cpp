@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "trivet/foundation/index.h"
 #include "trivet/report/axis_ticks.h"
@@ -64,10 +65,15 @@ std::vector<Tick> amplitude_ticks(const Panel& panel, int wanted) {
   return panel.logarithmic ? decade_ticks(panel.y_from, panel.y_to) : linear_ticks(0, panel.y_to, wanted);
 }
 
-void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks, const std::string& x_label,
-                      const std::string& y_label) {
-  for (const Tick& tick : linear_ticks(p.x_from, p.x_to, std::max(3, static_cast<int>(p.width / 70)))) {
-    const PixelPoint low = p.at(tick.value, p.y_from);
+/// Frame and ticks. The frequency axis has the unit of the display; the panel has rad/s.
+/// @param with_x_label  name the frequency axis
+void draw_curve_frame(SvgCanvas& canvas, const Panel& p, const std::vector<Tick>& y_ticks,
+                      const project::ShownUnits& display, bool with_x_label, const std::string& y_label) {
+  const double unit = results::shown_frequency(display, 1, "rad/s");
+  const std::string x_label = with_x_label ? results::frequency_heading(display, "rad/s") : "";
+  const int wanted = std::max(3, static_cast<int>(p.width / 70));
+  for (const Tick& tick : linear_ticks(p.x_from * unit, p.x_to * unit, wanted)) {
+    const PixelPoint low = p.at(tick.value / unit, p.y_from);
     canvas.line({low.x, p.top}, low, "stroke=\"#e4e4e4\"");
     canvas.text({low.x, low.y + 15}, tick.label, "text-anchor=\"middle\" fill=\"#333\"");
   }
@@ -180,6 +186,11 @@ std::string quantity_of(const study::ResponseAnswer& answer, const std::vector<G
   return quantity_name(answer.curves.curves[series.front().curve].unit);
 }
 
+UnitPrefix amplitude_prefix(double largest, const study::Answers& answers, const std::vector<GroupedCurve>& series) {
+  const std::string& unit = answers.response->curves.curves[series.front().curve].unit;
+  return unit_prefix(largest, results::amplitude_unit(answers.display, unit));
+}
+
 bool is_drawable(const study::Answers& answers) {
   return answers.response && answers.response->curves.angular_frequency.size() >= 2;
 }
@@ -218,23 +229,27 @@ Figure group_figure(const study::Answers& answers, const CurveGroup& group) {
     const std::vector<GroupedCurve>& series = *rows[r];
     const double top = 40 + static_cast<double>(r) * (row_height + 52);
     const Extent range = extent(answer, series);
-    const UnitPrefix unit = unit_prefix(range.largest, answer.curves.curves[series.front().curve].unit);
+    const UnitPrefix unit = amplitude_prefix(range.largest, answers, series);
     Panel amplitude{66, top, panel_width, row_height, answer.band.from, answer.band.to, 0, 1};
     set_amplitude_axis(amplitude, range, unit.factor);
     draw_curve_frame(
-        canvas, amplitude, amplitude_ticks(amplitude, 5), "ω [rad/s]",
+        canvas, amplitude, amplitude_ticks(amplitude, 5), answers.display, true,
         fmt::format("{} [{}]{}", quantity_of(answer, series), unit.unit, amplitude.logarithmic ? ", log" : ""));
     draw_amplitudes(canvas, amplitude, answers, series, unit.factor);
     draw_legend(canvas, amplitude, series);
     const auto [low, high] = phase_range(answers, series);
     const Panel phase{556, top, panel_width, row_height, answer.band.from, answer.band.to, low, high};
-    draw_curve_frame(canvas, phase, angle_ticks(low, high), "ω [rad/s]", "phase [°]");
+    draw_curve_frame(canvas, phase, angle_ticks(low, high), answers.display, true, "phase [°]");
     draw_phases(canvas, phase, answers, series);
   }
   return {title, file_part(group.name) + ".svg", canvas.svg("Amplitude and phase of " + title)};
 }
 
 }  // namespace
+
+std::string Figure::html() const {
+  return strips.empty() ? svg : std::accumulate(strips.begin(), strips.end(), std::string());
+}
 
 std::vector<Figure> characteristics(const study::Answers& answers) {
   std::vector<Figure> result;
@@ -276,6 +291,7 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
     const study::Answers& answers = *shown[i];
     const CurveGroup group = curve_groups(curve_names(answers.response->curves.curves)).front();
     const std::size_t row = i / columns, column = i % columns;
+    if (row > 0 && column == 0) canvas.permit_break(44 + row_pitch * static_cast<double>(row));
     const double left = 68 + column_pitch * static_cast<double>(column),
                  top = 66 + row_pitch * static_cast<double>(row);
     canvas.text({left + width / 2, top - 8},
@@ -285,19 +301,20 @@ Figure overview(const std::string& title, const std::vector<study::Answers>& cas
     for (const auto& [series, part] : {std::pair{&group.upper, 0}, std::pair{&group.lower, 1}}) {
       if (series->empty()) continue;
       const Extent& range = ranges[to_size(part)];
-      const UnitPrefix unit = unit_prefix(range.largest, answers.response->curves.curves[series->front().curve].unit);
+      const UnitPrefix unit = amplitude_prefix(range.largest, answers, *series);
       Panel panel{
           left, top + part * (height + 28), width, height, answers.response->band.from, answers.response->band.to, 0,
           1};
       set_amplitude_axis(panel, range, unit.factor);
-      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), part == 1 || group.lower.empty() ? "ω [rad/s]" : "",
+      draw_curve_frame(canvas, panel, amplitude_ticks(panel, 4), answers.display, part == 1 || group.lower.empty(),
                        fmt::format("{} [{}]{}", quantity_of(*answers.response, *series), unit.unit,
                                    panel.logarithmic ? ", log" : ""));
       draw_amplitudes(canvas, panel, answers, *series, unit.factor);
       draw_legend(canvas, panel, *series);
     }
   }
-  return {title, "overview.svg", canvas.svg("Amplitude characteristics of " + title)};
+  const std::string description = "Amplitude characteristics of " + title;
+  return {title, "overview.svg", canvas.svg(description), canvas.strips(description)};
 }
 
 }  // namespace trivet::report

@@ -13,6 +13,10 @@ struct Figure {
   std::string title;
   std::string file_name;  ///< "01-machine.svg"
   std::string svg;
+  std::vector<std::string> strips = {};  ///< the same in parts between which a page may break
+
+  /// For the page: the strips, or else the picture.
+  [[nodiscard]] std::string html() const;
 };
 
 /// Characteristics of one case, one figure per body, point or element: translations (or forces) above, rotations (or

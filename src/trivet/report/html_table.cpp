@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "trivet/foundation/constants.h"
 #include "trivet/report/axis_ticks.h"
 #include "trivet/report/svg_canvas.h"
 
@@ -46,7 +45,13 @@ Cell quantity_cell(double value, const std::string& unit) {
   return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
 }
 
-Cell aligned_quantity_cell(double value, const std::string& unit) {
+Cell quantity_cell(double value, const results::DisplayUnit& unit) {
+  if (!std::isfinite(value)) return {"∞", true};
+  const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
+  return {fmt::format("{:.4g}\u00a0{}", value * prefix.factor, prefix.unit), true};
+}
+
+Cell aligned_quantity_cell(double value, const results::DisplayUnit& unit) {
   if (!std::isfinite(value)) return {"∞", true};
   const UnitPrefix prefix = unit_prefix(std::abs(value), unit);
   return {aligned_number(value * prefix.factor) + "\u00a0" + prefix.unit, true};
@@ -77,16 +82,22 @@ std::string percent_words(double share) {
 
 Cell percent_cell(double share) { return right(std::isfinite(share) ? percent_words(share) : "∞"); }
 
-Cell hertz_cell(double angular_frequency) { return number_cell(angular_frequency / foundation::two_pi, 5); }
-
-void add_frequency(std::vector<Cell>& row, double angular_frequency) {
-  row.push_back(aligned_cell(angular_frequency, 6));
-  row.push_back(aligned_cell(angular_frequency / foundation::two_pi, 6));
+Cell frequency_cell(double angular_frequency, const project::ShownUnits& display) {
+  return number_cell(results::shown_frequency(display, angular_frequency), 5);
 }
 
-void add_frequency_headings(std::vector<Cell>& row) {
-  row.push_back(right("ω [rad/s]"));
-  row.push_back(right("f [Hz]"));
+Cell frequency_cell_heading(const std::string& words, const project::ShownUnits& display) {
+  return right(words + " [" + results::frequency_unit(display) + "]");
+}
+
+void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::ShownUnits& display) {
+  for (const std::string& unit : results::frequency_units(display))
+    row.push_back(aligned_cell(results::shown_frequency(display, angular_frequency, unit), 6));
+}
+
+void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display) {
+  for (const std::string& unit : results::frequency_units(display))
+    row.push_back(right(results::frequency_heading(display, unit)));
 }
 
 Cell verdict_cell(bool passed, const std::string& yes, const std::string& no) {

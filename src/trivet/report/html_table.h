@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/shown_numbers.h"
+
 namespace trivet::report {
 
 /// How a cell is coloured: a limit is violated, a check passed, a number is only round-off.
@@ -26,8 +28,10 @@ struct Row {
 
 /// A value with an SI prefix and four digits: 0.00123 m → "1.23 mm"; "∞" if it is not finite.
 [[nodiscard]] Cell quantity_cell(double value, const std::string& unit);
+/// An SI value as it is shown; only SI units get a prefix.
+[[nodiscard]] Cell quantity_cell(double value, const results::DisplayUnit& unit);
 /// The same with five significant digits, zeros at the end included, for columns to compare.
-[[nodiscard]] Cell aligned_quantity_cell(double value, const std::string& unit);
+[[nodiscard]] Cell aligned_quantity_cell(double value, const results::DisplayUnit& unit);
 /// A plain number.
 [[nodiscard]] Cell number_cell(double value, int digits = 4);
 /// A number with zeros at the end; "–" if it is not finite.
@@ -38,11 +42,12 @@ struct Row {
 [[nodiscard]] Cell right(std::string text);
 [[nodiscard]] Cell percent_cell(double share);
 [[nodiscard]] std::string percent_words(double share);
-/// ω in rad/s as a frequency.
-[[nodiscard]] Cell hertz_cell(double angular_frequency);
-/// ω in rad/s and as a frequency in Hz, two cells; and their headings.
-void add_frequency(std::vector<Cell>& row, double angular_frequency);
-void add_frequency_headings(std::vector<Cell>& row);
+/// ω in rad/s as a frequency, by default in Hz; and a heading: "at [Hz]".
+[[nodiscard]] Cell frequency_cell(double angular_frequency, const project::ShownUnits& display);
+[[nodiscard]] Cell frequency_cell_heading(const std::string& words, const project::ShownUnits& display);
+/// ω in rad/s and as a frequency in Hz, two cells, or one cell in the unit of the display; and their headings.
+void add_frequency(std::vector<Cell>& row, double angular_frequency, const project::ShownUnits& display);
+void add_frequency_headings(std::vector<Cell>& row, const project::ShownUnits& display);
 /// "✓ ok" or "✗ FAILED".
 [[nodiscard]] Cell verdict_cell(bool passed, const std::string& yes = "ok", const std::string& no = "FAILED");
 [[nodiscard]] Cell html_cell(std::string html);

@@ -15,7 +15,6 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 constexpr double invisible_limit = 1e-4;  // of the highest of level and limit
 
 /// Level of the answer as its line defines it (rms or amplitude), from the margin.
@@ -35,38 +34,47 @@ std::vector<double> levels(const study::LimitLineResult& answer, double factor) 
   return result;
 }
 
-PanelRow limit_row(const study::LimitLineResult& answer) {
+/// Word for the level of the axis.
+std::string level_of(const response::LimitLine& line, const project::ShownUnits& display) {
+  if (line.rms) return "rms";
+  return display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
+}
+
+PanelRow limit_row(const study::LimitLineResult& answer, const project::ShownUnits& display) {
   const response::LimitComparison& comparison = answer.comparison;
-  const UnitPrefix unit =
-      unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), answer.line.unit);
+  const auto in_unit = [&](double omega) { return results::shown_frequency(display, omega); };
+  const results::DisplayUnit shown = answer.line.rms ? results::display_unit(display, answer.line.unit)
+                                                     : results::amplitude_unit(display, answer.line.unit);
+  const UnitPrefix unit = unit_prefix(*std::max_element(answer.line.limit.begin(), answer.line.limit.end()), shown);
   PanelRow row;
   PanelCurve limit{{answer.line.name.empty() ? "limit" : answer.line.name},
                    {},
                    {},
                    "stroke=\"#b00020\" stroke-width=\"2\" stroke-dasharray=\"10,4\""};
   for (std::size_t i = 0; i < answer.line.limit.size(); ++i) {
-    limit.x.push_back(answer.line.angular_frequency[i] / two_pi);
+    limit.x.push_back(in_unit(answer.line.angular_frequency[i]));
     limit.y.push_back(answer.line.limit[i] * unit.factor);
   }
   PanelCurve level{{answer.of}, {}, levels(answer, unit.factor), series_stroke(0)};
-  for (const double omega : comparison.angular_frequency) level.x.push_back(omega / two_pi);
+  for (const double omega : comparison.angular_frequency) level.x.push_back(in_unit(omega));
   if (std::isfinite(comparison.least_margin))
     level.key.push_back(fmt::format("least margin {:+.2f} dB", response::margin_level(comparison.least_margin)));
   if (std::isfinite(comparison.least_margin))
-    level.key.push_back(fmt::format("at {:.4g} Hz", comparison.least_margin_at / two_pi));
+    level.key.push_back(
+        fmt::format("at {:.4g} {}", in_unit(comparison.least_margin_at), results::frequency_unit(display)));
   if (comparison.least_margin > 0 && std::isfinite(comparison.least_margin)) {
     const double lowest =
         response::zero_to_peak_limit(answer.line, comparison.least_margin_at) * (answer.line.rms ? std::sqrt(0.5) : 1);
-    row.marks.push_back({comparison.least_margin_at / two_pi, unit.factor * lowest / comparison.least_margin,
+    row.marks.push_back({in_unit(comparison.least_margin_at), unit.factor * lowest / comparison.least_margin,
                          series_colour(0), fmt::format("{:+.2f} dB", response::margin_level(comparison.least_margin))});
   }
-  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(band.from / two_pi, band.to / two_pi);
+  for (const response::Band& band : comparison.exceeded) row.shaded.emplace_back(in_unit(band.from), in_unit(band.to));
   row.curves = {std::move(limit), std::move(level)};
-  row.x = {std::max(comparison.compared.from / two_pi, 1e-4 * comparison.compared.to / two_pi),
-           comparison.compared.to / two_pi, true, "f [Hz]"};
+  row.x = {std::max(in_unit(comparison.compared.from), 1e-4 * in_unit(comparison.compared.to)),
+           in_unit(comparison.compared.to), true, results::frequency_heading(display)};
   row.y = logarithmic_axis(
       row.curves, invisible_limit,
-      fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), answer.line.rms ? "rms" : "amplitude", unit.unit));
+      fmt::format("{}, {} [{}]", quantity_name(answer.line.unit), level_of(answer.line, display), unit.unit));
   return row;
 }
 
@@ -78,7 +86,8 @@ std::vector<Figure> limit_figures(const study::Answers& answers) {
     if (answer.comparison.angular_frequency.size() < 2) continue;
     const std::string title =
         case_title(answer.of + " and its limit" + (answer.line.name.empty() ? "" : " " + answer.line.name), answers);
-    figures.push_back({title, "limit-" + file_part(answer.of) + ".svg", stacked_rows(title, {limit_row(answer)})});
+    figures.push_back(
+        stacked_rows(title, "limit-" + file_part(answer.of) + ".svg", {limit_row(answer, answers.display)}));
   }
   return figures;
 }

@@ -13,11 +13,12 @@ namespace {
 
 constexpr std::array<const char*, 6> coordinates = {"x", "y", "z", "θx", "θy", "θz"};
 
-void add_mode_frequency(std::vector<Cell>& row, const modal::Mode& m) {
+void add_mode_frequency(std::vector<Cell>& row, const modal::Mode& m, const project::ShownUnits& display) {
+  const int columns = static_cast<int>(results::frequency_units(display).size());
   if (!m.angular_frequency)
-    row.push_back({"▲ unstable, ω² = " + aligned_number(m.eigenvalue_squared) + " rad²/s²", false, Tone::bad, 2});
-  else if (*m.angular_frequency == 0) row.push_back({"rigid body (ω = 0)", false, Tone::plain, 2});
-  else add_frequency(row, *m.angular_frequency);
+    row.push_back({"▲ unstable, ω² = " + aligned_number(m.eigenvalue_squared) + " rad²/s²", false, Tone::bad, columns});
+  else if (*m.angular_frequency == 0) row.push_back({"rigid body (ω = 0)", false, Tone::plain, columns});
+  else add_frequency(row, *m.angular_frequency, display);
 }
 
 /// "front left (38.2 %), 3 more with the same share"
@@ -68,7 +69,7 @@ std::string modes_tables(const project::Case& variant, const study::Answers& ans
     if (!variant.system.bodies()[b].is_node) massive.push_back(b);
   const auto& bodies = variant.system.bodies();
   std::vector<Cell> headings = {right("mode")};
-  add_frequency_headings(headings);
+  add_frequency_headings(headings, answers.display);
   headings.push_back({"motion"});
   headings.push_back({"most strained element (share)"});
   for (const std::size_t b : massive)
@@ -77,7 +78,7 @@ std::string modes_tables(const project::Case& variant, const study::Answers& ans
   std::vector<Row> rows;
   for (const modal::Mode& m : answers.modes.list) {
     Row row{{right(std::to_string(m.number))}, m.angular_frequency ? "" : "failed"};
-    add_mode_frequency(row.cells, m);
+    add_mode_frequency(row.cells, m, answers.display);
     row.cells.push_back({m.name + (m.repeated ? " (repeated root)" : "")});
     row.cells.push_back({most_strained(variant, m)});
     for (const std::size_t b : massive) row.cells.push_back(right(kinetic_words(m, b)));
@@ -108,24 +109,29 @@ Cell optional_cell(const std::optional<double>& value, int digits) {
 
 std::string roots_table(const project::Case& variant, const study::Answers& answers) {
   if (!variant.analyses.roots) return "";
+  const auto in_unit = [&](double omega) { return results::shown_frequency(answers.display, omega, "rad/s"); };
+  const auto optional_in_unit = [&](const std::optional<double>& omega) {
+    return omega ? std::optional(in_unit(*omega)) : std::nullopt;
+  };
+  const std::string unit = " [" + results::frequency_unit(answers.display, "rad/s") + "]";
   std::vector<Row> rows;
   for (const modal::Root& r : answers.roots.list) {
     const bool pair = paired(r, answers.roots.list), grows = r.kind == modal::RootKind::growing;
     if (pair && r.eigenvalue.imag() < 0) continue;
     rows.push_back({{aligned_cell(r.eigenvalue.real(), 6),
-                     right((pair ? "± " : "") + aligned_number(r.eigenvalue.imag(), 6)),
+                     right((pair ? "± " : "") + aligned_number(in_unit(r.eigenvalue.imag()), 6)),
                      {grows ? "▲ GROWING" : modal::name(r.kind), false, grows ? Tone::bad : Tone::plain},
-                     optional_cell(r.angular_frequency, 6),
-                     optional_cell(r.damped_angular_frequency, 6),
+                     optional_cell(optional_in_unit(r.angular_frequency), 6),
+                     optional_cell(optional_in_unit(r.damped_angular_frequency), 6),
                      optional_cell(r.damping_ratio, 5),
                      right(r.nearest_mode ? std::to_string(*r.nearest_mode) : "–")},
                     grows ? "failed" : ""});
   }
   return html_table({right("Re λ [1/s]"),
-                     right("Im λ [rad/s]"),
+                     right("Im λ" + unit),
                      {"kind"},
-                     right("|λ| [rad/s]"),
-                     right("damped ω [rad/s]"),
+                     right("|λ|" + unit),
+                     right((answers.display.frequency.empty() ? "damped ω" : "damped") + unit),
                      right("damping ratio"),
                      right("nearest mode")},
                     rows);

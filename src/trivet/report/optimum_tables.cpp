@@ -123,7 +123,8 @@ std::string front_tables(const study::Answers& answers) {
   for (std::size_t k = 0; k < front.points.size(); ++k) {
     Row row{{right(std::to_string(k + 1))}, ""};
     for (std::size_t i = 0; i < front.objectives.size(); ++i)
-      row.cells.push_back(aligned_quantity_cell(front.points[k].amplitudes[i], front.objectives[i].unit));
+      row.cells.push_back(aligned_quantity_cell(front.points[k].amplitudes[i],
+                                                results::DisplayUnit{front.objectives[i].unit, "", 1, true}));
     for (const double value : front.points[k].values) row.cells.push_back(aligned_cell(value));
     row.cells.push_back(right(fmt::format("{:.1g}", front.points[k].residual)));
     row.cells.push_back({front.knee == k ? "knee" : ""});

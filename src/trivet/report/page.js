@@ -5,42 +5,52 @@ const SWITCHES = ['ylog', 'xlog', 'hz'];
 
 // ---------------------------------------------------------------- charts of a case and of all cases
 
-function buildCharts(c) {
-  const curves = curvesOf(c), band = bandOf(c), landmarks = landmarksOf(c);
-  charts = [];
+/// Charts of a case, and the nodes with them, one for each group of curves.
+function chartsOfCase(index, options = {}) {
+  const c = cases[index], curves = curvesOf(c), band = bandOf(c), landmarks = landmarksOf(c), made = [];
   const row = (name, members) => {
     const own = members.map((member, i) => styled({...curves[member.curve], label: member.label}, i));
     const legend = makeLegend(own, true), title = `${name}, ${own.map(curve => curve.label).join(', ')}`;
-    const common = {curves: own, legend, unit: own[0].unit, band, landmarks, modes: c.modes};
+    const common = {curves: own, legend, unit: own[0].unit, band, landmarks, modes: c.modes, ...options};
     const pair = [makeChart({...common, title: `Amplitude of ${title}`}),
                   makeChart({...common, phase: phaseRange(own), title: `Phase of ${title}`})];
-    charts.push(...pair);
+    made.push(...pair);
     return html('div', {class: 'row'}, legend.node, html('div', {class: 'pair'}, pair.map(chart => chart.holder)));
   };
-  const shown = frequencies(c).length > 1 ? groups[view.case] : [];
-  byId('pictures').replaceChildren(...shown.map(({name, rows}) =>
-    html('div', {}, html('h3', {}, name), rows.filter(members => members.length).map(members => row(name, members)))));
-  byId('characteristics').hidden = !shown.length;
+  const shown = frequencies(c).length > 1 ? groups[index] : [];
+  const nodes = shown.map(({name, rows}) =>
+    html('div', {}, html('h3', {}, name), rows.filter(members => members.length).map(members => row(name, members))));
+  return {nodes, charts: made};
+}
+function buildCharts() {
+  const made = chartsOfCase(view.case);
+  charts = made.charts;
+  byId('pictures').replaceChildren(...made.nodes);
+  byId('characteristics').hidden = !made.nodes.length;
 }
 
 const drawable = () => cases.filter(c => frequencies(c).length > 1);
 const comparedNames = () => [...new Set(drawable().flatMap(c => c.response.results.map(r => r.name)))];
 
+/// Chart of one curve in all cases.
+function comparisonOf(name, options = {}) {
+  const curves = cases.flatMap((c, i) => {
+    const curve = frequencies(c).length > 1 && curvesOf(c).find(one => one.name === name);
+    return curve ? [styled({...curve, key: `case ${i}`, label: caseName(i)}, i)] : [];
+  });
+  const bands = drawable().map(bandOf), limits = cases[view.case].limits.filter(l => l.name === name);
+  return makeChart({curves, legend: makeLegend(curves, false), joined: true, unit: curves[0].unit, limits,
+                    band: [smallestOf(bands.map(b => b[0])), largestOf(bands.map(b => b[1]))],
+                    landmarks: drawable().flatMap(landmarksOf),
+                    title: `Amplitude of ${name} in all cases`, ...options});
+}
 function buildComparison() {
   const names = comparedNames(), has = cases.length > 1 && names.length > 0;
   comparison = null;
   byId('comparison').hidden = !has;
   if (!has) return;
   if (!names.includes(view.compare)) view.compare = names[0];
-  const curves = cases.flatMap((c, i) => {
-    const curve = frequencies(c).length > 1 && curvesOf(c).find(one => one.name === view.compare);
-    return curve ? [styled({...curve, key: `case ${i}`, label: caseName(i)}, i)] : [];
-  });
-  const bands = drawable().map(bandOf), limits = cases[view.case].limits.filter(l => l.name === view.compare);
-  comparison = makeChart({curves, legend: makeLegend(curves, false), height: 360, unit: curves[0].unit, limits,
-                          band: [smallestOf(bands.map(b => b[0])), largestOf(bands.map(b => b[1]))],
-                          landmarks: drawable().flatMap(landmarksOf),
-                          title: `Amplitude of ${view.compare} in all cases`});
+  comparison = comparisonOf(view.compare, {height: 360});
   byId('compare').replaceChildren(...names.map(name => html('option', {}, name)));
   byId('compare').value = view.compare;
   byId('compared').replaceChildren(comparison.legend.node, comparison.holder);
@@ -50,7 +60,7 @@ function buildComparison() {
 
 function buildCase() {
   for (const block of document.querySelectorAll('[data-case]')) block.hidden = Number(block.dataset.case) !== view.case;
-  buildCharts(cases[view.case]);
+  buildCharts();
   buildComparison();
   const sections = [...document.querySelectorAll('main section:not(.case-head)')];
   const shown = sections.filter(s => !s.closest('[hidden]'));
@@ -67,7 +77,7 @@ function refresh(what = 'all') {
   byId('case').value = view.case;
   const range = allCharts().length ? frequencyRange(allCharts()[0]) : [0, 0];
   [byId('from').value, byId('to').value] = range.map(w => Number((w * axisFactor()).toPrecision(5)));
-  byId('zoom-unit').textContent = view.hz ? 'Hz' : 'rad/s';
+  byId('zoom-unit').textContent = view.hz ? 'Hz' : frequency?.unit ?? 'rad/s';
   byId('unzoom').disabled = !view.zoom;
   document.querySelectorAll('.glance tbody tr').forEach((row, i) =>
     row.classList.toggle('selected', i === view.case && cases.length > 1));
@@ -95,15 +105,6 @@ function moveBy(step, to, back) {
   const ends = largestOf(allCharts().map(chart => chart.band[1]));
   const moved = view.zoom.map(w => back(to(w) + step));
   if (moved[0] >= 0 && moved[1] <= ends) change({zoom: moved});
-}
-
-/// All charts in a size that fits on paper, also those not yet drawn; afterwards as on the screen.
-function printed(yes) {
-  for (const chart of allCharts()) {
-    chart.paper = yes ? {width: chart === comparison ? 700 : 345, height: 0.9 * chart.height} : {};
-    chart.holder.style.minHeight = `${chart.paper.height ?? chart.height}px`;
-  }
-  refresh();
 }
 
 /// Calls a function after the last of several events.
@@ -161,8 +162,8 @@ function listenToControls() {
   window.addEventListener('resize', () => soon('size', refresh));
   window.addEventListener('scroll', () => allCharts().forEach(draw), {passive: true});
   document.addEventListener('toggle', () => allCharts().forEach(draw), true);  // a part that opens by a click
-  window.addEventListener('beforeprint', () => printed(true));
-  window.addEventListener('afterprint', () => printed(false));
+  window.addEventListener('beforeprint', layOutPages);
+  window.addEventListener('afterprint', backToScreen);
   window.addEventListener('hashchange', readAddress);
 }
 

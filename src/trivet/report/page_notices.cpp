@@ -146,9 +146,11 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
       std::any_of(cases.begin(), cases.end(), [](const ShownCase& c) { return c.answers.verdict.has_value(); });
   if (has_verdict) headings.push_back({"requirements"});
   if (has_map) headings.push_back({"rules of the map"});
-  for (const Cell& cell :
-       {Cell{"motion"}, right("lowest mode [rad/s]"), right("[Hz]"), right("highest mode [rad/s]"), right("[Hz]")})
-    headings.push_back(cell);
+  const project::ShownUnits display = cases.empty() ? project::ShownUnits() : cases.front().variant.display;
+  headings.push_back({"motion"});
+  for (const char* which : {"lowest mode ", "highest mode "})
+    for (const std::string& unit : results::frequency_units(display))
+      headings.push_back(right((unit == "Hz" && display.frequency.empty() ? "" : which) + ("[" + unit + "]")));
   std::vector<std::vector<Cell>> rows;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const ShownCase& c = cases[i];
@@ -165,8 +167,8 @@ std::string glance_table(const std::vector<ShownCase>& cases) {
     if (has_map) row.push_back(map_cell(c, cases));
     row.push_back(motion_cell(c));
     const auto [lowest, highest] = natural_range(c);
-    add_frequency(row, lowest);
-    add_frequency(row, highest);
+    add_frequency(row, lowest, display);
+    add_frequency(row, highest, display);
     rows.push_back(std::move(row));
   }
   return cases.empty() ? "" : html_table(headings, rows);

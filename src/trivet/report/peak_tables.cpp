@@ -14,18 +14,19 @@ std::string limits_table(const project::Case&, const study::Answers& answers) {
   if (answers.limits.empty()) return "";
   std::vector<Row> rows;
   for (const study::LimitAnswer& l : answers.limits) {
+    const results::DisplayUnit unit = results::amplitude_unit(answers.display, l.unit);
     Row row{{{l.name},
-             aligned_quantity_cell(l.limit, l.unit),
-             aligned_quantity_cell(l.in_band, l.unit),
+             aligned_quantity_cell(l.limit, unit),
+             aligned_quantity_cell(l.in_band, unit),
              percent_cell(l.in_band / l.limit)},
             l.met ? "" : "failed"};
-    add_frequency(row.cells, l.in_band_at);
-    row.cells.push_back(aligned_quantity_cell(l.anywhere, l.unit));
+    add_frequency(row.cells, l.in_band_at, answers.display);
+    row.cells.push_back(aligned_quantity_cell(l.anywhere, unit));
     row.cells.push_back(verdict_cell(l.met, "met", "EXCEEDED"));
     rows.push_back(std::move(row));
   }
   std::vector<Cell> headings = {{"curve"}, right("limit"), right("largest in the band"), right("share of the limit")};
-  add_frequency_headings(headings);
+  add_frequency_headings(headings, answers.display);
   headings.push_back(right("largest at any frequency"));
   headings.push_back({"verdict"});
   return html_table(headings, rows);
@@ -51,8 +52,8 @@ Row peak_row(const study::Answers& answers, const response::Peak& p) {
   }
   remark(!p.refined, "very flat, less exact");
   Row row{{{curve.name}}, counted ? "" : "minor"};
-  add_frequency(row.cells, p.angular_frequency);
-  row.cells.push_back(aligned_quantity_cell(p.amplitude, curve.unit));
+  add_frequency(row.cells, p.angular_frequency, answers.display);
+  row.cells.push_back(aligned_quantity_cell(p.amplitude, results::amplitude_unit(answers.display, curve.unit)));
   row.cells.push_back(p.ratio_to_static ? aligned_cell(*p.ratio_to_static) : right("–"));
   row.cells.push_back(std::isfinite(prominence) ? aligned_cell(100 * prominence, 4) : right("∞"));
   row.cells.push_back(right(p.nearest_mode ? std::to_string(*p.nearest_mode) : "–"));
@@ -60,10 +61,10 @@ Row peak_row(const study::Answers& answers, const response::Peak& p) {
   return row;
 }
 
-std::string peakless_words(const response::CurveSummary& s) {
+std::string peakless_words(const response::CurveSummary& s, const project::ShownUnits& display) {
   if (s.vanishes) return s.name + ": no resonance peak; below round-off at all frequencies.";
   return fmt::format("{}: no resonance peak; highest amplitude {} {}.", s.name,
-                     aligned_quantity_cell(s.highest, s.unit).text,
+                     aligned_quantity_cell(s.highest, results::amplitude_unit(display, s.unit)).text,
                      std::isfinite(s.highest_at) ? fmt::format("at ω = {:.5g} rad/s", s.highest_at) : "as ω → ∞");
 }
 
@@ -75,13 +76,13 @@ std::string peaks_table(const project::Case&, const study::Answers& answers) {
   std::vector<Row> rows;
   for (const response::Peak& peak : found.list) rows.push_back(peak_row(answers, peak));
   std::vector<Cell> headings = {{"curve"}};
-  add_frequency_headings(headings);
+  add_frequency_headings(headings, answers.display);
   for (const char* name : {"amplitude", "ratio to static", "relative prominence [%]", "nearest mode"})
     headings.push_back(right(name));
   headings.push_back({"remark"});
   std::string peakless;
   for (const response::CurveSummary& curve : found.curves)
-    if (curve.peaks == 0) peakless += "<li>" + escaped(peakless_words(curve)) + "</li>";
+    if (curve.peaks == 0) peakless += "<li>" + escaped(peakless_words(curve, answers.display)) + "</li>";
   return (rows.empty() ? "" : html_table(headings, rows)) +
       (peakless.empty() ? "" : "<ul class=\"sentences\">" + peakless + "</ul>\n") +
       hint(fmt::format(
@@ -104,16 +105,17 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
       const auto at = static_cast<Eigen::Index>(i);
       const double amplitude = std::abs(curve.value(at)), phase = answers.response->phase[c](at);
       Row row{{{curve.name}}, ""};
-      add_frequency(row.cells, response.angular_frequency[i]);
-      row.cells.push_back(std::isfinite(amplitude) ? aligned_quantity_cell(amplitude, curve.unit)
-                                                   : right("not defined"));
+      add_frequency(row.cells, response.angular_frequency[i], answers.display);
+      row.cells.push_back(std::isfinite(amplitude)
+                              ? aligned_quantity_cell(amplitude, results::amplitude_unit(answers.display, curve.unit))
+                              : right("not defined"));
       row.cells.push_back(amplitude > 0 && std::isfinite(phase)
                               ? right(fmt::format("{:.2f}", phase * 360 / foundation::two_pi))
                               : right("–"));
       rows.push_back(std::move(row));
     }
   std::vector<Cell> headings = {{"curve"}};
-  add_frequency_headings(headings);
+  add_frequency_headings(headings, answers.display);
   headings.push_back(right("amplitude"));
   headings.push_back(right("phase [°]"));
   const std::string table = html_table(headings, rows);

@@ -13,7 +13,6 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 constexpr double invisible_power = 1e-8;  // of the largest power
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
@@ -80,16 +79,16 @@ std::vector<Figure> power_figures(const study::Answers& answers) {
   if (!found || found->angular_frequency.size() < 3 || found->mounts.empty() || !flows(*found)) return {};
   const response::PowerFlow& power = *found;
   std::vector<double> hertz;
-  for (const double omega : power.angular_frequency) hertz.push_back(omega / two_pi);
+  for (const double omega : power.angular_frequency) hertz.push_back(results::shown_frequency(answers.display, omega));
   const UnitPrefix unit = unit_prefix(highest_finite(power.into_ground_in_total.cwiseAbs()), "W");
   const std::vector<std::size_t> mounts = mounts_with_power(power);
   std::vector<PanelRow> rows = {total_row(power, hertz, unit)};
   if (mounts.size() == 1) rows.front().curves.front().key = {"all through " + power.mounts[mounts.front()]};
   else rows.push_back(mount_row(power, mounts, hertz, unit));
   const double lowest = hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back());
-  for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, "f [Hz]"};
+  for (PanelRow& row : rows) row.x = {lowest, hertz.back(), true, results::frequency_heading(answers.display)};
   const std::string title = case_title("Power into the ground", answers);
-  return {{title, "power-ground.svg", stacked_rows(title, rows)}};
+  return {stacked_rows(title, "power-ground.svg", rows)};
 }
 
 }  // namespace trivet::report

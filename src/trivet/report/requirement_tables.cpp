@@ -26,9 +26,9 @@ std::string envelope_table(const study::Envelope& envelope) {
   std::vector<Row> rows;
   for (const study::EnvelopeRow& row : envelope.rows)
     rows.push_back({{{row.name},
-                     quantity_cell(row.least, row.unit),
+                     quantity_cell(row.least, results::display_unit(envelope.display, row.unit)),
                      {results::case_of_envelope(row.least_in)},
-                     quantity_cell(row.largest, row.unit),
+                     quantity_cell(row.largest, results::display_unit(envelope.display, row.unit)),
                      {results::case_of_envelope(row.largest_in)}},
                     ""});
   std::string html = html_table({{"at rest"}, right("least"), {"in"}, right("largest"), {"in"}}, rows);

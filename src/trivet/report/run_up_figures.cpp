@@ -52,9 +52,13 @@ Axis amplitude_axis(const std::vector<PanelCurve>& curves, std::string label) {
   return airy_axis(0, top, std::move(label));
 }
 
-PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve) {
+PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, std::size_t curve,
+                       const project::ShownUnits& display) {
   const response::Overall& overall = run_up.overall[curve];
-  const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), overall.unit);
+  const UnitPrefix unit = unit_prefix(highest_finite(overall.rms), results::display_unit(display, overall.unit));
+  const double to_level = project::level_factor(display.level);
+  const std::string level =
+      display.level == project::Level::amplitude ? "amplitude" : results::level_words(display.level);
   std::vector<double> rpm;
   for (const double speed : run_up.speed) rpm.push_back(speed * rpm_per_rad_s);
   PanelRow row;
@@ -66,13 +70,13 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const response::OrderCurves& order = run_up.orders[shown[i]];
     const std::size_t style = i < 4 ? i : 5;  // black is the colour of the sum
-    PanelCurve one{{fmt::format("order {:g}, amplitude", order.order)}, rpm, {}, series_stroke(style)};
-    for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor);
+    PanelCurve one{{fmt::format("order {:g}, {}", order.order, level)}, rpm, {}, series_stroke(style)};
+    for (const auto& value : order.curves[curve].value) one.y.push_back(std::abs(value) * unit.factor * to_level);
     row.curves.push_back(std::move(one));
     for (const response::CriticalSpeed& critical : run_up.critical)
       if (critical.curve == curve && critical.order == order.order && critical.relative_height >= 0.2)
         row.marks.push_back(
-            {critical.speed * rpm_per_rad_s, critical.amplitude * unit.factor, series_colour(style),
+            {critical.speed * rpm_per_rad_s, critical.amplitude * unit.factor * to_level, series_colour(style),
              critical.relative_height == 1 ? fmt::format("{:.0f} rpm", critical.speed * rpm_per_rad_s) : ""});
   }
   const std::size_t left_out = run_up.orders.size() - shown.size();
@@ -84,14 +88,15 @@ PanelRow amplitude_row(const response::RunUp& run_up, const std::string& name, s
 }
 
 /// Panels for the amplitudes of a group, except those below 1e-6 of the largest of the same unit.
-std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series) {
+std::vector<PanelRow> amplitude_rows(const response::RunUp& run_up, const std::vector<GroupedCurve>& series,
+                                     const project::ShownUnits& display) {
   constexpr double negligible = 1e-6;
   const auto height = [&](const GroupedCurve& s) { return highest_finite(run_up.overall[s.curve].rms); };
   double largest = 0;
   for (const GroupedCurve& s : series) largest = std::max(largest, height(s));
   std::vector<PanelRow> rows;
   for (const GroupedCurve& s : series)
-    if (height(s) > negligible * largest) rows.push_back(amplitude_row(run_up, s.label, s.curve));
+    if (height(s) > negligible * largest) rows.push_back(amplitude_row(run_up, s.label, s.curve, display));
   return rows;
 }
 
@@ -103,11 +108,11 @@ std::vector<Figure> run_up_figures(const study::Answers& answers) {
   if (!orders || orders->run_up.speed.size() < 2) return figures;
   const response::RunUp& run_up = orders->run_up;
   for (const CurveGroup& group : curve_groups(curve_names(run_up.overall))) {
-    std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper);
-    for (PanelRow& row : amplitude_rows(run_up, group.lower)) rows.push_back(std::move(row));
+    std::vector<PanelRow> rows = amplitude_rows(run_up, group.upper, answers.display);
+    for (PanelRow& row : amplitude_rows(run_up, group.lower, answers.display)) rows.push_back(std::move(row));
     if (rows.empty()) continue;
     const std::string title = case_title("Run-up: " + group.name, answers);
-    figures.push_back({title, "orders-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
+    figures.push_back(stacked_rows(title, "orders-" + file_part(group.name) + ".svg", rows));
   }
   return figures;
 }

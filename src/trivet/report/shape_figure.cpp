@@ -164,8 +164,10 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
   const Frame size = frame(shape);
   const FarthestPlace most = farthest_place(shape);
   const double scale = most.excursion > 0 ? drawn_excursion * size.size / most.excursion : 0;
-  const std::string title =
-      case_title(fmt::format("Operating deflection shape at {:.4g} Hz", shape.angular_frequency / two_pi), answers);
+  const std::string title = case_title(fmt::format("Operating deflection shape at {:.4g} {}",
+                                                   results::shown_frequency(answers.display, shape.angular_frequency),
+                                                   results::frequency_unit(answers.display)),
+                                       answers);
   SvgCanvas canvas(980, 740);
   canvas.text({490, 22}, title, "text-anchor=\"middle\" font-size=\"14\" font-weight=\"bold\"");
   const Skeleton rest = skeleton(shape, 0, 0), moved = skeleton(shape, most.phase, scale);
@@ -182,7 +184,7 @@ Figure shape_figure(const study::Answers& answers, const response::DeflectionSha
     drawing.draw(moved, series_colour(0), 1.8);
     draw_axes(canvas, all[v], {corner.x + 40, corner.y + 280});
   }
-  const UnitPrefix unit = unit_prefix(most.excursion, "m");
+  const UnitPrefix unit = unit_prefix(most.excursion, results::amplitude_unit(answers.display, "m"));
   canvas.text(
       {490, 708},
       fmt::format(

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "trivet/report/answer_tables.h"
 #include "trivet/report/html_table.h"
@@ -16,6 +15,7 @@ std::string shock_table(const study::Answers& answers) {
   const auto* spectra = answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum");
   if (!spectra) return "";
   std::vector<std::vector<Cell>> rows;
+  const auto unit = [&](const char* si_unit) { return results::display_unit(answers.display, si_unit); };
   for (const study::ShockSpectrumResult& s : *spectra) {
     if (s.spectrum.empty()) continue;
     const auto most = [&](const auto& value_of) {
@@ -28,19 +28,19 @@ std::string shock_table(const study::Answers& answers) {
                fast = most([](const auto& r) { return r.pseudo_velocity(); });
     rows.push_back({{s.excitation},
                     number_cell(s.damping_ratio),
-                    quantity_cell(up.largest(), s.unit),
-                    hertz_cell(up.angular_frequency),
-                    quantity_cell(down.smallest(), s.unit),
-                    hertz_cell(down.angular_frequency),
-                    quantity_cell(fast.pseudo_velocity(), "m/s"),
-                    quantity_cell(far.relative_displacement, "m")});
+                    quantity_cell(up.largest(), unit(s.unit.c_str())),
+                    frequency_cell(up.angular_frequency, answers.display),
+                    quantity_cell(down.smallest(), unit(s.unit.c_str())),
+                    frequency_cell(down.angular_frequency, answers.display),
+                    quantity_cell(fast.pseudo_velocity(), unit("m/s")),
+                    quantity_cell(far.relative_displacement, unit("m"))});
   }
   return html_table({{"excitation"},
                      right("damping ratio"),
                      right("positive maximax"),
-                     right("at [Hz]"),
+                     frequency_cell_heading("at", answers.display),
                      right("negative maximax"),
-                     right("at [Hz]"),
+                     frequency_cell_heading("at", answers.display),
                      right("largest pseudo-velocity"),
                      right("largest relative displacement")},
                     rows);
@@ -50,48 +50,51 @@ std::string earthquake_tables(const study::Answers& answers) {
   const auto* found = answers.find<response::EarthquakeResponse>("earthquake");
   if (!found) return "";
   const response::EarthquakeResponse& e = *found;
+  const results::DisplayUnit mass = results::display_unit(answers.display, "kg"),
+                             acceleration = results::display_unit(answers.display, "m/s²");
   std::vector<std::vector<Cell>> rows, modes;
   for (const response::CombinedAnswer& a : e.answers)
     rows.push_back({{a.name},
-                    quantity_cell(a.complete_quadratic, a.unit),
-                    quantity_cell(a.square_root_of_sum_of_squares, a.unit)});
+                    quantity_cell(a.complete_quadratic, results::display_unit(answers.display, a.unit)),
+                    quantity_cell(a.square_root_of_sum_of_squares, results::display_unit(answers.display, a.unit))});
   for (const response::ModalShare& m : e.modes)
-    modes.push_back({hertz_cell(m.angular_frequency), number_cell(m.damping_ratio), number_cell(m.effective_mass),
-                     std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, "m/s²")
+    modes.push_back({frequency_cell(m.angular_frequency, answers.display), number_cell(m.damping_ratio),
+                     number_cell(m.effective_mass * mass.factor),
+                     std::isfinite(m.spectral_acceleration) ? quantity_cell(m.spectral_acceleration, acceleration)
                                                             : right("beyond the spectrum")});
   return html_table({{"result"}, right("CQC"), right("SRSS")}, rows) +
       hint(fmt::format("Estimated largest values. The modes within the spectrum have {:.1f} % of the effective mass.",
                        100 * e.effective_mass_share)) +
       folded("Modes of the estimate",
-             html_table({right("f [Hz]"), right("damping ratio"), right("effective mass [kg]"),
-                         right("spectral acceleration")},
+             html_table({frequency_cell_heading("f", answers.display), right("damping ratio"),
+                         right("effective mass [" + mass.unit + "]"), right("spectral acceleration")},
                         modes));
 }
 
 std::string limit_line_table(const study::Answers& answers) {
   if (answers.limit_lines.empty()) return "";
   std::vector<std::vector<Cell>> rows;
+  const auto in_unit = [&](double omega) { return results::shown_frequency(answers.display, omega); };
+  const std::string in_frequency = " [" + results::frequency_unit(answers.display) + "]";
   for (const study::LimitLineResult& l : answers.limit_lines) {
     const response::LimitComparison& c = l.comparison;
     std::string bands;
     for (const response::Band& band : c.exceeded)
-      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", band.from / (2 * std::numbers::pi),
-                           band.to / (2 * std::numbers::pi));
+      bands += fmt::format("{}{:.4g} … {:.4g}", bands.empty() ? "" : ", ", in_unit(band.from), in_unit(band.to));
     rows.push_back({{l.of},
                     {l.line.name},
-                    {fmt::format("{:.4g} … {:.4g}", c.compared.from / (2 * std::numbers::pi),
-                                 c.compared.to / (2 * std::numbers::pi))},
+                    {fmt::format("{:.4g} … {:.4g}", in_unit(c.compared.from), in_unit(c.compared.to))},
                     number_cell(response::margin_level(c.least_margin)),
-                    hertz_cell(c.least_margin_at),
+                    frequency_cell(c.least_margin_at, answers.display),
                     {bands.empty() ? "–" : bands},
                     verdict_cell(c.met(), "met", "EXCEEDED")});
   }
   return html_table({{"result"},
                      {"limit line"},
-                     {"compared [Hz]"},
+                     {"compared" + in_frequency},
                      right("least margin [dB]"),
-                     right("at [Hz]"),
-                     {"exceeded [Hz]"},
+                     frequency_cell_heading("at", answers.display),
+                     {"exceeded" + in_frequency},
                      {"verdict"}},
                     rows);
 }
@@ -99,16 +102,18 @@ std::string limit_line_table(const study::Answers& answers) {
 std::string load_sharing_table(const study::Answers& answers) {
   if (!answers.load_sharing) return "";
   std::vector<std::vector<Cell>> rows;
+  const results::DisplayUnit force = results::display_unit(answers.display, "N"),
+                             length = results::display_unit(answers.display, "m");
   for (const response::MountLoad& m : answers.load_sharing->mounts) {
-    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, "N"), percent_cell(m.share)};
+    std::vector<Cell> row = {{m.element}, quantity_cell(m.bearing, force), percent_cell(m.share)};
     if (m.bearing < 0) row.back().tone = Tone::bad;
-    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), "m"));
+    for (int j = 0; j < 3; ++j) row.push_back(quantity_cell(m.deflection(j), length));
     rows.push_back(std::move(row));
   }
   return html_table({{"mount"}, right("load"), right("share"), right("deflection x"), right("y"), right("z")}, rows) +
-      hint(fmt::format("Along gravity, {:.5g} N in total; a mount with a negative share pulls down. Deflections of "
+      hint(fmt::format("Along gravity, {:.5g} {} in total; a mount with a negative share pulls down. Deflections of "
                        "end K relative to N in the element's axes.",
-                       answers.load_sharing->bearing_in_total));
+                       answers.load_sharing->bearing_in_total * force.factor, force.unit));
 }
 
 }  // namespace trivet::report

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/curve_groups.h"
@@ -14,26 +13,27 @@ namespace {
 
 constexpr double invisible_shock = 1e-4;  // of the largest acceleration
 
-PanelRow spectrum_row(const study::ShockSpectrumResult& answer) {
+PanelRow spectrum_row(const study::ShockSpectrumResult& answer, const project::ShownUnits& display) {
   double largest = 0;
   for (const excitation::ShockResponse& r : answer.spectrum) largest = std::max(largest, r.maximax());
-  const UnitPrefix unit = unit_prefix(largest, answer.unit);
+  const UnitPrefix unit = unit_prefix(largest, results::display_unit(display, answer.unit));
   std::vector<double> hertz, up, down, after;
   for (const excitation::ShockResponse& r : answer.spectrum) {
-    hertz.push_back(r.angular_frequency / (2 * std::numbers::pi));
+    hertz.push_back(results::shown_frequency(display, r.angular_frequency));
     up.push_back(r.largest() * unit.factor);
     down.push_back(-r.smallest() * unit.factor);
     after.push_back(r.residual() * unit.factor);
   }
   PanelRow row;
   row.x = {hertz.front(), hertz.back(), true,
-           fmt::format("natural frequency [Hz], damping ratio {:.4g}", answer.damping_ratio)};
+           fmt::format("natural frequency [{}], damping ratio {:.4g}", results::frequency_unit(display),
+                       answer.damping_ratio)};
   row.curves = {{{"positive maximax"}, hertz, up, series_stroke(0)},
                 {{"negative maximax"}, hertz, down, series_stroke(1)},
                 {{"residual: after the shock,", "either sign"}, hertz, after, series_stroke(2)}};
   const auto top = std::max_element(answer.spectrum.begin(), answer.spectrum.end(),
                                     [](const auto& a, const auto& b) { return a.maximax() < b.maximax(); });
-  row.marks = {{top->angular_frequency / (2 * std::numbers::pi), top->maximax() * unit.factor,
+  row.marks = {{results::shown_frequency(display, top->angular_frequency), top->maximax() * unit.factor,
                 series_colour(top->largest() >= -top->smallest() ? 0 : 1),
                 fmt::format("{:.4g} {}", top->maximax() * unit.factor, unit.unit)}};
   row.y = logarithmic_axis(row.curves, invisible_shock,
@@ -51,7 +51,7 @@ std::vector<Figure> shock_figures(const study::Answers& answers) {
     if (answer.spectrum.size() < 2) continue;
     const std::string title = case_title("Shock response spectrum: " + answer.excitation, answers);
     figures.push_back(
-        {title, "shock-" + file_part(answer.excitation) + ".svg", stacked_rows(title, {spectrum_row(answer)})});
+        stacked_rows(title, "shock-" + file_part(answer.excitation) + ".svg", {spectrum_row(answer, answers.display)}));
   }
   return figures;
 }

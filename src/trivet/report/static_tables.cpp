@@ -36,7 +36,7 @@ bool belongs_to(const Columns& columns, const CurveGroup& group) {
 }
 
 std::string static_table(const std::vector<response::StaticValue>& values, const std::vector<CurveGroup>& groups,
-                         const Columns& columns) {
+                         const Columns& columns, const project::ShownUnits& display) {
   constexpr double round_off = 1e-11;
   std::array<double, 2> largest = {0, 0};
   for (const CurveGroup& g : groups) {
@@ -44,7 +44,8 @@ std::string static_table(const std::vector<response::StaticValue>& values, const
     for (const GroupedCurve& c : g.lower) largest[1] = std::max(largest[1], std::abs(values[c.curve].value));
   }
   std::vector<UnitPrefix> prefixes;
-  for (std::size_t kind = 0; kind < 2; ++kind) prefixes.push_back(unit_prefix(largest[kind], columns.units[kind]));
+  for (std::size_t kind = 0; kind < 2; ++kind)
+    prefixes.push_back(unit_prefix(largest[kind], results::display_unit(display, columns.units[kind])));
   std::vector<Cell> headings = {{columns.owner}};
   for (std::size_t k = 0; k < columns.labels.size(); ++k)
     headings.push_back(right(fmt::format("{} [{}]", columns.labels[k], prefixes[k / 3].unit)));
@@ -78,7 +79,8 @@ std::string static_tables(const project::Case&, const study::Answers& answers) {
     std::vector<CurveGroup> groups;
     std::copy_if(all.begin(), all.end(), std::back_inserter(groups),
                  [&](const CurveGroup& group) { return belongs_to(columns, group); });
-    if (!groups.empty()) html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns);
+    if (!groups.empty())
+      html += (html.empty() ? "" : "<p></p>") + static_table(values, groups, columns, answers.display);
   }
   return html +
       hint(fmt::format("Under gravity and the constant forces. Grey values are round-off. Backward error of the "

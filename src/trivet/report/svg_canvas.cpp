@@ -24,6 +24,19 @@ std::string identifier(std::string_view name) {
   return fmt::format("clip-{:016x}", hash);
 }
 
+/// Heights between which a picture shows a canvas.
+struct Range {
+  double from, to;
+};
+
+std::string picture(double width, Range y, std::string_view description, std::string_view body) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 {0} {1} {2}\" width=\"{1}\" height=\"{2}\" role=\"img\" "
+      "font-family=\"Liberation Sans, Arial, sans-serif\" font-size=\"11\">\n<title>{3}</title>\n"
+      "<rect{4} width=\"{1}\" height=\"{2}\" fill=\"white\"/>\n{5}</svg>\n",
+      y.from, width, y.to - y.from, escaped(description), y.from > 0 ? fmt::format(" y=\"{}\"", y.from) : "", body);
+}
+
 }  // namespace
 
 void SvgCanvas::line(PixelPoint a, PixelPoint b, std::string_view style) {
@@ -65,12 +78,23 @@ void SvgCanvas::text(PixelPoint at, std::string_view content, std::string_view a
   body_ += fmt::format("<text x=\"{:.2f}\" y=\"{:.2f}\" {}>{}</text>\n", at.x, at.y, attributes, escaped(content));
 }
 
+void SvgCanvas::permit_break(double y) { breaks_.push_back({y, body_.size()}); }
+
 std::string SvgCanvas::svg(std::string_view description) const {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" role=\"img\" "
-      "font-family=\"Liberation Sans, Arial, sans-serif\" font-size=\"11\">\n<title>{2}</title>\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n{3}</svg>\n",
-      width_, height_, escaped(description), body_);
+  return picture(width_, {0, height_}, description, body_);
+}
+
+std::vector<std::string> SvgCanvas::strips(std::string_view description) const {
+  std::vector<Break> ends = breaks_;
+  ends.push_back({height_, body_.size()});
+  std::vector<std::string> pictures;
+  Break start;
+  for (const Break& end : ends) {
+    pictures.push_back(picture(width_, {start.y, end.y}, description,
+                               std::string_view(body_).substr(start.length, end.length - start.length)));
+    start = end;
+  }
+  return pictures;
 }
 
 std::string escaped(std::string_view text) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,12 +30,22 @@ class SvgCanvas {
   void rectangle(PixelPoint corner, double width, double height, std::string_view style);
   /// `attributes` may contain anchor, size, weight, transform.
   void text(PixelPoint at, std::string_view content, std::string_view attributes);
+  /// Permits a page break at a height: everything drawn before is above it, everything drawn later is below it.
+  void permit_break(double y);
 
   [[nodiscard]] std::string svg(std::string_view description) const;
+  /// The same picture as several, one below the other, divided at the permitted page breaks.
+  [[nodiscard]] std::vector<std::string> strips(std::string_view description) const;
 
  private:
+  /// A permitted page break, and the length of the text of what is above it.
+  struct Break {
+    double y = 0;
+    std::size_t length = 0;
+  };
   double width_, height_;
   std::string body_;
+  std::vector<Break> breaks_;
 };
 
 /// Text escaped for XML and HTML.

@@ -25,7 +25,8 @@ double absolute(const response::TimeCurve& c) {
   return std::max(std::abs(c.largest.value), std::abs(c.smallest.value));
 }
 
-PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series) {
+PanelRow history_row(const response::TransientResponse& transient, const std::vector<GroupedCurve>& series,
+                     const project::ShownUnits& display) {
   const response::TimeCurve* tallest = &transient.curves[series.front().curve];
   double low = 0, high = 0;
   for (const GroupedCurve& s : series) {
@@ -34,7 +35,8 @@ PanelRow history_row(const response::TransientResponse& transient, const std::ve
     low = std::min(low, c.smallest.value);
     high = std::max(high, c.largest.value);
   }
-  const UnitPrefix unit = unit_prefix(absolute(*tallest), tallest->unit), second = time_unit(transient.time);
+  const UnitPrefix unit = unit_prefix(absolute(*tallest), results::display_unit(display, tallest->unit)),
+                   second = time_unit(transient.time);
   PanelRow row;
   std::vector<double> time;
   for (const double t : transient.time) time.push_back(t * second.factor);
@@ -82,9 +84,9 @@ std::vector<Figure> transient_figures(const study::Answers& answers) {
   for (const CurveGroup& group : curve_groups(curve_names(transient.curves))) {
     std::vector<PanelRow> rows;
     for (const auto* series : {&group.upper, &group.lower})
-      if (!series->empty()) rows.push_back(history_row(transient, *series));
+      if (!series->empty()) rows.push_back(history_row(transient, *series, answers.display));
     const std::string title = case_title("Time history: " + group.name, answers);
-    figures.push_back({title, "transient-" + file_part(group.name) + ".svg", stacked_rows(title, rows)});
+    figures.push_back(stacked_rows(title, "transient-" + file_part(group.name) + ".svg", rows));
   }
   return figures;
 }

@@ -14,14 +14,14 @@
 namespace trivet::report {
 namespace {
 
-using foundation::two_pi;
 constexpr double deepest = -80;  // dB
 
-std::string isolation_words(const response::Crossover& crossover) {
+std::string isolation_words(const response::Crossover& crossover, const project::ShownUnits& display) {
   if (!crossover.angular_frequency) return "does not isolate";
   return *crossover.angular_frequency == 0
       ? "isolates everywhere"
-      : fmt::format("isolates above {:.4g} Hz", *crossover.angular_frequency / two_pi);
+      : fmt::format("isolates above {:.4g} {}", results::shown_frequency(display, *crossover.angular_frequency),
+                    results::frequency_unit(display));
 }
 
 }  // namespace
@@ -31,9 +31,11 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
   if (!found || found->curves.angular_frequency.size() < 3) return {};
   const study::TransmissibilityResult& answer = *found;
   PanelRow row;
+  const auto in_unit = [&](double omega) { return results::shown_frequency(answers.display, omega); };
   std::vector<double> hertz;
-  for (const double omega : answer.curves.angular_frequency) hertz.push_back(omega / two_pi);
-  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true, "f [Hz]"};
+  for (const double omega : answer.curves.angular_frequency) hertz.push_back(in_unit(omega));
+  row.x = {hertz.front() > 0 ? hertz.front() : std::max(hertz[1], 1e-3 * hertz.back()), hertz.back(), true,
+           results::frequency_heading(answers.display)};
   double low = 0, high = 0;
   for (std::size_t i = 0; i < answer.curves.curves.size(); ++i) {
     const response::Curve& c = answer.curves.curves[i];
@@ -47,10 +49,10 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
     }
     for (const response::Crossover& crossover : answer.crossovers) {
       if (crossover.name != c.name || answer.is_share(i)) continue;
-      curve.key.push_back(isolation_words(crossover));
-      if (crossover.angular_frequency && *crossover.angular_frequency / two_pi > row.x.from &&
-          *crossover.angular_frequency / two_pi < row.x.to)
-        row.marks.push_back({*crossover.angular_frequency / two_pi, 0, series_colour(i), ""});
+      curve.key.push_back(isolation_words(crossover, answers.display));
+      if (crossover.angular_frequency && in_unit(*crossover.angular_frequency) > row.x.from &&
+          in_unit(*crossover.angular_frequency) < row.x.to)
+        row.marks.push_back({in_unit(*crossover.angular_frequency), 0, series_colour(i), ""});
     }
     row.curves.push_back(std::move(curve));
   }
@@ -58,7 +60,7 @@ std::vector<Figure> transmissibility_figures(const study::Answers& answers) {
            "transmissibility [dB]"};
   row.levels = {0};
   const std::string title = case_title("Transmissibility: " + answer.words, answers);
-  return {{title, "transmissibility-level.svg", stacked_rows(title, {row})}};
+  return {stacked_rows(title, "transmissibility-level.svg", {row})};
 }
 
 }  // namespace trivet::report

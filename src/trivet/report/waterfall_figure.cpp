@@ -119,7 +119,7 @@ std::vector<Figure> waterfall_figures(const study::Answers& answers) {
   std::vector<double> orders;
   for (const auto& [order, amplitude] : by_order)
     if (amplitude > 1e-3 * largest) orders.push_back(order);
-  const UnitPrefix unit = unit_prefix(largest, run_up.overall[*curve].unit);
+  const UnitPrefix unit = unit_prefix(largest, results::amplitude_unit(answers.display, run_up.overall[*curve].unit));
   Space space;
   space.rpm_from = run_up.speed.front() * rpm_per_rad_s;
   space.rpm_to = run_up.speed.back() * rpm_per_rad_s;

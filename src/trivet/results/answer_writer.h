@@ -38,7 +38,7 @@ struct AnswerWriter {
 };
 
 extern const AnswerWriter modes_results, roots_results, response_results, peaks_results, static_results,
-    limit_lines_results, load_sharing_results;
+    limit_lines_results, measurements_results, load_sharing_results;
 #define TRIVET_WRITER(name) extern const AnswerWriter name##_results;
 TRIVET_QUESTIONS(TRIVET_WRITER)
 #undef TRIVET_WRITER

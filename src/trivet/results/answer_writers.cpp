@@ -85,8 +85,8 @@ const std::vector<AnswerWriter>& answer_writers() {
 #define TRIVET_WRITER(name) project::named(#name, name##_results),
   static const std::vector<AnswerWriter> list = {
       TRIVET_WRITER(modes) TRIVET_WRITER(roots) TRIVET_WRITER(response) TRIVET_WRITER(peaks) TRIVET_WRITER(static)
-          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(map) TRIVET_WRITER(optimize)
-              TRIVET_WRITER(load_sharing)};
+          TRIVET_QUESTIONS(TRIVET_WRITER) TRIVET_WRITER(limit_lines) TRIVET_WRITER(measurements) TRIVET_WRITER(map)
+              TRIVET_WRITER(optimize) TRIVET_WRITER(load_sharing)};
 #undef TRIVET_WRITER
   return list;
 }

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
-#include "trivet/study/explanation.h"
 
 namespace trivet::results {
 namespace {
@@ -16,12 +16,13 @@ std::string checks_text(const std::vector<study::CheckLine>& lines) {
   return table.text();
 }
 
-std::string mounts_text(const std::vector<study::MountAtRest>& mounts) {
+std::string mounts_text(const std::vector<study::MountAtRest>& mounts, const project::ShownUnits& display) {
   if (mounts.empty()) return "";
   TextTable table({"mount at rest", "compression", "across its axis", "deflection"});
   for (const study::MountAtRest& mount : mounts)
-    table.add({mount.name, study::value_words(mount.compression, "N"), study::value_words(mount.across, "N"),
-               study::value_words(mount.deflection, "m")});
+    table.add({mount.name, value_text(mount.compression, display_unit(display, "N")),
+               value_text(mount.across, display_unit(display, "N")),
+               value_text(mount.deflection, display_unit(display, "m"))});
   return table.text();
 }
 
@@ -32,7 +33,7 @@ std::string case_check_text(const study::CaseCheck& found) {
       ? "Base model\n"
       : "Case " + found.case_name + (found.lines.empty() ? ": same checks as the base model\n" : "\n");
   if (!found.lines.empty()) text += checks_text(found.lines);
-  text += mounts_text(found.mounts);
+  text += mounts_text(found.mounts, found.display);
   for (const auto* notes : {&found.free_motions, &found.notes})
     for (const std::string& note : *notes) text += "  note: " + note + "\n";
   if (found.deep)

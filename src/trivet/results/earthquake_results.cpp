@@ -9,6 +9,7 @@
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Largest response to an earthquake.
@@ -69,17 +70,25 @@ std::string earthquake_csv(const project::Case&, const study::Answers& answers) 
 
 std::string earthquake_text(const project::Case&, const study::Answers& answers) {
   const response::EarthquakeResponse& e = *answers.find<response::EarthquakeResponse>("earthquake");
-  TextTable modes({"f [Hz]", "damping ratio", "effective mass [kg]", "S_a [m/s²]"});
+  const project::ShownUnits& display = answers.display;
+  const DisplayUnit mass = display_unit(display, "kg"), acceleration = display_unit(display, "m/s²");
+  TextTable modes({frequency_heading(display), "damping ratio", "effective mass [" + mass.unit + "]",
+                   "S_a [" + acceleration.unit + "]"});
   for (const response::ModalShare& m : e.modes)
-    modes.add({number_text(hertz(m.angular_frequency), 5), number_text(m.damping_ratio, 3),
-               number_text(m.effective_mass, 5), number_text(m.spectral_acceleration, 5)});
+    modes.add({number_text(shown_frequency(display, m.angular_frequency), 5), number_text(m.damping_ratio, 3),
+               number_text(m.effective_mass * mass.factor, 5),
+               number_text(m.spectral_acceleration * acceleration.factor, 5)});
   TextTable table({"result", "CQC", "SRSS", "unit"});
   std::map<std::string, double> largest;  // by unit
   for (const response::CombinedAnswer& a : e.answers)
     largest[a.unit] = std::max({largest[a.unit], a.complete_quadratic, a.square_root_of_sum_of_squares});
-  for (const response::CombinedAnswer& a : e.answers)
-    table.add({a.name, number_text(without_round_off(a.complete_quadratic, largest[a.unit])),
-               number_text(without_round_off(a.square_root_of_sum_of_squares, largest[a.unit])), a.unit});
+  for (const response::CombinedAnswer& a : e.answers) {
+    const DisplayUnit unit = display_unit(display, a.unit);
+    const auto shown = [&](double value) {
+      return number_text(without_round_off(value, largest[a.unit]) * unit.factor);
+    };
+    table.add({a.name, shown(a.complete_quadratic), shown(a.square_root_of_sum_of_squares), unit.unit});
+  }
   return "Earthquake response from the spectrum (motions relative to the ground, accelerations absolute)\n" +
       modes.text() + table.text() +
       fmt::format("  the spectrum covers modes with {} of the effective mass\n", percent(e.effective_mass_share));

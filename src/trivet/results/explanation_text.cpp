@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 namespace trivet::results {
@@ -98,7 +99,7 @@ std::string explain_text(const project::Case& variant, const study::Explanation&
   if (!text.empty()) text += "\n";
   if (explanation.peaks.empty()) return text + "No resonance peaks: nothing to explain\n";
   for (const study::ExplainedPeak& peak : explanation.peaks) {
-    text += wrapped(peak.sentence);
+    text += wrapped(peak.sentence + sentence_note(variant.display));
     text += modes_table(explanation, peak) + elements_table(variant, peak) + levers_table(explanation, peak);
     for (const std::string& note : peak.notes) text += "  note: " + note + "\n";
     text += "\n";

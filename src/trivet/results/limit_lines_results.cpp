@@ -3,6 +3,7 @@
 
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Answers of the response compared with limit lines of the user.
@@ -32,16 +33,18 @@ Json limit_lines(const study::Answers& answers) {
 
 std::string limit_lines_text(const study::Answers& answers) {
   if (answers.limit_lines.empty()) return "";
+  const auto in_unit = [&](double omega) { return shown_frequency(answers.display, omega); };
+  const std::string unit = " [" + frequency_unit(answers.display) + "]";
   TextTable table(
-      {"limit line", "result", "compared [Hz]", "least margin [dB]", "at [Hz]", "exceeded [Hz]", "verdict"});
+      {"limit line", "result", "compared" + unit, "least margin [dB]", "at" + unit, "exceeded" + unit, "verdict"});
   for (const study::LimitLineResult& l : answers.limit_lines) {
     std::string bands;
     for (const response::Band& band : l.comparison.exceeded)
-      bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", hertz(band.from), hertz(band.to));
+      bands += (bands.empty() ? "" : ", ") + fmt::format("{:.4g} … {:.4g}", in_unit(band.from), in_unit(band.to));
     table.add({l.line.name, l.of,
-               fmt::format("{:.4g} … {:.4g}", hertz(l.comparison.compared.from), hertz(l.comparison.compared.to)),
+               fmt::format("{:.4g} … {:.4g}", in_unit(l.comparison.compared.from), in_unit(l.comparison.compared.to)),
                number_text(response::margin_level(l.comparison.least_margin), 4),
-               number_text(hertz(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
+               number_text(in_unit(l.comparison.least_margin_at), 5), bands.empty() ? "–" : bands,
                l.comparison.met() ? "met" : "EXCEEDED"});
   }
   return "Limit lines\n" + table.text();

@@ -5,6 +5,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Undamped modes.
@@ -99,12 +100,20 @@ std::string strain_words(const project::Case& variant, const modal::Mode& mode) 
 }
 
 std::string modes_text(const project::Case& variant, const study::Answers& answers) {
-  TextTable table({"mode", "ω [rad/s]", "f [Hz]", "ω² [rad²/s²]", "most strain energy in", "motion"});
+  const std::vector<std::string> units = frequency_units(variant.display);
+  std::vector<std::string> header = {"mode"};
+  for (const std::string& unit : units) header.push_back(frequency_heading(variant.display, unit));
+  for (const char* name : {"ω² [rad²/s²]", "most strain energy in", "motion"}) header.emplace_back(name);
+  TextTable table(header);
   for (const modal::Mode& mode : answers.modes.list) {
     const double omega = mode.angular_frequency.value_or(nothing);
-    table.add({std::to_string(mode.number), number_text(omega, 9), number_text(omega / two_pi, 7),
-               number_text(mode.eigenvalue_squared, 9), strain_words(variant, mode),
-               mode.name + (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : "")});
+    std::vector<std::string> row = {std::to_string(mode.number)};
+    for (const std::string& unit : units)
+      row.push_back(number_text(shown_frequency(variant.display, omega, unit), unit == "Hz" ? 7 : 9));
+    row.push_back(number_text(mode.eigenvalue_squared, 9));
+    row.push_back(strain_words(variant, mode));
+    row.push_back(mode.name + (mode.repeated ? " (repeated root: one vector of an orthonormal basis)" : ""));
+    table.add(row);
   }
   const std::string which = answers.lowest_modes > 0 ? fmt::format(", the lowest {}", answers.lowest_modes) : "";
   return "Undamped modes" + which + "\n" + table.text();

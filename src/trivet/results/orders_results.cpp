@@ -8,6 +8,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/study/orders_answer.h"
 
@@ -108,11 +109,14 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   for (const response::CriticalSpeed& c : run.critical)
     if (!(c.relative_height < worth_a_row)) tall.push_back(c);
   std::stable_sort(tall.begin(), tall.end(), [](const auto& a, const auto& b) { return a.speed < b.speed; });
-  TextTable table({"speed [rpm]", "order", "f [Hz]", "result", "amplitude", "unit", "of its highest", "nearest mode"});
+  const std::string frequency = frequency_heading(answers.display);
+  const auto in_unit = [&](double omega) { return number_text(shown_frequency(answers.display, omega)); };
+  TextTable table({"speed [rpm]", "order", frequency, "result", "amplitude", "unit", "of its highest", "nearest mode"});
   for (std::size_t i = 0; i < std::min(most_rows, tall.size()); ++i) {
     const response::CriticalSpeed& c = tall[i];
-    table.add({number_text(rpm(c.speed)), number_text(c.order, 4), number_text(hertz(c.angular_frequency)),
-               run.overall[c.curve].name, number_text(c.amplitude), run.overall[c.curve].unit,
+    const DisplayUnit unit = amplitude_unit(answers.display, run.overall[c.curve].unit);
+    table.add({number_text(rpm(c.speed)), number_text(c.order, 4), in_unit(c.angular_frequency),
+               run.overall[c.curve].name, number_text(c.amplitude * unit.factor), unit.label(),
                percent(c.relative_height), mode_words(c.nearest_mode)});
   }
   std::string text = "Critical speeds (peaks of single orders above 1 % of the highest peak of the same result)\n" +
@@ -120,13 +124,14 @@ std::string orders_text(const project::Case&, const study::Answers& answers) {
   if (tall.size() > most_rows)
     text += fmt::format("  (the first {} of {}; --csv or --json gives all)\n", most_rows, tall.size());
   TextTable overall({"result", "highest rms of all orders", "at [rpm]", "unit"});
-  for (const response::Overall& o : run.overall)
-    overall.add({o.name, number_text(o.highest_rms), number_text(rpm(o.highest_rms_at)), o.unit});
-  TextTable points({"speed [rpm]", "order", "f [Hz]", "mode", "share of the modal force", "excited"});
+  for (const response::Overall& o : run.overall) {
+    const DisplayUnit unit = display_unit(answers.display, o.unit);
+    overall.add({o.name, number_text(o.highest_rms * unit.factor), number_text(rpm(o.highest_rms_at)), unit.unit});
+  }
+  TextTable points({"speed [rpm]", "order", frequency, "mode", "share of the modal force", "excited"});
   for (const response::Interference& p : answers.find<study::OrdersResult>("orders")->campbell.points)
-    points.add({number_text(rpm(p.speed)), number_text(p.order, 4), number_text(hertz(p.angular_frequency)),
-                mode_words(p.mode), p.modal_force_share ? percent(*p.modal_force_share) : "–",
-                p.excited ? "yes" : "no"});
+    points.add({number_text(rpm(p.speed)), number_text(p.order, 4), in_unit(p.angular_frequency), mode_words(p.mode),
+                p.modal_force_share ? percent(*p.modal_force_share) : "–", p.excited ? "yes" : "no"});
   return text + overall.text() +
       (answers.find<study::OrdersResult>("orders")->campbell.points.empty()
            ? ""

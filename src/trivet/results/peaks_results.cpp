@@ -3,9 +3,9 @@
 
 #include <cmath>
 
-#include "trivet/foundation/constants.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Exact resonance peaks.
@@ -52,8 +52,6 @@ Json peaks(const project::Case&, const study::Answers& answers) {
 
 namespace {
 
-using foundation::two_pi;
-
 std::string peaks_csv(const project::Case&, const study::Answers& answers) {
   std::string text =
       "name,unit,angular_frequency "
@@ -70,27 +68,43 @@ std::string peaks_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string peaks_table(const project::Case&, const study::Answers& answers) {
+std::vector<std::string> peak_headings(const project::ShownUnits& display) {
+  std::vector<std::string> header = {"curve"};
+  for (const std::string& unit : frequency_units(display)) header.push_back(frequency_heading(display, unit));
+  for (const char* name : {"amplitude", "unit", "× static", "above minimum", "nearest mode"}) header.emplace_back(name);
+  return header;
+}
+
+std::vector<std::string> peak_cells(const project::ShownUnits& display, const response::Peak& peak,
+                                    const response::CurveSummary& curve) {
+  std::vector<std::string> row = {curve.name};
+  for (const std::string& unit : frequency_units(display))
+    row.push_back(number_text(shown_frequency(display, peak.angular_frequency, unit), unit == "Hz" ? 6 : 9));
+  const DisplayUnit unit = amplitude_unit(display, curve.unit);
+  row.push_back(number_text(peak.amplitude * unit.factor, 9));
+  row.push_back(unit.label());
+  row.push_back(number_text(peak.ratio_to_static.value_or(nothing), 4));
+  const double prominence = response::relative_prominence(peak);
+  row.push_back(std::isinf(prominence) ? "∞" : fmt::format("{:.3g}%", 100 * prominence));
+  row.push_back(mode_words(peak.nearest_mode));
+  return row;
+}
+
+std::string peaks_table(const project::Case& variant, const study::Answers& answers) {
   const response::Peaks& found = answers.peaks->peaks;
-  TextTable table({"curve", "ω [rad/s]", "f [Hz]", "amplitude", "unit", "× static", "above minimum", "nearest mode"});
-  for (const response::Peak& peak : found.list)
-    table.add({found.curves[peak.curve].name, number_text(peak.angular_frequency, 9),
-               number_text(peak.angular_frequency / two_pi), number_text(peak.amplitude, 9),
-               found.curves[peak.curve].unit, number_text(peak.ratio_to_static.value_or(nothing), 4),
-               std::isinf(response::relative_prominence(peak))
-                   ? "∞"
-                   : fmt::format("{:.3g}%", 100 * response::relative_prominence(peak)),
-               peak.nearest_mode ? std::to_string(*peak.nearest_mode) : "–"});
+  TextTable table(peak_headings(variant.display));
+  for (const response::Peak& peak : found.list) table.add(peak_cells(variant.display, peak, found.curves[peak.curve]));
   std::string text = (std::isfinite(found.searched_to)
                           ? fmt::format("Resonance peaks up to {} rad/s\n", number_text(found.searched_to, 4))
                           : std::string("Resonance peaks, 0 < ω < ∞\n")) +
       (found.list.empty() ? std::string() : table.text());
   for (const response::CurveSummary& curve : found.curves) {
+    const DisplayUnit unit = amplitude_unit(variant.display, curve.unit);
     if (curve.vanishes) text += fmt::format("  {}: zero except for round-off\n", curve.name);
     else if (curve.peaks == 0)
       text += fmt::format(
           "  {}: no resonance peak (prominence above {:g} of its maximum); the maximum is {} {} at ω = {} rad/s\n",
-          curve.name, answers.peaks->min_prominence, number_text(curve.highest), curve.unit,
+          curve.name, answers.peaks->min_prominence, number_text(curve.highest * unit.factor), unit.label(),
           number_text(curve.highest_at));
   }
   if (std::isfinite(found.searched_to))

@@ -7,6 +7,7 @@
 #include "trivet/response/machinery/power.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Mean power into the ground.
@@ -55,14 +56,14 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
 std::string power_text(const project::Case& variant, const study::Answers& answers) {
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   if (p.angular_frequency.empty()) return "";
-  TextTable table({"mount", "highest power into the ground [W]", "at [Hz]"});
+  TextTable table({"mount", "highest power into the ground [W]", "at [" + frequency_unit(variant.display) + "]"});
   const double most = std::max(
       {p.by_forces.cwiseAbs().maxCoeff(), p.by_ground.cwiseAbs().maxCoeff(), p.into_ground.cwiseAbs().maxCoeff()});
   const auto add = [&](const std::string& name, const Eigen::VectorXd& power) {
     Eigen::Index at = 0;
     const double highest = without_round_off(power.maxCoeff(&at), most);
-    table.add(
-        {name, number_text(highest), highest == 0 ? "–" : number_text(hertz(p.angular_frequency[to_size(at)]), 5)});
+    const double frequency = shown_frequency(variant.display, p.angular_frequency[to_size(at)]);
+    table.add({name, number_text(highest), highest == 0 ? "–" : number_text(frequency, 5)});
   };
   for (std::size_t m = 0; m < p.mounts.size(); ++m) add(p.mounts[m], p.into_ground.row(to_index(m)).transpose());
   add("in total", p.into_ground_in_total);

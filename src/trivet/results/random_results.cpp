@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/study/random_answer.h"
 
@@ -128,26 +129,34 @@ std::string random_text(const project::Case&, const study::Answers& answers) {
     return a.weighted_rms || a.infinite_weighted_rms;
   });
   std::vector<std::string> header = {"result", "rms", "3σ", "unit", "upward zero crossings [1/s]"};
-  if (weighted) header.push_back("weighted rms [m/s², rad/s²]");
+  if (weighted)
+    header.push_back(fmt::format("weighted rms [{}, {}]", display_unit(answers.display, "m/s²").unit,
+                                 display_unit(answers.display, "rad/s²").unit));
   if (random.inputs.size() > 1)
     for (const std::string& input : random.inputs) header.push_back("from " + input);
   TextTable table(header);
   std::string reasons;
   for (const response::RandomAnswer& a : list) {
-    std::vector<std::string> row = {a.name, number_text(bounded_number(a.rms, a.infinite_rms)),
-                                    number_text(bounded_number(a.three_sigma, a.infinite_rms)), a.unit,
+    const DisplayUnit unit = display_unit(answers.display, a.unit);
+    std::vector<std::string> row = {a.name, number_text(bounded_number(a.rms, a.infinite_rms) * unit.factor),
+                                    number_text(bounded_number(a.three_sigma, a.infinite_rms) * unit.factor), unit.unit,
                                     number_text(a.zero_crossings.value_or(nothing), 4)};
-    if (weighted) row.push_back(number_text(bounded_number(a.weighted_rms, a.infinite_weighted_rms)));
+    if (weighted)
+      row.push_back(number_text(bounded_number(a.weighted_rms, a.infinite_weighted_rms) *
+                                display_unit(answers.display, a.unit.starts_with("rad") ? "rad/s²" : "m/s²").factor));
     for (std::size_t i = 0; i < random.inputs.size() && random.inputs.size() > 1; ++i)
       row.push_back(i < a.variance_share.size() ? percent(a.variance_share[i]) : "–");
     table.add(row);
     if (!a.reason.empty()) reasons += "  " + a.name + ": " + a.reason + "\n";
   }
+  const DisplayUnit acceleration = display_unit(answers.display, "m/s²");
   for (const study::TotalValue& total : random.total_values)
-    reasons += fmt::format("  {}: vibration total value of the weighted accelerations {} m/s², of {}\n", total.name,
-                           number_text(total.value, 4), fmt::join(total.axes, ", "));
-  return fmt::format("Random response, {} to {} Hz\n", number_text(hertz(random.response.from), 4),
-                     number_text(hertz(random.response.to), 4)) +
+    reasons +=
+        fmt::format("  {}: vibration total value of the weighted accelerations {} {}, of {}\n", total.name,
+                    number_text(total.value * acceleration.factor, 4), acceleration.unit, fmt::join(total.axes, ", "));
+  return fmt::format(
+             "Random response, {} to {} {}\n", number_text(shown_frequency(answers.display, random.response.from), 4),
+             number_text(shown_frequency(answers.display, random.response.to), 4), frequency_unit(answers.display)) +
       table.text() + reasons + accuracy_text(random.response);
 }
 

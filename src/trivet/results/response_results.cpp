@@ -8,6 +8,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Amplitude- and phase-frequency characteristics, and the limits on them.
@@ -99,14 +100,17 @@ Json drawn_response(const study::Answers& answers) {
 std::string limits_text(const study::Answers& answers) {
   if (answers.limits.empty()) return "";
   const bool one = answers.response && answers.response->band.from == answers.response->band.to;
-  TextTable table({"limit on", "allowed", one ? "at this ω alone" : "largest in band", "at ω [rad/s]",
-                   "largest at any ω", "unit", "verdict"});
-  for (const study::LimitAnswer& limit : answers.limits)
-    table.add({limit.name, number_text(limit.limit), number_text(limit.in_band), number_text(limit.in_band_at),
-               number_text(limit.anywhere), limit.unit,
+  TextTable table({"limit on", "allowed", one ? "at this ω alone" : "largest in band",
+                   "at " + frequency_heading(answers.display, "rad/s"), "largest at any ω", "unit", "verdict"});
+  for (const study::LimitAnswer& limit : answers.limits) {
+    const DisplayUnit unit = amplitude_unit(answers.display, limit.unit);
+    table.add({limit.name, number_text(limit.limit * unit.factor), number_text(limit.in_band * unit.factor),
+               number_text(shown_frequency(answers.display, limit.in_band_at, "rad/s")),
+               number_text(limit.anywhere * unit.factor), unit.label(),
                !limit.met ? "EXCEEDED"
                    : one  ? "met at this ω"
                           : "met"});
+  }
   return "Limits\n" + table.text();
 }
 
@@ -135,11 +139,13 @@ std::string response_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string response_table(const project::Case&, const study::Answers& answers) {
+std::string response_table(const project::Case& variant, const study::Answers& answers) {
   const study::ResponseAnswer& answer = *answers.response;
-  std::vector<std::string> header = {"ω [rad/s]"};
+  std::vector<std::string> header = {frequency_heading(variant.display, "rad/s")};
+  std::vector<DisplayUnit> units;
   for (const auto& curve : answer.curves.curves) {
-    header.push_back(fmt::format("|{}| [{}]", curve.name, curve.unit));
+    units.push_back(amplitude_unit(variant.display, curve.unit));
+    header.push_back(fmt::format("|{}| [{}]", curve.name, units.back().label()));
     header.push_back("phase");
   }
   TextTable table(header, 2);
@@ -147,16 +153,18 @@ std::string response_table(const project::Case&, const study::Answers& answers) 
   const std::size_t count = answer.curves.angular_frequency.size();
   const std::size_t step = (count + most_rows - 1) / most_rows;
   for (std::size_t i = 0; i < count; i += step) {
-    std::vector<std::string> row = {number_text(answer.curves.angular_frequency[i])};
+    std::vector<std::string> row = {
+        number_text(shown_frequency(variant.display, answer.curves.angular_frequency[i], "rad/s"))};
     for (std::size_t c = 0; c < answer.curves.curves.size(); ++c) {
-      row.push_back(number_text(std::abs(answer.curves.curves[c].value(to_index(i)))));
+      row.push_back(number_text(std::abs(answer.curves.curves[c].value(to_index(i))) * units[c].factor));
       const double degrees = answer.phase[c](to_index(i)) * 360 / foundation::two_pi;
       at_rest |= answer.curves.curves[c].value(to_index(i)) == 0.0;
       row.push_back(std::isnan(degrees) ? "–" : fmt::format("{:.1f}°", degrees));
     }
     table.add(row);
   }
-  std::string text = "Amplitude and phase (zero-to-peak; a lag is negative)\n" + table.text();
+  std::string text =
+      fmt::format("Amplitude and phase ({}; a lag is negative)\n", level_words(variant.display.level)) + table.text();
   if (at_rest) text += "  (–: a result that is zero has no phase)\n";
   if (step > 1) text += fmt::format("  (every {}th of {} frequencies; --csv or --json gives all)\n", step, count);
   text += fmt::format(

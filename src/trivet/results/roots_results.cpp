@@ -4,6 +4,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Damped roots.
@@ -46,12 +47,14 @@ std::string roots_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-std::string roots_text(const project::Case&, const study::Answers& answers) {
-  TextTable table({"Re λ [1/s]", "Im λ [rad/s]", "kind", "|λ| [rad/s]", "damping ratio", "nearest mode"});
+std::string roots_text(const project::Case& variant, const study::Answers& answers) {
+  const std::string unit = frequency_unit(variant.display, "rad/s");
+  const auto in_unit = [&](double omega) { return shown_frequency(variant.display, omega, "rad/s"); };
+  TextTable table({"Re λ [1/s]", "Im λ [" + unit + "]", "kind", "|λ| [" + unit + "]", "damping ratio", "nearest mode"});
   for (const modal::Root& root : answers.roots.list)
-    table.add({number_text(root.eigenvalue.real(), 8), number_text(root.eigenvalue.imag(), 8),
+    table.add({number_text(root.eigenvalue.real(), 8), number_text(in_unit(root.eigenvalue.imag()), 8),
                std::string(modal::name(root.kind)) + (root.exact ? "" : " (approximate)"),
-               number_text(root.angular_frequency.value_or(nothing), 8),
+               number_text(in_unit(root.angular_frequency.value_or(nothing)), 8),
                number_text(root.damping_ratio.value_or(nothing)),
                root.nearest_mode ? std::to_string(*root.nearest_mode) : "–"});
   return "Damped roots λ, motion ~ exp(λt)\n" + table.text();

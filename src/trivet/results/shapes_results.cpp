@@ -7,6 +7,7 @@
 #include "trivet/response/machinery/deflection_shape.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Operating deflection shapes.
@@ -55,19 +56,23 @@ std::string shapes_csv(const project::Case&, const study::Answers& answers) {
 
 std::string shapes_text(const project::Case& variant, const study::Answers& answers) {
   std::string text = excited_at_once(variant, "shapes");
+  const DisplayUnit length = amplitude_unit(variant.display, "m");
+  const std::string in_length = "| [" + length.label() + "]";
   for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes")) {
-    TextTable table({"place", "|x| [m]", "|y| [m]", "|z| [m]", "phase x", "phase y", "phase z"});
+    TextTable table({"place", "|x" + in_length, "|y" + in_length, "|z" + in_length, "phase x", "phase y", "phase z"});
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
       for (const response::MovingPlace& p : *group) {
         std::vector<std::string> row = {p.name};
-        for (int j = 0; j < 3; ++j) row.push_back(number_text(std::abs(p.motion(j))));
+        for (int j = 0; j < 3; ++j) row.push_back(number_text(std::abs(p.motion(j)) * length.factor));
         for (int j = 0; j < 3; ++j)
           row.push_back(
               std::abs(p.motion(j)) > 0 ? fmt::format("{:.1f}°", std::arg(p.motion(j)) * 180 / std::numbers::pi) : "–");
         table.add(row);
       }
-    text += fmt::format("Operating deflection shape at {} Hz, largest excursion {} m\n",
-                        number_text(hertz(shape.angular_frequency)), number_text(shape.largest_excursion)) +
+    text += fmt::format("Operating deflection shape at {} {}, largest excursion {} {}\n",
+                        number_text(shown_frequency(variant.display, shape.angular_frequency)),
+                        frequency_unit(variant.display), number_text(shape.largest_excursion * length.factor),
+                        length.label()) +
         table.text();
   }
   return text;

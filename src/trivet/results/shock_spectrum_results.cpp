@@ -6,6 +6,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/study/shock_spectrum_answer.h"
 
@@ -60,13 +61,18 @@ std::string shock_spectrum_text(const project::Case&, const study::Answers& answ
   std::string text;
   for (const study::ShockSpectrumResult& spectrum :
        *answers.find<std::vector<study::ShockSpectrumResult>>("shock_spectrum")) {
-    TextTable table({"natural frequency [Hz]", "largest [m/s²]", "smallest [m/s²]", "pseudo velocity [m/s]",
-                     "relative displacement [m]"});
+    const DisplayUnit acceleration = display_unit(answers.display, "m/s²"),
+                      speed = display_unit(answers.display, "m/s"), length = display_unit(answers.display, "m");
+    TextTable table({"natural frequency [" + frequency_unit(answers.display) + "]",
+                     "largest [" + acceleration.unit + "]", "smallest [" + acceleration.unit + "]",
+                     "pseudo velocity [" + speed.unit + "]", "relative displacement [" + length.unit + "]"});
     const std::size_t step = (spectrum.spectrum.size() + most_rows - 1) / most_rows;
     for (std::size_t i = 0; i < spectrum.spectrum.size(); i += step) {
       const excitation::ShockResponse& r = spectrum.spectrum[i];
-      table.add({number_text(hertz(r.angular_frequency), 5), number_text(r.largest()), number_text(r.smallest()),
-                 number_text(r.pseudo_velocity()), number_text(r.relative_displacement)});
+      table.add({number_text(shown_frequency(answers.display, r.angular_frequency), 5),
+                 number_text(r.largest() * acceleration.factor), number_text(r.smallest() * acceleration.factor),
+                 number_text(r.pseudo_velocity() * speed.factor),
+                 number_text(r.relative_displacement * length.factor)});
     }
     text += fmt::format("Shock response spectrum of {}, damping ratio {:.4g} (absolute acceleration)\n",
                         spectrum.excitation, spectrum.damping_ratio) +

@@ -3,6 +3,7 @@
 
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 /// Static displacements and forces, and the load on each mount.
@@ -51,17 +52,24 @@ std::string load_sharing_csv(const project::Case&, const study::Answers& answers
 }
 
 std::string load_sharing_text(const study::Answers& answers) {
-  TextTable table({"mount", "load [N]", "share", "deflection x [m]", "y [m]", "z [m]"});
-  for (const response::MountLoad& m : answers.load_sharing->mounts)
-    table.add({m.element, number_text(m.bearing), percent(m.share), number_text(m.deflection(0), 4),
-               number_text(m.deflection(1), 4), number_text(m.deflection(2), 4)});
+  const DisplayUnit force = display_unit(answers.display, "N"), length = display_unit(answers.display, "m");
+  const std::string in_length = " [" + length.unit + "]";
+  TextTable table(
+      {"mount", "load [" + force.unit + "]", "share", "deflection x" + in_length, "y" + in_length, "z" + in_length});
+  for (const response::MountLoad& m : answers.load_sharing->mounts) {
+    std::vector<std::string> row = {m.element, number_text(m.bearing * force.factor), percent(m.share)};
+    for (int j = 0; j < 3; ++j) row.push_back(number_text(m.deflection(j) * length.factor, 4));
+    table.add(row);
+  }
   return "Load sharing (deflection of end K relative to N in the element's axes)\n" + table.text();
 }
 
 std::string static_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"result", "value", "unit"});
-  for (const response::StaticValue& value : answers.statics->values)
-    table.add({value.name, number_text(value.value, 9), value.unit});
+  for (const response::StaticValue& value : answers.statics->values) {
+    const DisplayUnit unit = display_unit(answers.display, value.unit);
+    table.add({value.name, number_text(value.value * unit.factor, 9), unit.unit});
+  }
   return "Static displacements and forces\n" + table.text() +
       (answers.load_sharing ? load_sharing_text(answers) : std::string());
 }

@@ -10,7 +10,8 @@ namespace {
 
 void add_signals(const std::string& axis, const std::vector<study::Signal>& signals, LabelledArrays& list) {
   list.texts(axis, axis, signals, [](const study::Signal& signal) { return signal.name; });
-  list.texts(axis + "_unit", axis, signals, [](const study::Signal& signal) { return signal.unit.empty() ? "1" : signal.unit; });
+  list.texts(axis + "_unit", axis, signals,
+             [](const study::Signal& signal) { return signal.unit.empty() ? "1" : signal.unit; });
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/study/transient_answer.h"
 
@@ -47,9 +48,12 @@ std::string transient_csv(const project::Case&, const study::Answers& answers) {
 std::string transient_text(const project::Case& variant, const study::Answers& answers) {
   const response::TransientResponse& found = answers.find<study::TransientResult>("transient")->response;
   TextTable table({"result", "largest", "at [s]", "smallest", "at [s]", "rms", "unit"});
-  for (const response::TimeCurve& c : found.curves)
-    table.add({c.name, number_text(c.largest.value), number_text(c.largest.time, 5), number_text(c.smallest.value),
-               number_text(c.smallest.time, 5), number_text(c.rms), c.unit});
+  for (const response::TimeCurve& c : found.curves) {
+    const DisplayUnit unit = display_unit(variant.display, c.unit);
+    table.add({c.name, number_text(c.largest.value * unit.factor), number_text(c.largest.time, 5),
+               number_text(c.smallest.value * unit.factor), number_text(c.smallest.time, 5),
+               number_text(c.rms * unit.factor), unit.unit});
+  }
   const Eigen::Index n = found.time.size();
   return excited_at_once(variant, "transient") +
       fmt::format("Time history, {} to {} s, {} points\n", number_text(found.time(0), 4),

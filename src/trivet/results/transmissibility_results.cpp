@@ -6,6 +6,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/study/transmissibility_answer.h"
 
@@ -66,17 +67,17 @@ std::string transmissibility_csv(const project::Case&, const study::Answers& ans
 
 std::string transmissibility_text(const project::Case&, const study::Answers& answers) {
   const study::TransmissibilityResult& t = *answers.find<study::TransmissibilityResult>("transmissibility");
-  TextTable table({"result", "highest |T|", "at [Hz]", "level [dB]", "isolates from [Hz]", "at the end of the band",
+  const std::string unit = " [" + frequency_unit(answers.display) + "]";
+  const auto in_unit = [&](double omega) { return number_text(shown_frequency(answers.display, omega), 5); };
+  TextTable table({"result", "highest |T|", "at" + unit, "level [dB]", "isolates from" + unit, "at the end of the band",
                    "efficiency there"});
   for (std::size_t i = 0; i < t.curves.curves.size(); ++i) {
     const response::CurveSummary& summary = t.peaks.curves[i];
     const Eigen::VectorXcd& values = t.curves.curves[i].value;
     const double last = std::abs(values(values.size() - 1));
-    table.add({summary.name, number_text(summary.highest), number_text(hertz(summary.highest_at), 5),
+    table.add({summary.name, number_text(summary.highest), in_unit(summary.highest_at),
                number_text(response::transmissibility_level(summary.highest), 4),
-               t.crossovers[i].angular_frequency && !t.is_share(i)
-                   ? number_text(hertz(*t.crossovers[i].angular_frequency), 5)
-                   : "–",
+               t.crossovers[i].angular_frequency && !t.is_share(i) ? in_unit(*t.crossovers[i].angular_frequency) : "–",
                number_text(last, 4), t.is_share(i) ? "–" : percent(response::isolation_efficiency(last))});
   }
   const std::string shares = t.is_share(1)

@@ -7,9 +7,9 @@
 
 #include "trivet/results/csv_field.h"
 #include "trivet/results/json_parts.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/verdict_words.h"
-#include "trivet/study/explanation.h"
 
 namespace trivet::results {
 namespace {
@@ -32,8 +32,9 @@ std::string envelope_text(const study::Envelope& envelope) {
   if (envelope.rows.empty()) return "";
   TextTable table({"at rest, over all cases", "least", "in", "largest", "in"});
   for (const study::EnvelopeRow& row : envelope.rows)
-    table.add({row.name, study::value_words(row.least, row.unit), case_of_envelope(row.least_in),
-               study::value_words(row.largest, row.unit), case_of_envelope(row.largest_in)});
+    table.add({row.name, value_text(row.least, display_unit(envelope.display, row.unit)),
+               case_of_envelope(row.least_in), value_text(row.largest, display_unit(envelope.display, row.unit)),
+               case_of_envelope(row.largest_in)});
   std::string text = table.text();
   for (const auto& [name, reason] : envelope.left_out)
     text += "  without " + case_of_envelope(name) + ": " + reason + "\n";

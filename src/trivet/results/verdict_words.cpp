@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "trivet/foundation/constants.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::results {
@@ -17,9 +17,13 @@ using study::CaseVerdict;
 using study::RequirementKind;
 using study::RequirementResult;
 
+std::string shown_frequency_words(double omega, const project::ShownUnits& display) {
+  return fmt::format("{:.5g} {}", shown_frequency(display, omega), frequency_unit(display));
+}
+
 std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
 
-std::string value_cell(const RequirementResult& r) {
+std::string value_cell(const RequirementResult& r, const project::ShownUnits& display) {
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
   switch (r.kind) {
@@ -28,21 +32,22 @@ std::string value_cell(const RequirementResult& r) {
     case RequirementKind::decoupling:
       return fmt::format("{:.4g} %", 100 * *r.value);
     case RequirementKind::avoided_frequencies:
-      return fmt::format("{:.5g} Hz", *r.value / foundation::two_pi);
+      return shown_frequency_words(*r.value, display);
     case RequirementKind::separation:
     case RequirementKind::damping_ratio:
       return fmt::format("{:.5g}", *r.value);
     case RequirementKind::price:
     case RequirementKind::mount_mass:
-      return fmt::format("{:.6g} {}", *r.value, r.unit);
+      return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
+                         requirement_unit(r, display).unit);
     default:
-      return study::value_words(*r.value, r.unit);
+      return value_text(*r.value, requirement_unit(r, display));
   }
 }
 
-std::string place_words(const RequirementResult& r) {
+std::string place_words(const RequirementResult& r, const project::ShownUnits& display) {
   std::string text;
-  if (r.angular_frequency) text = fmt::format("{:.5g} Hz", *r.angular_frequency / foundation::two_pi);
+  if (r.angular_frequency) text = shown_frequency_words(*r.angular_frequency, display);
   if (r.time) text = fmt::format("{:.5g} s", *r.time);
   if (!r.detail.empty()) text += (text.empty() ? "" : ", ") + r.detail;
   return text;
@@ -53,6 +58,19 @@ std::string case_words(const CaseVerdict& judged) {
 }
 
 }  // namespace
+
+DisplayUnit requirement_unit(const RequirementResult& r, const project::ShownUnits& display) {
+  if (r.kind == RequirementKind::avoided_frequencies)
+    return {frequency_unit(display, "rad/s"), "", shown_frequency(display, 1, "rad/s"), false};
+  const bool harmonic = r.kind == RequirementKind::amplitude || r.kind == RequirementKind::mount_dynamic_deflection;
+  return harmonic ? amplitude_unit(display, r.unit) : display_unit(display, r.unit);
+}
+
+std::string requirement_words(const RequirementResult& r, const project::ShownUnits& display) {
+  const std::string bound = "≤ " + study::value_words(r.allowed, r.unit);
+  if (!r.words.ends_with(bound)) return r.words;
+  return r.words.substr(0, r.words.size() - bound.size()) + "≤ " + value_text(r.allowed, requirement_unit(r, display));
+}
 
 std::string verdict_summary(const CaseVerdict& judged) {
   const auto met = std::count_if(judged.results.begin(), judged.results.end(), [](const auto& r) { return r.met(); });
@@ -67,11 +85,12 @@ std::string verdict_summary(const CaseVerdict& judged) {
   if (judged.not_judged() > 0) text += fmt::format(", {} not judged", judged.not_judged());
   if (judged.governing) {
     const RequirementResult& r = judged.results[*judged.governing];
-    text += std::isinf(r.margin) ? "; nothing limits it"
-                                 : fmt::format("; governing: {}, margin {}", r.words, margin_words(r.margin));
+    text += std::isinf(r.margin)
+        ? "; nothing limits it"
+        : fmt::format("; governing: {}, margin {}", requirement_words(r, judged.display), margin_words(r.margin));
   }
   if (!judged.decides) text += "; the design need not hold in this case";
-  return text + "\n" + (judged.cause.empty() ? "" : "  " + judged.cause + "\n");
+  return text + "\n" + (judged.cause.empty() ? "" : "  " + judged.cause + sentence_note(judged.display) + "\n");
 }
 
 std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
@@ -84,7 +103,8 @@ std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   std::vector<RequirementRow> rows;
   for (const std::size_t i : order) {
     const RequirementResult& r = judged.results[i];
-    rows.push_back({r.words, value_cell(r), place_words(r), r.value ? margin_words(r.margin) : "",
+    rows.push_back({requirement_words(r, judged.display), value_cell(r, judged.display), place_words(r, judged.display),
+                    r.value ? margin_words(r.margin) : "",
                     !r.value      ? "NOT JUDGED"
                         : r.met() ? "met"
                                   : "VIOLATED",

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "trivet/results/shown_numbers.h"
 #include "trivet/study/verdict.h"
 
 /// A verdict in words, for the screen and the report.
@@ -11,6 +12,11 @@ namespace trivet::results {
 
 /// How many requirements are met, which one governs, and what causes it: one line or two.
 [[nodiscard]] std::string verdict_summary(const study::CaseVerdict& judged);
+
+/// How the bound and the value of a requirement are shown.
+[[nodiscard]] DisplayUnit requirement_unit(const study::RequirementResult& result, const project::ShownUnits& display);
+/// "machine.z ≤ 0.5 mm" with the bound in the units of the display. Words without a bound at their end stay.
+[[nodiscard]] std::string requirement_words(const study::RequirementResult& result, const project::ShownUnits& display);
 
 /// A requirement as a line of a table.
 struct RequirementRow {

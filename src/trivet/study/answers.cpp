@@ -99,6 +99,7 @@ class CaseStudy {
     Answers result;
     result.case_name = variant.name;
     result.changes = variant.changes;
+    result.display = variant.display;
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.notes = model::left_out_notes(c_.system.description());
     result.modes = c_.modes;
@@ -165,6 +166,8 @@ class CaseStudy {
         result.limit_lines =
             limit_line_answer(c_, analyses.limit_lines, analyses.response->selection, result.response->band);
       });
+    if (result.response && !analyses.measurements.empty())
+      attempt([&] { result.measurements = measurement_comparisons(c_, analyses, result.response->band); });
   }
 
   /// Peaks of a set of curves. The automatic grid, the peaks and the limits use the same curves: each set is searched

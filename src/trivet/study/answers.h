@@ -21,6 +21,7 @@
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/design_map.h"
 #include "trivet/study/load_case.h"
+#include "trivet/study/measurement_comparison.h"
 #include "trivet/study/verdict.h"
 
 namespace trivet::study {
@@ -67,6 +68,7 @@ struct LimitLineResult {
 struct Answers {
   std::string case_name;
   std::vector<std::string> changes;
+  project::ShownUnits display;    ///< of its tables and pictures
   foundation::Problems warnings;  ///< of data, modes and roots: they concern every answer
   std::vector<std::string> free_motions;
   std::vector<std::string> notes;  ///< directions of nodes that are left out
@@ -78,6 +80,7 @@ struct Answers {
   std::optional<response::StaticResponse> statics;
   std::optional<response::LoadSharing> load_sharing;
   std::vector<LimitLineResult> limit_lines;
+  std::vector<MeasurementComparison> measurements;
   std::vector<LimitAnswer> limits;
   std::optional<CaseVerdict> verdict;                ///< on the requirements of the file, if a run judges them
   std::optional<LoadCase> load_case;                 ///< for the envelope of a run with several cases

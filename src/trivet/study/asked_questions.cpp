@@ -85,6 +85,16 @@ Analyses limit_lines_of(const Case& variant) {
   return asked;
 }
 
+Analyses measurements_of(const Case& variant) {
+  if (variant.analyses.measurements.empty())
+    throw foundation::InvalidInput(
+        "measurements: none given; add [measurements.NAME] with file = \"frf.uff\" and a response to [analyses]");
+  Analyses asked;
+  asked.response = variant.analyses.response;
+  asked.measurements = variant.analyses.measurements;
+  return asked;
+}
+
 }  // namespace
 
 const std::vector<AskedQuestion>& asked_questions() {
@@ -107,6 +117,10 @@ const std::vector<AskedQuestion>& asked_questions() {
                    "response curves compared with limit lines over frequency",
                    {"response", "limit_lines"},
                    limit_lines_of});
+    all.push_back({"measurements",
+                   "measured curves and mode shapes compared with computed ones",
+                   {"response", "measurements"},
+                   measurements_of});
     return all;
   }();
   return list;

@@ -11,8 +11,8 @@ namespace trivet::study {
 
 /// An analysis that a command can request separately.
 struct AskedQuestion {
-  const char* name;                   ///< name of its table in [analyses]; `limit_lines` has a table of its own
-  const char* about;                  ///< one line of help
+  const char* name;   ///< name of its table in [analyses]; `limit_lines` and `measurements` have tables of their own
+  const char* about;  ///< one line of help
   std::vector<std::string> looks_at;  ///< tables of the file; errors in them stop the analysis
   /// The request: that of the file, otherwise one with defaults. @throws foundation::InvalidInput if the file must
   /// specify more, with what to add

@@ -243,9 +243,9 @@ void require_numbers(const project::Case& variant, const SweepRequest& request) 
                       "elements.mount.scale or bodies.engine.mass",
                       number.path));
     if (number.values.empty()) throw InvalidInput(fmt::format("sweep: {}: no values; give at least one", number.path));
-    for (const double value : number.values)
-      if (!std::isfinite(value))
-        throw InvalidInput(fmt::format("sweep: {}: {} is not a number; give finite ones", number.path, value));
+    for (const double each : number.values)
+      if (!std::isfinite(each))
+        throw InvalidInput(fmt::format("sweep: {}: {} is not a number; give finite ones", number.path, each));
   }
 }
 

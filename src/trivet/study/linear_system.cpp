@@ -139,7 +139,8 @@ void take_physical_states(const response::StateSpace& space, const std::vector<S
   for (const bool velocity : {false, true})
     for (Eigen::Index i = 0; i < n; ++i) {
       const std::string &name = coordinates[to_size(i)].name, &unit = coordinates[to_size(i)].unit;
-      if (velocity) system.states.push_back({name + ".velocity", unit.empty() ? "1/s" : unit + "/s", "", typical_velocity});
+      if (velocity)
+        system.states.push_back({name + ".velocity", unit.empty() ? "1/s" : unit + "/s", "", typical_velocity});
       else system.states.push_back({name, unit, "", typical_displacement});
     }
 }
@@ -174,7 +175,8 @@ LinearSystem linear_system(const project::Case& variant, const std::vector<std::
     add_inputs(all[c], space.G(c),
                rows.on_input.middleCols(to_index(c) * response::input_derivatives, response::input_derivatives),
                system);
-  for (const assembly::Channel& channel : channels) system.outputs.push_back({channel.name, channel.unit == "1" ? "" : channel.unit});
+  for (const assembly::Channel& channel : channels)
+    system.outputs.push_back({channel.name, channel.unit == "1" ? "" : channel.unit});
   const std::vector<std::string> names = row_names(variant.system, assembled),
                                  units = row_units(variant.system, assembled);
   std::vector<Signal> coordinates;

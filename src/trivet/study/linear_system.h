@@ -28,11 +28,11 @@ struct Signal {
 struct LinearSystem {
   std::string title;
   std::vector<Signal> states, inputs, outputs;
-  Eigen::MatrixXd A;              ///< n × n
-  Eigen::MatrixXd B;              ///< n × m
-  Eigen::MatrixXd C;              ///< p × n
-  Eigen::MatrixXd D;              ///< p × m
-  Eigen::VectorXd initial = {};   ///< states at the start, n; zero if it is empty
+  Eigen::MatrixXd A;             ///< n × n
+  Eigen::MatrixXd B;             ///< n × m
+  Eigen::MatrixXd C;             ///< p × n
+  Eigen::MatrixXd D;             ///< p × m
+  Eigen::VectorXd initial = {};  ///< states at the start, n; zero if it is empty
   foundation::Problems warnings = {};
 };
 

@@ -59,6 +59,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   const CaseContext context(variant.system, progress);
   CaseVerdict result;
   result.case_name = variant.name;
+  result.display = variant.display;
   result.decides = std::find(hold_in.begin(), hold_in.end(), variant.name) != hold_in.end();
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
@@ -137,6 +138,7 @@ Verdict verdict(const project::Project& project, const foundation::Progress& pro
   std::vector<const LoadCase*> load_cases;
   for (const CaseVerdict& judged : result.cases) load_cases.push_back(&judged.load_case);
   result.envelope = envelope(load_cases);
+  result.envelope.display = project.base().display;
   return result;
 }
 

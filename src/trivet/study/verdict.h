@@ -66,7 +66,8 @@ struct RequirementResult {
 /// All requirements of one case.
 struct CaseVerdict {
   std::string case_name;
-  bool decides = true;  ///< the design has to hold in this case
+  project::ShownUnits display;  ///< of its tables
+  bool decides = true;          ///< the design has to hold in this case
   std::vector<RequirementResult> results;
   std::optional<std::size_t> governing;  ///< of the judged ones, that with the least margin
   std::string cause;                     ///< of a governing amplitude or peak: mode, element and what changes it

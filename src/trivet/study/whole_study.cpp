@@ -119,7 +119,9 @@ Envelope envelope_of(const std::vector<Answers>& answers) {
   std::vector<const LoadCase*> cases;
   for (const Answers& one : answers)
     if (one.load_case) cases.push_back(&*one.load_case);
-  return envelope(cases);
+  Envelope result = envelope(cases);
+  if (!answers.empty()) result.display = answers.front().display;
+  return result;
 }
 
 std::vector<CheckLine> check_lines(const project::Case& variant) {
@@ -157,6 +159,7 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
   for (const project::Case& variant : project.cases) {
     CaseCheck found;
     found.case_name = variant.name;
+    found.display = variant.display;
     const assembly::Assembled assembled = assembly::assemble(variant.system);
     const modal::Modes modes = project::lowest_modes_suffice(variant.analyses)
         ? modal::lowest_modes(variant.system, assembled, variant.analyses.lowest_modes)

@@ -33,6 +33,7 @@ struct CheckLine {
 /// Checks of a case without its analyses.
 struct CaseCheck {
   std::string case_name;
+  project::ShownUnits display;    ///< of its tables
   foundation::Problems warnings;  ///< of the data, the modes and the roots
   std::vector<CheckLine> lines;   ///< for cases other than the base model: only those that differ from it
   std::vector<MountAtRest>

@@ -35,10 +35,10 @@ TEST(LinearSystem, IsRejectedWithTheReason) {
       {"the nominal of \"x1\" is 0", [](LinearSystem& s) { s.states[0].nominal = 0; }}};
   for (const WrongSystem& one : wrong) {
     LinearSystem system = two_masses();
-    EXPECT_NO_THROW(check(system));
+    EXPECT_NO_THROW(trivet::exports::check(system));
     one.change(system);
     try {
-      check(system);
+      trivet::exports::check(system);
       ADD_FAILURE() << "accepted: " << one.message;
     } catch (const InvalidInput& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr(one.message));
@@ -49,8 +49,8 @@ TEST(LinearSystem, IsRejectedWithTheReason) {
 TEST(LinearSystem, StartsAtZeroIfItNamesNoInitialState) {
   LinearSystem system = two_masses();
   system.initial.resize(0);
-  EXPECT_NO_THROW(check(system));
-  EXPECT_EQ(initial_states(system), Eigen::VectorXd::Zero(4));
+  EXPECT_NO_THROW(trivet::exports::check(system));
+  EXPECT_EQ(trivet::exports::initial_states(system), Eigen::VectorXd::Zero(4));
 }
 
 }  // namespace

@@ -31,13 +31,14 @@ TEST(ShownUnit, OfFrequenciesAndLevels) {
   EXPECT_NEAR(project::shown_frequency(with({{"frequency", "rpm"}})).factor, 30 / 3.141592653589793, 1e-14);
   EXPECT_EQ(project::shown_frequency({}).unit, "rad/s");
   EXPECT_EQ(project::level_factor(with({{"level", "peak_to_peak"}}).level), 2);
-  EXPECT_NEAR(project::level_factor(with({{"level", "rms"}}).level), 0.7071067811865476, 1e-16);
+  EXPECT_DOUBLE_EQ(project::level_factor(with({{"level", "rms"}}).level), 0.7071067811865476);
 }
 
 TEST(ShownUnit, OfAnotherQuantityIsRefusedWithARemedy) {
   project::ShownUnits units;
-  for (const auto& [key, value] : {std::pair{"length", "s"}, std::pair{"force", "m"}, std::pair{"level", "peak"},
-                                   std::pair{"colour", "red"}, std::pair{"frequency", "N"}}) {
+  for (const auto& [key, value] :
+       {std::pair{"length", "s"}, std::pair{"force", "m"}, std::pair{"level", "peak"}, std::pair{"colour", "red"},
+        std::pair{"frequency", "N"}, std::pair{"length", ""}, std::pair{"length", "in2/in"}}) {
     const foundation::Problems problems = project::set_shown_unit(units, key, value);
     ASSERT_EQ(problems.errors(), 1u) << key;
     EXPECT_FALSE(problems.list().front().remedy.empty());

@@ -137,7 +137,9 @@ TEST(AnswerFigures, UndefinedValuesInterruptTheCurve) {
 TEST(AnswerSections, ContainTheFiguresAndTheKeyNumbers) {
   const std::string html = report::answer_sections(everything());
   EXPECT_EQ(xml_fault(html), "");
-  EXPECT_EQ(count(html, "<svg"), static_cast<int>(report::answer_figures(everything()).size()));
+  int pictures = 0;
+  for (const report::Figure& figure : report::answer_figures(everything())) pictures += count(figure.html(), "<svg");
+  EXPECT_EQ(count(html, "<svg"), pictures);
   for (const char* title : {"Random response", "Time history", "Run-up", "Transmissibility", "Power into the ground",
                             "Shock response spectrum", "Limit lines", "Operating shapes"})
     EXPECT_THAT(html, HasSubstr("<h2>" + std::string(title) + "</h2>"));

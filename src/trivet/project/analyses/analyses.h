@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/project/analyses/design_axis.h"
+#include "trivet/project/analyses/measurement.h"
 #include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/analyses/optimize_request.h"
 #include "trivet/project/analyses/question.h"
@@ -79,6 +80,7 @@ struct Analyses {
   bool load_sharing = false;
   std::optional<MapRequest> map;
   std::vector<LimitLineRequest> limit_lines;
+  std::vector<std::shared_ptr<const Measurement>> measurements;
   std::vector<Limit> limits;
   std::optional<Requirements> requirements;
   std::vector<DesignAxis> parameters;  ///< [parameters.NAME]

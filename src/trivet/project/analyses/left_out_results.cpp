@@ -27,6 +27,9 @@ std::vector<std::pair<std::string, std::vector<std::string>>> requested(const An
   for (const Limit& limit : asked.limits) all.emplace_back("limits", std::vector<std::string>{limit.name});
   for (const LimitLineRequest& line : asked.limit_lines)
     all.emplace_back("limit_lines." + line.line.name, std::vector<std::string>{line.of});
+  for (const auto& measurement : asked.measurements)
+    for (const MeasuredCurve& curve : measurement->curves)
+      all.emplace_back("measurements." + measurement->name, std::vector<std::string>{curve.result});
   return all;
 }
 

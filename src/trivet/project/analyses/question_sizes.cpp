@@ -138,8 +138,8 @@ bool lowest_modes_suffice(const Analyses& asked) {
        (!asked.response->at.empty() ||
         (asked.response->band && asked.response->spacing != response::Spacing::automatic)));
   return asked.lowest_modes > 0 && at_given_frequencies && !asked.roots && !asked.peaks && !asked.static_of &&
-      !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.limits.empty() && !asked.requirements &&
-      asked.questions.empty();
+      !asked.load_sharing && !asked.map && asked.limit_lines.empty() && asked.measurements.empty() &&
+      asked.limits.empty() && !asked.requirements && asked.questions.empty();
 }
 
 foundation::Problems too_large(const model::Description& description, const Analyses& asked) {
@@ -184,6 +184,9 @@ foundation::Problems too_large(const model::Description& description, const Anal
         "requirements",
         sizes.curves(asked.requirements->no_peak) + static_cast<double>(asked.requirements->limits.size()));
   if (!asked.limit_lines.empty()) sizes.check_search("limit_lines", static_cast<double>(asked.limit_lines.size()));
+  double measured = 0;
+  for (const auto& measurement : asked.measurements) measured += static_cast<double>(measurement->curves.size());
+  if (measured > 0) sizes.check_search("measurements", measured);
   return sizes.problems;
 }
 

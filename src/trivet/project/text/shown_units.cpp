@@ -93,13 +93,15 @@ foundation::Problems set_shown_unit(ShownUnits& units, const std::string& key, c
         units.level = level;
         return problems;
       }
+    const std::string guess = foundation::nearest_name(value, {"amplitude", "peak_to_peak", "rms"});
     problems.error("display.level", "\"" + value + "\"", "a level is \"amplitude\", \"peak_to_peak\" or \"rms\"",
-                   "write one of them");
+                   guess.empty() ? "write one of them" : "did you mean \"" + guess + "\"?");
     return problems;
   }
   for (const Kind& kind : kinds) {
     if (key != kind.key) continue;
-    if (!in_unit({1, kind.si}, value)) {
+    const bool composed = key != "frequency" && value.find_first_of(" /*^.()0123456789") != std::string::npos;
+    if (value.empty() || composed || !in_unit({1, kind.si}, value)) {
       problems.error("display." + key, "\"" + value + "\"", "it must be a unit of " + key,
                      std::string("write for instance ") + kind.examples);
       return problems;

@@ -17,8 +17,9 @@ constexpr std::size_t longest_key = 330;    // "BODY.POINT.rx", "ELEMENT.force.x
 constexpr std::size_t longest_text = 4096;  // a path on Linux
 
 bool holds_names(const std::string& path) {
-  constexpr std::array<const char*, 10> tables = {"bodies",   "nodes",    "elements",   "excitations", "foundations",
-                                                  "relative", "sections", "clearances", "cases",       "limit_lines"};
+  constexpr std::array<const char*, 11> tables = {"bodies",      "nodes",       "elements",    "excitations",
+                                                  "foundations", "relative",    "sections",    "clearances",
+                                                  "cases",       "limit_lines", "measurements"};
   return std::find(tables.begin(), tables.end(), path) != tables.end() ||
       (path.starts_with("bodies.") && path.ends_with(".points"));
 }

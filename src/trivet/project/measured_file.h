@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/exchange/universal_file.h"
+#include "trivet/project/measured_unit.h"
+
+namespace trivet::project {
+
+/// A function as its file has it.
+struct MeasuredFunction {
+  std::string name;                              ///< "3:+z", or the name of its columns
+  std::vector<std::string> texts;                ///< id lines, or the name of its columns: perhaps the name of a result
+  exchange::UniversalPoint response, reference;  ///< node 0: not given
+  std::optional<MeasuredUnit> unit;              ///< none: not known; its factor is contained in the values
+  std::vector<double> angular_frequency;         ///< [rad/s]
+  Eigen::VectorXcd value;
+  Eigen::VectorXd coherence;  ///< empty: not measured
+};
+
+/// Content of a file with measured functions and modes.
+struct MeasuredFile {
+  std::vector<MeasuredFunction> functions;
+  std::vector<exchange::UniversalMode> modes;
+  std::map<int, Eigen::Vector3d> nodes;  ///< positions in the ground frame, of nodes with displacements along its axes
+  foundation::Problems warnings;
+};
+
+/// Reads a CSV table (name ends in .csv) or a universal file. Lines at 0 Hz and incomplete ones are left out.
+/// @param unit  of values whose unit the file does not state
+/// @param with_coherence  reads coherences of the functions; a file without one is then an error
+[[nodiscard]] foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::path& path,
+                                                                    const std::optional<MeasuredUnit>& unit,
+                                                                    bool with_coherence);
+
+/// Each is used by `read_measured_file`.
+[[nodiscard]] foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::path& path,
+                                                                     const std::optional<MeasuredUnit>& unit);
+[[nodiscard]] foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
+                                                                         const std::optional<MeasuredUnit>& unit);
+
+/// "3:+z" of a node and a direction ±1 … ±6.
+[[nodiscard]] std::string point_name(const exchange::UniversalPoint& point);
+
+}  // namespace trivet::project

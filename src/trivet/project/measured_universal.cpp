@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+#include "trivet/exchange/universal_reading.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/model/system.h"
+#include "trivet/project/measured_file.h"
+
+namespace trivet::project {
+namespace {
+
+using exchange::UniversalFunction;
+using exchange::UniversalFunctionType;
+using exchange::UniversalQuantity;
+
+bool is_rotation(const exchange::UniversalPoint& point) { return std::abs(point.direction) > 3; }
+
+bool is_load(UniversalQuantity quantity) {
+  return quantity == UniversalQuantity::excitation_force || quantity == UniversalQuantity::reaction_force;
+}
+
+std::optional<Quantity> quantity_of_axis(const UniversalFunction& function) {
+  const bool turns = is_rotation(function.response);
+  switch (function.numerator.quantity) {
+    case UniversalQuantity::displacement:
+      return turns ? Quantity::angle : Quantity::length;
+    case UniversalQuantity::velocity:
+      return turns ? Quantity::angular_velocity : Quantity::velocity;
+    case UniversalQuantity::acceleration:
+      return turns ? Quantity::angular_acceleration : Quantity::acceleration;
+    case UniversalQuantity::reaction_force:
+    case UniversalQuantity::excitation_force:
+      return turns ? Quantity::moment : Quantity::force;
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Unit by the types of the axes, or the one that the user gives; its factor is still to be applied.
+std::optional<MeasuredUnit> unit_of_function(const UniversalFunction& function,
+                                             const std::optional<MeasuredUnit>& given) {
+  const auto quantity = quantity_of_axis(function);
+  const bool per_load = is_load(function.denominator.quantity);
+  const bool plain = function.denominator.quantity == UniversalQuantity::unknown &&
+      function.type != UniversalFunctionType::frequency_response;
+  if (quantity && (per_load || plain) && !function.in_file_units) return MeasuredUnit{*quantity, 1, per_load};
+  if (!given) return std::nullopt;
+  MeasuredUnit unit = *given;
+  // A general axis with powers of length and force is already in SI.
+  if (!function.in_file_units && !(function.numerator.exponents == exchange::UniversalExponents{})) unit.factor = 1;
+  unit.per_load = unit.per_load || per_load;
+  return unit;
+}
+
+bool is_compared(const UniversalFunction& function) {
+  const UniversalQuantity abscissa = function.abscissa_axis.quantity;
+  if (abscissa != UniversalQuantity::frequency && abscissa != UniversalQuantity::unknown) return false;
+  return function.type == UniversalFunctionType::general || function.type == UniversalFunctionType::spectrum ||
+      function.type == UniversalFunctionType::frequency_response;
+}
+
+MeasuredFunction measured_function(const UniversalFunction& function, const std::optional<MeasuredUnit>& given) {
+  MeasuredFunction result;
+  result.response = function.response;
+  result.reference = function.reference;
+  result.unit = unit_of_function(function, given);
+  for (const std::string& id : function.ids)
+    if (!id.empty()) result.texts.push_back(id);
+  result.name =
+      function.response.node == 0 && !result.texts.empty() ? result.texts.front() : point_name(function.response);
+  const std::vector<double> hertz = exchange::abscissa_values(function);
+  std::vector<std::complex<double>> values;
+  for (std::size_t i = 0; i < hertz.size(); ++i) {
+    if (!(hertz[i] > 0)) continue;
+    result.angular_frequency.push_back(foundation::two_pi * hertz[i]);
+    values.push_back(function.values[i] * (result.unit ? result.unit->factor : 1));
+  }
+  result.value = Eigen::Map<const Eigen::VectorXcd>(values.data(), to_index(values.size()));
+  return result;
+}
+
+bool same_point(const exchange::UniversalPoint& a, const exchange::UniversalPoint& b) {
+  return a.node == b.node && std::abs(a.direction) == std::abs(b.direction);
+}
+
+/// Coherence of a function: type 6 at the same points and frequencies; empty if there is none.
+Eigen::VectorXd coherence_of(const MeasuredFunction& measured, const std::vector<UniversalFunction>& all) {
+  for (const UniversalFunction& function : all) {
+    if (function.type != UniversalFunctionType::coherence || !same_point(function.response, measured.response) ||
+        !same_point(function.reference, measured.reference))
+      continue;
+    const std::vector<double> hertz = exchange::abscissa_values(function);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < hertz.size(); ++i)
+      if (hertz[i] > 0) values.push_back(function.values[i].real());
+    if (values.size() == measured.angular_frequency.size())
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
+  }
+  return {};
+}
+
+/// Warns of functions that are not compared: times, power spectra, orders.
+void report_other_functions(const exchange::UniversalFile& file, foundation::Problems& warnings) {
+  std::set<int> types;
+  std::size_t count = 0;
+  for (const UniversalFunction& function : file.functions)
+    if (!is_compared(function) && function.type != UniversalFunctionType::coherence) {
+      types.insert(static_cast<int>(function.type));
+      ++count;
+    }
+  if (count > 0)
+    warnings.warning("", fmt::format("{} functions of the types {}", count, fmt::join(types, ", ")),
+                     "frequency responses (type 4), spectra (12) and general functions (0) over frequency are compared",
+                     "they are ignored");
+}
+
+}  // namespace
+
+std::string point_name(const exchange::UniversalPoint& point) {
+  const int direction = std::abs(point.direction);
+  if (direction < 1 || direction > 6) return fmt::format("{}:scalar", point.node);
+  return fmt::format("{}:{}{}", point.node, point.direction < 0 ? "-" : "+",
+                     model::coordinate_names[to_size(direction - 1)]);
+}
+
+foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
+                                                           const std::optional<MeasuredUnit>& unit) {
+  const auto read = exchange::read_universal(path);
+  if (!read) return tl::make_unexpected(read.error());
+  MeasuredFile result;
+  result.warnings = read->warnings;
+  result.modes = read->file.modes;
+  for (const exchange::UniversalNode& node : read->file.nodes)
+    if (node.definition_system == 0 && node.displacement_system == 0) result.nodes[node.label] = node.position;
+  for (const UniversalFunction& function : read->file.functions) {
+    if (!is_compared(function)) continue;
+    result.functions.push_back(measured_function(function, unit));
+    result.functions.back().coherence = coherence_of(result.functions.back(), read->file.functions);
+  }
+  report_other_functions(read->file, result.warnings);
+  return result;
+}
+
+}  // namespace trivet::project

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "trivet/foundation/index.h"
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/answer_tables.h"
+#include "trivet/report/curve_groups.h"
+#include "trivet/report/curve_panel.h"
+#include "trivet/report/html_table.h"
+
+/// Measured curves over the computed ones, and the tables of their differences.
+namespace trivet::report {
+namespace {
+
+using study::ChannelComparison;
+using study::MeasurementComparison;
+using study::PeakDifference;
+using study::ShapeComparison;
+
+constexpr const char* measured_stroke =
+    "stroke=\"#222\" stroke-width=\"2.4\" stroke-linecap=\"round\" "
+    "stroke-dasharray=\"0.1,4\"";
+
+/// The computed curve as the response draws it, or at the measured frequencies.
+response::Curve computed_curve(const study::Answers& answers, const MeasurementComparison& measurement,
+                               const ChannelComparison& channel, std::vector<double>& omega) {
+  if (measurement.of_response)
+    for (const response::Curve& curve : answers.response->curves.curves)
+      if (curve.name == channel.result && curve.unit == channel.unit) {
+        omega = answers.response->curves.angular_frequency;
+        return curve;
+      }
+  omega = channel.angular_frequency;
+  return {channel.result, channel.unit, channel.computed};
+}
+
+PanelCurve amplitudes(std::string key, std::string stroke, const std::vector<double>& x, const Eigen::VectorXcd& values,
+                      double factor) {
+  const Eigen::VectorXd sizes = factor * values.cwiseAbs();
+  return {{std::move(key)}, x, {sizes.begin(), sizes.end()}, std::move(stroke)};
+}
+
+/// Phase in degrees, with a gap where it wraps at ±180°.
+PanelCurve phases(std::string key, std::string stroke, const std::vector<double>& x, const Eigen::VectorXcd& values) {
+  PanelCurve curve{{std::move(key)}, {}, {}, std::move(stroke)};
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    const double degrees = response::phase(values(i)) * 180 / std::numbers::pi;
+    if (!curve.y.empty() && std::abs(degrees - curve.y.back()) > 180) {
+      curve.x.push_back(x[to_size(i)]);
+      curve.y.push_back(std::numeric_limits<double>::quiet_NaN());
+    }
+    curve.x.push_back(x[to_size(i)]);
+    curve.y.push_back(degrees);
+  }
+  return curve;
+}
+
+Figure channel_figure(const study::Answers& answers, const MeasurementComparison& measurement,
+                      const ChannelComparison& channel) {
+  constexpr double invisible = 1e-4;  // of the highest value
+  std::vector<double> computed_at;
+  const response::Curve computed = computed_curve(answers, measurement, channel, computed_at);
+  const auto shown = [&](const std::vector<double>& omega) {
+    std::vector<double> list;
+    for (const double w : omega) list.push_back(results::shown_frequency(answers.display, w));
+    return list;
+  };
+  const std::vector<double> x = shown(channel.angular_frequency), computed_x = shown(computed_at);
+  const UnitPrefix unit =
+      unit_prefix(channel.measured.cwiseAbs().maxCoeff(), results::amplitude_unit(answers.display, channel.unit));
+  const std::string measured_key = "measured " + measurement.name, computed_key = "computed " + channel.result;
+  PanelRow amplitude, phase;
+  amplitude.curves = {amplitudes(computed_key, series_stroke(0), computed_x, computed.value, unit.factor),
+                      amplitudes(measured_key, measured_stroke, x, channel.measured, unit.factor)};
+  amplitude.curves[1].key.push_back(fmt::format("FRAC {:.3f}, {:.2f} dB rms", channel.assurance, channel.rms_db));
+  for (const PeakDifference& peak : channel.peaks)
+    amplitude.marks.push_back({results::shown_frequency(answers.display, peak.angular_frequency),
+                               unit.factor * peak.amplitude, "#222",
+                               fmt::format("{:+.1f} %", 100 * peak.frequency_difference())});
+  phase.curves = {phases(computed_key, series_stroke(0), computed_x, computed.value),
+                  phases(measured_key, measured_stroke, x, channel.measured)};
+  amplitude.x = phase.x = {x.front(), x.back(), false, results::frequency_heading(answers.display)};
+  amplitude.y =
+      logarithmic_axis(amplitude.curves, invisible, fmt::format("{} [{}]", quantity_name(channel.unit), unit.unit));
+  phase.y = {-180, 180, false, "phase [°]"};
+  const std::string title = case_title(channel.result + " and measurement " + measurement.name, answers);
+  return stacked_rows(title, "measured-" + file_part(channel.result) + ".svg", {amplitude, phase});
+}
+
+std::string channels_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
+  std::vector<std::vector<Cell>> rows;
+  for (const ChannelComparison& channel : measurement.channels)
+    rows.push_back({{channel.result},
+                    {channel.source},
+                    right(std::to_string(channel.angular_frequency.size())),
+                    aligned_cell(channel.rms_db, 3),
+                    aligned_cell(channel.largest_db, 3),
+                    channel.vanishes ? right("computed: 0") : frequency_cell(channel.largest_at, display),
+                    aligned_cell(channel.assurance, 4),
+                    channel.mean_coherence ? aligned_cell(*channel.mean_coherence, 3) : right("–")});
+  return html_table({{"result"},
+                     {"measured"},
+                     right("lines"),
+                     right("rms [dB]"),
+                     right("largest [dB]"),
+                     frequency_cell_heading("at", display),
+                     right("FRAC"),
+                     right("coherence")},
+                    rows);
+}
+
+std::string measured_peaks_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
+  std::vector<std::vector<Cell>> rows;
+  for (const ChannelComparison& channel : measurement.channels)
+    for (const PeakDifference& peak : channel.peaks)
+      rows.push_back({{channel.result},
+                      frequency_cell(peak.angular_frequency, display),
+                      frequency_cell(peak.resolution, display),
+                      peak.computed ? frequency_cell(peak.computed->angular_frequency, display) : right("–"),
+                      aligned_cell(100 * peak.frequency_difference(), 3),
+                      aligned_cell(peak.height_db(), 3)});
+  if (rows.empty()) return "";
+  return paragraph("Measured peaks, and the nearest computed ones:") +
+      html_table({{"result"},
+                  frequency_cell_heading("measured peak", display),
+                  frequency_cell_heading("±", display),
+                  frequency_cell_heading("computed", display),
+                  right("difference [%]"),
+                  right("height difference [dB]")},
+                 rows);
+}
+
+std::string shapes_table(const MeasurementComparison& measurement, const project::ShownUnits& display) {
+  std::vector<std::vector<Cell>> rows;
+  for (const ShapeComparison& shape : measurement.shapes)
+    rows.push_back({right(std::to_string(shape.measured)), frequency_cell(shape.measured_frequency, display),
+                    right(shape.mode > 0 ? std::to_string(shape.mode) : "–"),
+                    shape.angular_frequency ? frequency_cell(*shape.angular_frequency, display) : right("–"),
+                    aligned_cell(100 * shape.frequency_difference(), 3), aligned_cell(shape.assurance, 4)});
+  if (rows.empty()) return "";
+  return paragraph("Measured mode shapes, and the most similar computed ones:") +
+      html_table({right("measured mode"), frequency_cell_heading("f", display), right("most similar mode"),
+                  frequency_cell_heading("computed", display), right("difference [%]"), right("MAC")},
+                 rows);
+}
+
+}  // namespace
+
+std::vector<Figure> measurement_figures(const study::Answers& answers) {
+  std::vector<Figure> figures;
+  for (const MeasurementComparison& measurement : answers.measurements)
+    for (const ChannelComparison& channel : measurement.channels)
+      if (channel.angular_frequency.size() >= 2 && !channel.vanishes)
+        figures.push_back(channel_figure(answers, measurement, channel));
+  return figures;
+}
+
+std::string measurement_tables(const study::Answers& answers) {
+  std::string html;
+  for (const MeasurementComparison& measurement : answers.measurements) {
+    html += paragraph("Measurement " + measurement.name + " (" + measurement.file +
+                      "), differences are measured minus computed" +
+                      (measurement.excitation.empty() ? "." : ", excited by " + measurement.excitation + " alone."));
+    if (!measurement.channels.empty()) html += channels_table(measurement, answers.display);
+    html += measured_peaks_table(measurement, answers.display) + shapes_table(measurement, answers.display);
+  }
+  return html;
+}
+
+}  // namespace trivet::report

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/results/shown_numbers.h"
+
+#include <fmt/format.h>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/study/explanation.h"
+
+namespace trivet::results {
+
+DisplayUnit display_unit(const project::ShownUnits& display, const std::string& si_unit) {
+  const project::ShownUnit shown = project::shown_unit(display, si_unit);
+  return {shown.unit, "", shown.factor, shown.unit == si_unit};
+}
+
+DisplayUnit amplitude_unit(const project::ShownUnits& display, const std::string& si_unit) {
+  DisplayUnit shown = display_unit(display, si_unit);
+  if (si_unit == "1") return shown;
+  shown.factor *= project::level_factor(display.level);
+  if (display.level == project::Level::peak_to_peak) shown.level = " p-p";
+  if (display.level == project::Level::rms) shown.level = " rms";
+  return shown;
+}
+
+const char* level_words(project::Level level) {
+  if (level == project::Level::peak_to_peak) return "peak-to-peak";
+  return level == project::Level::rms ? "rms" : "zero-to-peak";
+}
+
+std::string sentence_note(const project::ShownUnits& display) {
+  return display.level == project::Level::amplitude ? "" : " (Amplitudes in this sentence are zero-to-peak.)";
+}
+
+std::string value_text(double value, const DisplayUnit& shown) {
+  const double number = value * shown.factor;
+  return (shown.si ? study::value_words(number, shown.unit) : fmt::format("{:.4g} {}", number, shown.unit)) +
+      shown.level;
+}
+
+std::string frequency_unit(const project::ShownUnits& display, const std::string& usual) {
+  return display.frequency.empty() ? usual : display.frequency;
+}
+
+double shown_frequency(const project::ShownUnits& display, double omega, const std::string& usual) {
+  if (!display.frequency.empty()) return omega * project::shown_frequency(display).factor;
+  return usual == "Hz" ? omega / foundation::two_pi : omega;
+}
+
+std::vector<std::string> frequency_units(const project::ShownUnits& display) {
+  return display.frequency.empty() ? std::vector<std::string>{"rad/s", "Hz"} : std::vector{display.frequency};
+}
+
+std::string frequency_heading(const project::ShownUnits& display, const std::string& usual) {
+  const std::string unit = frequency_unit(display, usual);
+  return (unit == "rad/s" ? "ω [" : "f [") + unit + "]";
+}
+
+}  // namespace trivet::results

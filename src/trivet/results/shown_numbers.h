@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/project/text/shown_units.h"
+
+/// Numbers as tables and pictures show them: in the units of [display], by default as computed.
+namespace trivet::results {
+
+/// How SI numbers are shown: value × factor, with a label.
+struct DisplayUnit {
+  std::string unit;   ///< "in"
+  std::string level;  ///< " p-p" or " rms" of a harmonic quantity; empty: zero-to-peak, or not harmonic
+  double factor = 1;
+  bool si = true;  ///< the unit is that of the answer, so it may get an SI prefix
+  [[nodiscard]] std::string label() const { return unit + level; }
+};
+
+/// For values at rest, in time, root mean squares and dimensions.
+[[nodiscard]] DisplayUnit display_unit(const project::ShownUnits& display, const std::string& si_unit);
+/// For amplitudes of harmonic quantities, and for limits on them. Ratios (unit "1") stay.
+[[nodiscard]] DisplayUnit amplitude_unit(const project::ShownUnits& display, const std::string& si_unit);
+/// "zero-to-peak", "peak-to-peak" or "rms".
+[[nodiscard]] const char* level_words(project::Level level);
+/// Note on sentences that have amplitudes in SI, with a blank before it; empty if these are zero-to-peak as the rest.
+[[nodiscard]] std::string sentence_note(const project::ShownUnits& display);
+/// An SI value with its shown unit; SI units get prefixes: "0.5 mm", "0.02 in p-p".
+[[nodiscard]] std::string value_text(double value, const DisplayUnit& shown);
+
+/// Unit of a frequency. @param usual  without one in [display]: "rad/s" or "Hz"
+[[nodiscard]] std::string frequency_unit(const project::ShownUnits& display, const std::string& usual = "Hz");
+/// A frequency in that unit. @param omega  [rad/s]
+[[nodiscard]] double shown_frequency(const project::ShownUnits& display, double omega, const std::string& usual = "Hz");
+/// Units of the columns of a table that has ω and f: "rad/s" and "Hz", or the one of [display].
+[[nodiscard]] std::vector<std::string> frequency_units(const project::ShownUnits& display);
+/// "ω [rad/s]", "f [Hz]"
+[[nodiscard]] std::string frequency_heading(const project::ShownUnits& display, const std::string& usual = "Hz");
+
+}  // namespace trivet::results
