@@ -247,8 +247,8 @@ class Answer:
 
         coordinates: dict[str, Any] = {}
         variables: dict[str, Any] = {}
-        for name, (unit, axes, values) in self._arrays.items():
-            variable = (axes, values, {"units": unit} if unit else {})
+        for name, (unit, axes, _) in self._arrays.items():
+            variable = (axes, self.array(name), {"units": unit} if unit else {})
             (coordinates if axes == (name,) else variables)[name] = variable
         about = {"question": self.question, "case": self.case, "title": self._core.title}
         return xarray.Dataset(variables, coordinates, about)
