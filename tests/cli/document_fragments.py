@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What completes the parts of project files in the documents: a base project and files, by document and heading."""
+import math
 import os
 import pathlib
 
@@ -36,6 +37,20 @@ def mounts(on, foundations=()):
     """Four mounts, each on its foundation."""
     lines = [f'foundation = "{foundation}"\n' for foundation in foundations] or [""] * len(CORNERS)
     return "".join(mount(name, on, at) + line for (name, at), line in zip(CORNERS.items(), lines, strict=True))
+
+
+def mobility_of_feet():
+    """Sets 58 of two ground points, nodes 11 and 12, on springs with a dashpot and a coupling along z."""
+    lines = []
+    for response, reference, share in ((11, 11, 1), (12, 12, 1), (11, 12, 0.3)):
+        values = [share * 2j * math.pi * hertz / (4e6 + 4e4j * math.pi * hertz) for hertz in range(1, 101)]
+        lines += ["    -1", "    58", *["NONE"] * 5]
+        lines.append(f"{4:5d}{1:10d}{1:5d}{0:10d} {'NONE':10}{response:10d}{3:4d} {'NONE':10}{reference:10d}{3:4d}")
+        lines.append(f"{6:10d}{len(values):10d}{1:10d}{1:13.5E}{1:13.5E}{0:13.5E}")
+        for quantity in (18, 11, 13, 0):  # frequency, velocity, excitation force
+            lines.append(f"{quantity:10d}{0:5d}{0:5d}{0:5d} {'NONE':20} {'NONE':20}")
+        lines += [f"{value.real:20.11E}{value.imag:20.11E}" for value in values] + ["    -1"]
+    return "\n".join(lines) + "\n"
 
 
 GENSET = FRAME.replace("frame", "genset")
@@ -161,7 +176,12 @@ translation = ["180 N/mm", "180 N/mm", "420 N/mm"]
     (KEYS, "Tables of bodies and elements"): GENSET + SHARED_MOUNT,
     (KEYS, "Units of tables and pictures"): FRAME + mounts("frame"),
     (KEYS, "Excitations"): MACHINE_AND_ENGINE,
-    (KEYS, "Flexible foundations"): FRAME + mounts("frame", ["hull", "hull", "deck", "measured"]),
+    (KEYS, "Flexible foundations"): FRAME
+    + mounts("frame", ["hull", "hull", "deck", "measured"])
+    + "".join(
+        mount(name, "frame", [0, y, 0]) + 'foundation = "slab"\n'
+        for name, y in (("left foot", 0.5), ("right foot", -0.5))
+    ),
     (KEYS, "Further analyses"): DRIVEN_FRAME,
     **{(KEYS, heading): FRAME for heading in ON_THE_FRAME},
     (KEYS, "Solids of a body"): "trivet = 1\n" + mounts("frame"),
@@ -176,7 +196,10 @@ FILES = {
     },
     ("docs/design.md", "Choices of mounts"): CONES,
     ("docs/design.md", "trivet select"): CONES,
-    (KEYS, "Flexible foundations"): {"y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n"},
+    (KEYS, "Flexible foundations"): {
+        "y.csv": "frequency_hz,y_z_z,y_z_z_im\n1,1e-5,0\n10,1e-5,0\n100,1e-5,0\n",
+        "slab.uff": mobility_of_feet(),
+    },
     (KEYS, "solid_mount"): {"mount.step": SOURCE / "tests/samples/data/rubber_on_steel.step"},
     (KEYS, "imported"): {"mount.mtx": SOURCE / "tests/data/matrices/beam_coordinate_symmetric.mtx"},
     (KEYS, "measured"): {"rig.csv": SOURCE / "tests/samples/data/rig.csv"},

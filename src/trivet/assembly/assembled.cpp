@@ -51,7 +51,7 @@ GroundRows ground_rows(const model::Description& description, Ground& ground) {
       *row = ground.followed_row();
       ground.ends.push_back({e, {end->at, end->axes}, *row});
     }
-    if (element.is_foundation && element.k.foundation) rows.of_places[element.k.foundation->foundation] = first[0];
+    if (model::joins_foundation_to_ground(element)) rows.of_places[element.k.foundation->foundation] = first[0];
     rows.of_ends.push_back(first);
   }
   return rows;

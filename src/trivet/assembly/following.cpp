@@ -75,7 +75,7 @@ void follow_with_foundations(const model::System& system, const Assembled& assem
     Eigen::Array<double, 6, 1> reach = Eigen::Array<double, 6, 1>::Zero();
     for (const model::Element& element : system.elements())
       for (const model::End* end : {&element.n, &element.k})
-        if (end->foundation && end->foundation->foundation == f) {
+        if (!model::couples_ground_points(element) && end->foundation && end->foundation->foundation == f) {
           shapes.conservativeResize(shapes.rows() + 6, Eigen::NoChange);
           wanted.conservativeResize(wanted.rows() + 6, Eigen::NoChange);
           shapes.bottomRows<6>() = end->foundation->shape;

@@ -16,8 +16,7 @@ namespace trivet::model {
     bool has_place_of_its_own = false;
     for (const Element& other : description.elements)
       has_place_of_its_own = has_place_of_its_own ||
-          (other.is_foundation && other.k.foundation &&
-           other.k.foundation->foundation == element.n.foundation->foundation);
+          (joins_foundation_to_ground(other) && other.k.foundation->foundation == element.n.foundation->foundation);
     if (!has_place_of_its_own) return element.name;
   }
   return std::nullopt;

@@ -153,8 +153,7 @@ void check_fixed_directions(const Description& description, foundation::Problems
     for (const End* end : {&element.n, &element.k}) {
       if (!end->foundation || end->foundation->fixed_directions.isZero(0)) continue;
       const bool joined = std::any_of(description.elements.begin(), description.elements.end(), [&](const Element& e) {
-        return e.is_foundation && e.n.on_ground() && e.k.foundation &&
-            e.k.foundation->foundation == end->foundation->foundation;
+        return joins_foundation_to_ground(e) && e.k.foundation->foundation == end->foundation->foundation;
       });
       if (!joined)
         problems.error("elements." + element.name, "an end with fixed directions on a foundation without an impedance",

@@ -136,6 +136,16 @@ struct Element {
                                                                     ///< if its mass is neglected [rad/s]
 };
 
+/// True for the impedance from the ground (N) to a foundation (K).
+[[nodiscard]] inline bool joins_foundation_to_ground(const Element& element) {
+  return element.is_foundation && element.n.on_ground() && element.k.foundation;
+}
+/// True for the coupling between two ground points of a measured mobility. Its ends have the motions of the points
+/// relative to the ground.
+[[nodiscard]] inline bool couples_ground_points(const Element& element) {
+  return element.is_foundation && element.n.foundation;
+}
+
 /// Constant force and moment; enters static analyses only.
 struct ConstantForce {
   std::string name;

@@ -33,7 +33,7 @@ double frequency_on(double stiffness, const BodyPicture& picture) {
 void judge_foundations(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   std::map<std::size_t, const model::Element*> places;
   for (const model::Element& element : system.elements())
-    if (element.is_foundation && element.k.foundation) places[element.k.foundation->foundation] = &element;
+    if (model::joins_foundation_to_ground(element)) places[element.k.foundation->foundation] = &element;
   for (const model::Element& mount : system.elements()) {
     if (mount.is_foundation || !mount.n.foundation) continue;
     const auto place = places.find(mount.n.foundation->foundation);

@@ -9,7 +9,9 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/elements/element_table_readers.h"
-#include "trivet/project/mobility_table.h"
+#include "trivet/project/ground_points.h"
+#include "trivet/project/measured_file.h"
+#include "trivet/project/mobility_reader.h"
 #include "trivet/project/text/idle_key.h"
 
 namespace trivet::project {
@@ -17,13 +19,8 @@ namespace {
 
 /// One foundation of the file, before its elements are put on it.
 struct Ground {
-  // A separate ground point under each element: its compliant directions, its mass, and the element that joins it to
-  // the rigid ground.
-  std::vector<int> directions;
-  spatial::Vector6 mass = spatial::Vector6::Zero();
-  model::Element to_ground;
-  // Or modes shared by all its elements.
-  bool modal = false;
+  GroundPoints separate;  ///< a ground point under each element
+  bool modal = false;     ///< modes that all its elements share take their place
   std::size_t index = 0;  ///< of the shared foundation
   std::map<std::string, Eigen::Matrix<double, 6, Eigen::Dynamic>> shapes;
 };
@@ -52,8 +49,8 @@ std::vector<int> read_directions(TableReader& reader, bool with_rotation) {
   return directions;
 }
 
-Ground read_impedance(TableReader& reader) {
-  Ground ground;
+GroundPoints read_impedance(TableReader& reader) {
+  GroundPoints ground;
   const bool turns = reader.has("rotation");
   ground.directions = read_directions(reader, turns);
   elements::Vector6 k;
@@ -79,14 +76,45 @@ Ground read_impedance(TableReader& reader) {
     reader.error("inertia", "inertia without rotation", "a ground point that does not rotate needs no inertia",
                  "add rotation = [krx, kry, krz], or remove it");
   ground.mass << Eigen::Vector3d::Constant(mass), inertia;
-  ground.to_ground.law.nominal_stiffness = elements::constants_at_point(k, Eigen::Vector3d::Zero(), 1);
-  read_damping(reader, {Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}, 1, ground.to_ground);
+  ground.impedance.law.nominal_stiffness = elements::constants_at_point(k, Eigen::Vector3d::Zero(), 1);
+  read_damping(reader, {Eigen::Vector3d::Zero(), Eigen::Matrix3d::Identity()}, 1, ground.impedance);
   return ground;
 }
 
-Ground read_mobility(TableReader& reader) {
-  Ground ground;
-  if (auto table = read_mobility_table(reader, ground.to_ground)) ground.directions = *table;
+/// Nodes of a universal file and the elements on them.
+std::vector<int> read_ground_nodes(TableReader& reader, std::map<std::string, std::size_t>& points) {
+  std::vector<int> numbers;
+  const Node* table = reader.table("nodes");
+  if (!table) return numbers;
+  TableReader nodes(*table, reader.path() + ".nodes", reader.problems());
+  for (const std::string& key : table->keys) {
+    const auto number = node_number(key);
+    const auto element = nodes.text(key);
+    if (!number)
+      nodes.error(key, foundation::quoted(key), "the key is the number of a node of the file", "for instance \"11\"");
+    if (!number || !element) continue;
+    if (!points.emplace(*element, numbers.size()).second)
+      nodes.error(key, foundation::quoted(*element) + " twice", "an element is on one node", "remove one");
+    numbers.push_back(*number);
+  }
+  if (table->keys.empty())
+    reader.error("nodes", "no node", "the ground points of the file are under elements",
+                 "nodes = {\"11\" = \"ELEMENT\"} with the node of each ground point");
+  return numbers;
+}
+
+GroundPoints read_mobility(TableReader& reader) {
+  GroundPoints ground;
+  const std::size_t before = reader.errors();
+  std::optional<GroundMobility> mobility;
+  if (reader.has("nodes")) {
+    const std::vector<int> nodes = read_ground_nodes(reader, ground.points);
+    reader.also_known({"file"});
+    if (reader.errors() == before) mobility = read_universal_mobility(reader, nodes);
+  } else {
+    mobility = read_mobility_table(reader);
+  }
+  if (mobility) ground.mobility = std::make_shared<const GroundMobility>(std::move(*mobility));
   return ground;
 }
 
@@ -147,44 +175,21 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   return ground;
 }
 
-/// Adds a separate ground point under end N of one element.
-void add_separate_ground_point(const Ground& ground, model::Element& element, model::Description& description) {
-  const auto count = to_index(ground.directions.size());
-  const std::string name = element.name + ".foundation";
-  model::Foundation place{name, Eigen::MatrixXd::Zero(count, count), Eigen::MatrixXd::Zero(count, count),
-                          Eigen::MatrixXd::Zero(count, count)};
-  Eigen::Matrix<double, 6, Eigen::Dynamic> shape = Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const int j = ground.directions[to_size(i)];
-    place.mass(i, i) = ground.mass(j);
-    shape(j, i) = 1;
-  }
-  const spatial::Matrix6 fixed = spatial::Matrix6::Identity() - shape * shape.transpose();
-  element.n.foundation = model::OnFoundation{description.foundations.size(), shape, fixed};
-  model::Element joint = ground.to_ground;
-  joint.name = name;
-  joint.type = "foundation";
-  joint.is_foundation = true;
-  joint.n.at = joint.k.at = element.n.at;
-  joint.k.foundation = element.n.foundation;
-  description.foundations.push_back(std::move(place));
-  description.elements.push_back(std::move(joint));
-}
-
-/// Reports the shapes of a mount that is not on the foundation: they have no effect.
-void report_idle_shape(TableReader& root, const std::string& ground, const std::string& mount,
-                       const NamesInFile& in_file) {
+/// Reports what a foundation has for a mount that is not on it: it has no effect.
+/// @param key, thing  "modes" and "shapes", or "nodes" and "a node"
+void report_idle_mount(TableReader& root, const std::string& ground, const std::string& mount, const std::string& key,
+                       const std::string& thing, const NamesInFile& in_file) {
   if (std::any_of(
           in_file.foundation_references.begin(), in_file.foundation_references.end(),
           [&](const NamesInFile::FoundationReference& one) { return one.element == mount && one.ground == ground; }))
     return;
-  const std::string subject = "foundations." + ground + ".modes";
-  const Node* origin = root.node("foundations")->find(ground)->find("modes");
-  const std::string finding = "shapes of " + foundation::quoted(mount);
+  const std::string subject = "foundations." + ground + "." + key;
+  const Node* origin = root.node("foundations")->find(ground)->find(key);
+  const std::string finding = fmt::format("{} of {}", thing, foundation::quoted(mount));
   if (std::find(in_file.elements.begin(), in_file.elements.end(), mount) != in_file.elements.end()) {
     root.problems()
         .warning(subject, finding, "this element is not on the foundation",
-                 "add foundation = \"" + ground + "\" to it, or remove its shapes")
+                 "add foundation = \"" + ground + "\" to it, or remove " + thing)
         .origin = origin->origin;
     return;
   }
@@ -212,8 +217,8 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
     TableReader reader(table->items[i], "foundations." + name, root.problems());
     reader.required_text("type");
     const auto type = reader.choice("type", {"impedance", "mobility", "modal"});
-    if (type == "impedance") grounds[name] = read_impedance(reader);
-    if (type == "mobility") grounds[name] = read_mobility(reader);
+    if (type == "impedance") grounds[name].separate = read_impedance(reader);
+    if (type == "mobility") grounds[name].separate = read_mobility(reader);
     if (type == "modal") grounds[name] = read_modal(reader, name, description);
     if (type) reader.finish();
     if (std::none_of(in_file.foundation_references.begin(), in_file.foundation_references.end(),
@@ -223,8 +228,11 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
                    "add foundation = \"" + name + "\" to them")
           .origin = table->items[i].origin;
   }
-  for (const auto& [name, ground] : grounds)
-    for (const auto& [mount, shape] : ground.shapes) report_idle_shape(root, name, mount, in_file);
+  for (const auto& [name, ground] : grounds) {
+    for (const auto& [mount, shape] : ground.shapes) report_idle_mount(root, name, mount, "modes", "shapes", in_file);
+    for (const auto& [mount, point] : ground.separate.points)
+      report_idle_mount(root, name, mount, "nodes", "a node", in_file);
+  }
   std::vector<std::string> names = table ? table->keys : std::vector<std::string>{};
   for (const auto& [element_name, ground_name, origin] : in_file.foundation_references) {
     const std::string subject = "elements." + element_name + ".foundation";
@@ -253,13 +261,16 @@ void read_foundations(TableReader& root, model::Description& description, NamesI
                    "add shapes = {\"" + element_name + "\" = [x, y, z]} to its modes")
             .origin = origin;
       else element->n.foundation = model::OnFoundation{ground->second.index, shape->second, spatial::Matrix6::Zero()};
-    } else if (!ground->second.directions.empty()) {
-      model::Element placed = *element;
-      add_separate_ground_point(ground->second, placed, description);
-      *std::find_if(description.elements.begin(), description.elements.end(),
-                    [&](const model::Element& e) { return e.name == placed.name; }) = placed;
+    } else if (GroundPoints& points = ground->second.separate; points.mobility || !points.directions.empty()) {
+      if (!points.points.empty() && !points.points.contains(element_name))
+        root.problems()
+            .error(subject, "\"" + ground_name + "\"", "this foundation has no node for this element",
+                   "add nodes = {\"11\" = \"" + element_name + "\"} with the number of its node in the file")
+            .origin = origin;
+      else add_ground_point(points, element_name, description);
     }
   }
+  for (const auto& [name, ground] : grounds) add_couplings(ground.separate, description);
 }
 
 }  // namespace trivet::project

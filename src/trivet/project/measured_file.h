@@ -44,6 +44,8 @@ struct MeasuredFile {
 [[nodiscard]] foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
                                                                          const std::optional<MeasuredUnit>& unit);
 
+/// Number of a node, of a text that is nothing else.
+[[nodiscard]] std::optional<int> node_number(const std::string& text);
 /// "3:+z" of a node and a direction ±1 … ±6.
 [[nodiscard]] std::string point_name(const exchange::UniversalPoint& point);
 

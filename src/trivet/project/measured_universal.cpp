@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <set>
 
@@ -120,6 +121,12 @@ void report_other_functions(const exchange::UniversalFile& file, foundation::Pro
 }
 
 }  // namespace
+
+std::optional<int> node_number(const std::string& text) {
+  int node = 0;
+  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), node);
+  return failed == std::errc() && end == text.data() + text.size() ? std::optional(node) : std::nullopt;
+}
 
 std::string point_name(const exchange::UniversalPoint& point) {
   const int direction = std::abs(point.direction);

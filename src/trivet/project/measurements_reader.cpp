@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -29,12 +28,6 @@ struct MatchedFunction {
   std::string result;
   double sign = 1;
 };
-
-std::optional<int> node_number(const std::string& text) {
-  int node = 0;
-  const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), node);
-  return failed == std::errc() && end == text.data() + text.size() ? std::optional(node) : std::nullopt;
-}
 
 /// Reads one table of [measurements].
 class MeasurementTable {

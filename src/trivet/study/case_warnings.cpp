@@ -69,6 +69,7 @@ void warn_of_guided_motions(const CaseContext& c, const project::Analyses& analy
 void warn_of_frequency_dependence(const CaseContext& c, foundation::Problems& warnings) {
   constexpr double noticeable = 0.2;
   for (const model::Element& element : c.system.elements()) {
+    if (model::couples_ground_points(element)) continue;
     if (element.is_foundation && element.law.frequency_dependence)
       warnings.warning("elements." + element.name, "flexible ground given by its mobility",
                        "modes, roots, mode numbers and the Campbell diagram use the spring stiffness of its first "

@@ -58,9 +58,13 @@ void move_element(Description& description, std::size_t element, const Eigen::Ve
   moved.k.at += by;
   moved.n.at += rotation(moved.n).transpose() * in_ground;
   if (!moved.n.foundation) return;
-  for (model::Element& joint : description.elements)
-    if (joint.is_foundation && joint.k.foundation && joint.k.foundation->foundation == moved.n.foundation->foundation)
-      joint.n.at = joint.k.at = moved.n.at;
+  for (model::Element& joint : description.elements) {
+    if (!joint.is_foundation) continue;
+    const bool here = joint.k.foundation && joint.k.foundation->foundation == moved.n.foundation->foundation;
+    if (here) joint.k.at = moved.n.at;
+    if (here && joint.n.on_ground()) joint.n.at = moved.n.at;
+    if (joint.n.foundation && joint.n.foundation->foundation == moved.n.foundation->foundation) joint.n.at = moved.n.at;
+  }
 }
 
 void scale_mass(Description& description, std::size_t body, double factor) {

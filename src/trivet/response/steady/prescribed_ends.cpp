@@ -6,22 +6,12 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/linalg/orthogonal.h"
 
 namespace trivet::response {
 namespace {
 
 using Extended = long double;
 using ExtendedComplex = std::complex<Extended>;
-using Matrix = Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic>;
-
-/// Projection on the motions that the coordinates of a foundation cannot make: I − S (SᵀS)⁻¹ Sᵀ.
-Matrix projection_off(const Eigen::Matrix<double, 6, Eigen::Dynamic>& shape) {
-  const Matrix s = shape.cast<Extended>();
-  const Matrix gram = s.transpose() * s;
-  return Matrix::Identity(6, 6) - s * numerics::pivoted_qr_solution(gram, s.transpose());
-}
-
 }  // namespace
 
 PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<std::string>& excitations)
@@ -34,7 +24,7 @@ PrescribedEnds::PrescribedEnds(const model::System& system, const std::vector<st
   impedance_of_.assign(description_.foundations.size(), -1);
   for (std::size_t e = 0; e < description_.elements.size(); ++e) {
     const model::Element& element = description_.elements[e];
-    if (element.is_foundation && element.k.foundation)
+    if (model::joins_foundation_to_ground(element))
       impedance_of_[element.k.foundation->foundation] = static_cast<int>(e);
   }
 }
@@ -84,7 +74,7 @@ PrescribedEnds::Vector PrescribedEnds::at(std::size_t index, double angular_freq
     if (end->on_ground()) motion = ground_at(end->at, index, angular_frequency);
     if (end->foundation && impedance_of_[end->foundation->foundation] >= 0) {
       const auto joint = to_size(impedance_of_[end->foundation->foundation]);
-      motion = projection_off(end->foundation->shape).cast<ExtendedComplex>() *
+      motion = end->foundation->fixed_directions.cast<ExtendedComplex>() *
           ground_at(description_.elements[joint].n.at, joint, angular_frequency);
     }
     const Eigen::Matrix<ExtendedComplex, 3, 3> local = end->axes.transpose().cast<ExtendedComplex>();

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Machines on the measured mobility of several ground points, compared with the ground modelled by bodies and nodes.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+#include <complex>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "support/projects.h"
+#include "trivet/exchange/universal_writing.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+
+namespace {
+
+using namespace trivet;
+using Complex = std::complex<double>;
+using exchange::UniversalFunction;
+using exchange::UniversalQuantity;
+
+/// Inverses of mobilities of nine directions, with condition numbers up to 1e4.
+constexpr double round_off = 1e-9;
+constexpr double first_hz = 5, step_hz = 2.5;
+constexpr int lines = 39;
+
+double frequency(int line) { return foundation::two_pi * (first_hz + step_hz * line); }
+
+/// One driven direction: x, y, z of a node.
+struct Direction {
+  int node = 0, axis = 0;
+};
+
+/// Mobility [(m/s)/N] of two directions at an angular frequency.
+using Mobility = std::function<Complex(const Direction&, const Direction&, double)>;
+
+/// A file with one function per pair, in turn as receptance, mobility and accelerance, and along positive and negative
+/// directions; the couplings between different nodes both ways.
+std::filesystem::path written(const std::string& name, const std::vector<Direction>& directions, const Mobility& y) {
+  exchange::UniversalFile file;
+  int form = 0;
+  for (std::size_t i = 0; i < directions.size(); ++i)
+    for (std::size_t j = 0; j < directions.size(); ++j) {
+      if (j > i && directions[i].node == directions[j].node) continue;
+      const int power = form++ % 3 - 1;  // of iω in motion over velocity
+      const int sign = form % 2 == 0 ? 1 : -1;
+      UniversalFunction function;
+      function.type = exchange::UniversalFunctionType::frequency_response;
+      function.response = {"", directions[i].node, sign * (directions[i].axis + 1)};
+      function.reference = {"", directions[j].node, directions[j].axis + 1};
+      function.abscissa_axis.quantity = UniversalQuantity::frequency;
+      function.numerator.quantity = power < 0 ? UniversalQuantity::displacement
+          : power == 0                        ? UniversalQuantity::velocity
+                                              : UniversalQuantity::acceleration;
+      function.denominator.quantity = UniversalQuantity::excitation_force;
+      function.abscissa = exchange::EvenAbscissa{first_hz, step_hz};
+      for (int line = 0; line < lines; ++line) {
+        const double w = frequency(line);
+        function.values.push_back(double(sign) * std::pow(Complex(0, w), power) * y(directions[i], directions[j], w));
+      }
+      file.functions.push_back(function);
+    }
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
+  std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
+  return path;
+}
+
+struct Foot {
+  std::string name;
+  Eigen::Vector3d at;
+};
+const std::vector<Foot> feet = {{"a", {0.5, 0.4, -0.2}}, {"b", {-0.5, -0.4, -0.2}}, {"c", {0.5, -0.4, -0.2}}};
+
+std::vector<Direction> directions(const std::vector<int>& axes) {
+  std::vector<Direction> result;
+  for (std::size_t foot = 0; foot < feet.size(); ++foot)
+    for (const int axis : axes) result.push_back({11 + static_cast<int>(foot), axis});
+  return result;
+}
+
+std::string machine(const std::string& excitation) {
+  return R"(trivet = 1
+[bodies.machine]
+mass = 400
+inertia = {about = "center_of_mass", xx = 30, yy = 50, zz = 60, xy = 3}
+center_of_mass = [0.02, 0.01, 0.3]
+)" + excitation +
+      R"([analyses]
+response = {at = ["5 Hz", "12.5 Hz", "40 Hz", "77.5 Hz", "100 Hz"], of = ["machine", "a", "b"]}
+)";
+}
+
+const std::string push =
+    "[excitations.push]\ntype = \"harmonic\"\non = \"machine\"\nat = [0.1, 0.2, 0.3]\nforce = [10, 20, 100]\n";
+
+std::string mounts(const std::function<std::string(const Foot&)>& stands) {
+  std::string text;
+  for (const Foot& foot : feet)
+    text += fmt::format(
+        "[elements.{}]\ntype = \"three_springs\"\non = \"machine\"\nat = [{}, {}, {}]\n"
+        "translation = [2e6, 2.5e6, 4e6]\ndamping = {{proportional = 0.002}}\n{}",
+        foot.name, foot.at.x(), foot.at.y(), foot.at.z(), stands(foot));
+  return text;
+}
+
+std::string on_measured_points(const std::string& excitation, const std::filesystem::path& file) {
+  return machine(excitation) + mounts([](const Foot&) { return "foundation = \"deck\"\n"; }) +
+      "[foundations.deck]\ntype = \"mobility\"\nnodes = {\"11\" = \"a\", \"12\" = \"b\", \"13\" = \"c\"}\nfile = \"" +
+      file.string() + "\"\n";
+}
+
+void expect_same(const std::string& measured, const std::string& modelled) {
+  const project::Project one = test::project(measured), other = test::project(modelled);
+  const study::Answers found = study::answers(one.base(), one.base().analyses),
+                       expected = study::answers(other.base(), other.base().analyses);
+  ASSERT_TRUE(found.response && expected.response);
+  ASSERT_EQ(found.response->curves.curves.size(), expected.response->curves.curves.size());
+  for (std::size_t i = 0; i < found.response->curves.curves.size(); ++i) {
+    const auto &curve = found.response->curves.curves[i], &wanted = expected.response->curves.curves[i];
+    ASSERT_EQ(curve.name, wanted.name);
+    const double size = wanted.value.cwiseAbs().maxCoeff();
+    EXPECT_LT((curve.value - wanted.value).cwiseAbs().maxCoeff(), round_off * (size > 0 ? size : 1)) << curve.name;
+  }
+  EXPECT_TRUE(found.response->deep.passed);
+}
+
+/// A rigid deck on one bushing, with a soft place under each mount.
+struct Deck {
+  double mass = 1500, place = 2e7, place_loss = 0.1, loss = 0.04;
+  Eigen::Vector3d inertia{200, 300, 400}, centre{0.1, -0.05, -0.6};
+  Eigen::Vector<double, 6> stiffness{2e6, 3e6, 5e6, 1e6, 8e5, 6e5};
+
+  [[nodiscard]] Complex mobility(const Direction& one, const Direction& other, double w) const {
+    Eigen::Vector<double, 6> masses;
+    masses << Eigen::Vector3d::Constant(mass), inertia;
+    Complex receptance = 0;
+    const auto motion = [&](const Direction& direction) {
+      Eigen::Vector<double, 6> t;
+      const Eigen::Vector3d axis = Eigen::Vector3d::Unit(direction.axis);
+      t << axis, (feet[to_size(direction.node - 11)].at - centre).cross(axis);
+      return t;
+    };
+    const Eigen::Vector<double, 6> t = motion(one), u = motion(other);
+    for (int j = 0; j < 6; ++j) receptance += t(j) * u(j) / (stiffness(j) * Complex(1, loss) - w * w * masses(j));
+    if (one.node == other.node && one.axis == other.axis) receptance += 1.0 / (place * Complex(1, place_loss));
+    return Complex(0, w) * receptance;
+  }
+
+  [[nodiscard]] std::string parts() const {
+    std::string text = fmt::format(
+        "[bodies.deck]\nmass = {}\ninertia = {{about = \"center_of_mass\", xx = {}, yy = {}, zz = {}}}\n"
+        "center_of_mass = [0, 0, 0]\nposition = [{}, {}, {}]\n"
+        "[elements.under]\ntype = \"bushing\"\non = \"deck\"\nat = [0, 0, 0]\ntranslation = [{}, {}, {}]\n"
+        "rotation = [{}, {}, {}]\ndamping = {{loss_factor = {}}}\n",
+        mass, inertia.x(), inertia.y(), inertia.z(), centre.x(), centre.y(), centre.z(), stiffness(0), stiffness(1),
+        stiffness(2), stiffness(3), stiffness(4), stiffness(5), loss);
+    for (const Foot& foot : feet) {
+      const Eigen::Vector3d on_deck = foot.at - centre;
+      text += fmt::format(
+          "[nodes.under_{0}]\nposition = [{1}, {2}, {3}]\n[elements.place_{0}]\ntype = \"three_springs\"\n"
+          "on = \"under_{0}\"\nat = [0, 0, 0]\nfrom = \"deck\"\nfrom_at = [{4}, {5}, {6}]\n"
+          "translation = [{7}, {7}, {7}]\ndamping = {{loss_factor = {8}}}\n",
+          foot.name, foot.at.x(), foot.at.y(), foot.at.z(), on_deck.x(), on_deck.y(), on_deck.z(), place, place_loss);
+    }
+    return text;
+  }
+};
+
+TEST(MobilityOfPoints, IsTheDeckUnderTheMounts) {
+  const Deck deck;
+  const std::filesystem::path file =
+      written("trivet_deck.uff", directions({0, 1, 2}),
+              [&](const Direction& i, const Direction& j, double w) { return deck.mobility(i, j, w); });
+  const auto on_node = [](const Foot& foot) { return "from = \"under_" + foot.name + "\"\nfrom_at = [0, 0, 0]\n"; };
+  expect_same(on_measured_points(push, file), machine(push) + mounts(on_node) + deck.parts());
+}
+
+TEST(MobilityOfPoints, WithoutCouplingsIsAnotherDeck) {
+  // The couplings matter here: without them the test above would pass by chance.
+  const Deck deck;
+  Deck uncoupled = deck;
+  const auto file = [&](const std::string& name, bool coupled) {
+    return written(name, directions({2}), [&, coupled](const Direction& i, const Direction& j, double w) {
+      return coupled || i.node == j.node ? deck.mobility(i, j, w) : 0;
+    });
+  };
+  const auto z = [](const std::filesystem::path& path) {
+    const project::Project project = test::project(on_measured_points(push, path));
+    return test::value(*study::answers(project.base(), project.base().analyses).response, "machine.z", 1);
+  };
+  const Complex with = z(file("trivet_coupled.uff", true)), without = z(file("trivet_uncoupled.uff", false));
+  EXPECT_GT(std::abs(with - without), 0.05 * std::abs(with));
+}
+
+TEST(MobilityOfPoints, MovesWithTheGround) {
+  // Three nodes on springs to the ground; a spring along y joins two of them, which are apart along y.
+  const double k = 3e6, loss = 0.05, between = 4e6;
+  const std::filesystem::path file =
+      written("trivet_nodes.uff", directions({0, 1, 2}), [&](const Direction& i, const Direction& j, double w) {
+        Eigen::Matrix2d joined;  // of a and c along y
+        joined << k + between, -between, -between, k + between;
+        const Eigen::Matrix2d compliance = joined.inverse();
+        const bool i_is_joined = i.axis == 1 && i.node != 12, j_is_joined = j.axis == 1 && j.node != 12;
+        double receptance = i.node == j.node && i.axis == j.axis ? 1 / k : 0;
+        if (i_is_joined && j_is_joined) receptance = compliance(i.node == 11 ? 0 : 1, j.node == 11 ? 0 : 1);
+        return Complex(0, w) * receptance / Complex(1, loss);
+      });
+  std::string nodes;
+  for (const Foot& foot : feet)
+    nodes += fmt::format(
+        "[nodes.under_{0}]\nposition = [{1}, {2}, {3}]\n[elements.place_{0}]\ntype = \"three_springs\"\n"
+        "on = \"under_{0}\"\nat = [0, 0, 0]\ntranslation = [{4}, {4}, {4}]\ndamping = {{loss_factor = {5}}}\n",
+        foot.name, foot.at.x(), foot.at.y(), foot.at.z(), k, loss);
+  nodes += fmt::format(
+      "[elements.between]\ntype = \"three_springs\"\non = \"under_a\"\nat = [0, 0, 0]\nfrom = \"under_c\"\n"
+      "from_at = [0, 0, 0]\ntranslation = [0, {}, 0]\ndamping = {{loss_factor = {}}}\n",
+      between, loss);
+  const std::string shake =
+      "[excitations.shake]\ntype = \"base\"\ntranslation = [0.001, 0.002, -0.0005]\nrotation = [0.0001, 0, 0.0002]\n"
+      "at = [0.2, 0.1, 0]\n";
+  const auto on_node = [](const Foot& foot) { return "from = \"under_" + foot.name + "\"\nfrom_at = [0, 0, 0]\n"; };
+  expect_same(on_measured_points(shake, file), machine(shake) + mounts(on_node) + nodes);
+}
+
+}  // namespace

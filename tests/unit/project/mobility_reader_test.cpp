@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "trivet/exchange/universal_writing.h"
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/project/project.h"
+
+namespace {
+
+using namespace trivet;
+using exchange::UniversalQuantity;
+using testing::Contains;
+using testing::HasSubstr;
+using Complex = std::complex<double>;
+
+constexpr int lines = 20;
+
+/// Mobility of two equal ground points with a coupling: share of the driving-point mobility.
+exchange::UniversalFunction function(int node, int reference, double share, double first_hz = 5) {
+  exchange::UniversalFunction result;
+  result.type = exchange::UniversalFunctionType::frequency_response;
+  result.response = {"", node, 3};
+  result.reference = {"", reference, 3};
+  result.abscissa_axis.quantity = UniversalQuantity::frequency;
+  result.numerator.quantity = UniversalQuantity::velocity;
+  result.denominator.quantity = UniversalQuantity::excitation_force;
+  result.abscissa = exchange::EvenAbscissa{first_hz, 1};
+  for (int line = 0; line < lines; ++line) {
+    const Complex s(0, foundation::two_pi * (first_hz + line));
+    result.values.push_back(share * s / (300.0 * s * s + 3e4 * s + 2e6));
+  }
+  return result;
+}
+
+/// Messages about a machine on the points that nodes 11 and 12 of a file are.
+std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>& functions,
+                                  const std::string& nodes = R"({"11" = "left", "12" = "right"})",
+                                  const std::string& name = "trivet_mobility_messages.uff") {
+  exchange::UniversalFile file;
+  file.functions = functions;
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
+  std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
+  const auto project = project::project_from_text(
+      fmt::format(
+          "trivet = 1\n[bodies.m]\nmass = 100\nfree = [\"z\"]\n"
+          "[elements.left]\ntype = \"three_springs\"\non = \"m\"\nat = [1, 0, 0]\ntranslation = [1e5, 1e5, 1e5]\n"
+          "foundation = \"deck\"\n[elements.right]\ntype = \"three_springs\"\non = \"m\"\nat = [-1, 0, 0]\n"
+          "translation = [1e5, 1e5, 1e5]\nfoundation = \"deck\"\n"
+          "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\nnodes = {}\n",
+          path.string(), nodes),
+      "machine.toml");
+  std::vector<std::string> result;
+  for (const auto& problem : (project ? project->base().warnings : project.error()).list())
+    result.push_back(foundation::message(problem));
+  return result;
+}
+
+const std::vector<exchange::UniversalFunction> complete = {function(11, 11, 1), function(12, 12, 1),
+                                                           function(11, 12, 0.3)};
+
+std::vector<exchange::UniversalFunction> with(exchange::UniversalFunction more) {
+  auto result = complete;
+  result.push_back(std::move(more));
+  return result;
+}
+
+TEST(MobilityReader, AcceptsOneFunctionPerPair) {
+  for (const std::string& message : messages(complete)) EXPECT_THAT(message, Not(HasSubstr("deck"))) << message;
+}
+
+TEST(MobilityReader, WarnsOfCouplingsThatWereNotMeasured) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1)}),
+              Contains(HasSubstr("1 couplings were not measured, for instance 12:+z per 11:+z")));
+}
+
+TEST(MobilityReader, WarnsOfCouplingsThatAreNotReciprocal) {
+  EXPECT_THAT(messages(with(function(12, 11, 0.6))), Contains(HasSubstr("and back differ by 30 % rms")));
+}
+
+TEST(MobilityReader, RejectsPointsThatFeedEnergy) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), function(11, 12, 1.5)}),
+              Contains(HasSubstr("a passive ground absorbs energy in every motion")));
+}
+
+TEST(MobilityReader, RejectsPointsOnOneRigidPart) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), function(11, 12, 1)}),
+              Contains(HasSubstr("Y is singular")));
+}
+
+TEST(MobilityReader, RejectsOtherFrequencies) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), function(11, 12, 0.3, 6)}),
+              Contains(HasSubstr("function 11:+z per 12:+z has other frequencies than function 11:+z per 11:+z")));
+}
+
+TEST(MobilityReader, RejectsTransmissibilities) {
+  exchange::UniversalFunction other = function(12, 11, 0.3);
+  other.denominator.quantity = UniversalQuantity::velocity;
+  EXPECT_THAT(messages(with(other)), Contains(HasSubstr("function 12:+z per 11:+z is not a motion per force")));
+}
+
+TEST(MobilityReader, RejectsRepeatedFunctions) {
+  EXPECT_THAT(messages(with(function(11, 12, 0.3))), Contains(HasSubstr("function 11:+z per 12:+z twice")));
+}
+
+TEST(MobilityReader, RejectsNodesWithoutDrivingPoint) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(11, 12, 0.3)}),
+              Contains(HasSubstr("node 12 has no driving-point function")));
+  EXPECT_THAT(messages(complete, R"({"21" = "left", "22" = "right"})"),
+              Contains(HasSubstr("no frequency response between the nodes")));
+}
+
+TEST(MobilityReader, NamesElementsWithoutNodesAndNodesWithoutElements) {
+  EXPECT_THAT(messages(complete, R"({"11" = "left"})"),
+              Contains(HasSubstr("elements.right.foundation: \"deck\"; this foundation has no node for this element")));
+  EXPECT_THAT(messages(complete, R"({"11" = "left", "12" = "rigth"})"), Contains(HasSubstr("did you mean \"right\"?")));
+  EXPECT_THAT(messages(complete, R"({"11" = "left", "twelve" = "right"})"),
+              Contains(HasSubstr("the key is the number of a node of the file")));
+}
+
+}  // namespace
