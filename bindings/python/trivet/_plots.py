@@ -36,7 +36,7 @@ class Line:
 
 @dataclasses.dataclass(frozen=True)
 class Panel:
-    """Lines with common axes. marks: only points, with a stem to the axis."""
+    """Lines with common axes. marks: only points, with a stem to the axis; phase: of the panel above, with its colours."""
 
     x_label: str
     y_label: str
@@ -76,13 +76,23 @@ def _curve_panels(curves: list[Curve], shown: _core.ShownUnits) -> list[Panel]:
     groups: dict[tuple[str, str], list[Curve]] = {}
     for curve in curves:
         groups.setdefault((curve.axis, curve.unit), []).append(curve)
-    panels = [_amplitude_panel(axis, unit, group, shown) for (axis, unit), group in groups.items()]
-    harmonic = [curve for curve in curves if np.iscomplexobj(curve.values)]
-    if harmonic:
-        x_label, factor = _axis(harmonic[0].axis, shown)
-        lines = [Line(curve.name, curve.places * factor, np.degrees(curve.phase)) for curve in harmonic]
-        panels.append(Panel(x_label, "phase [°]", lines, panels[0].log_x, phase=True))
+    panels = []
+    for (axis, unit), group in groups.items():
+        panels.append(_amplitude_panel(axis, unit, group, shown))
+        if any(np.iscomplexobj(curve.values) for curve in group):
+            panels.append(_phase_panel(panels[-1], group))
     return panels
+
+
+def _phase_panel(above: Panel, curves: list[Curve]) -> Panel:
+    lines = [_without_jumps(Line(line.name, line.x, np.degrees(curve.phase))) for line, curve in zip(above.lines, curves, strict=True)]
+    return Panel(above.x_label, "phase [°]", lines, above.log_x, phase=True)
+
+
+def _without_jumps(line: Line) -> Line:
+    """The line with a gap where its angle passes ±180°."""
+    jumps = np.flatnonzero(np.abs(np.diff(line.y)) > 180) + 1
+    return Line(line.name, np.insert(line.x, jumps, np.nan), np.insert(line.y, jumps, np.nan))
 
 
 def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
@@ -107,7 +117,7 @@ def _heights(curve: Curve) -> Numbers:
 
 def _spans_decades(x: Numbers) -> bool:
     positive = x[x > 0]
-    return len(positive) == len(x) > 1 and positive.max() / positive.min() > 200
+    return len(positive) == len(x) > 1 and positive.max() / positive.min() > 50
 
 
 def _axis(axis: str, shown: _core.ShownUnits) -> tuple[str, float]:
@@ -149,7 +159,7 @@ def _with_matplotlib(panels: list[Panel], title: str) -> Any:
     figure = Figure(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
     all_axes = figure.subplots(len(panels), 1, squeeze=False, gridspec_kw={"height_ratios": heights})[:, 0]
     figure.suptitle(title, fontsize=11)
-    for axes, panel in zip(all_axes, panels, strict=True):
+    for axes, panel, following in zip(all_axes, panels, [*panels[1:], None], strict=True):
         for i, line in enumerate(panel.lines):
             style = {"color": _colours[i % len(_colours)], "label": line.name}
             if panel.marks:
@@ -158,7 +168,10 @@ def _with_matplotlib(panels: list[Panel], title: str) -> Any:
             else:
                 axes.plot(line.x, line.y, linewidth=1.4, linestyle=_dashes[i // len(_colours) % 4], **style)
         axes.set_ylabel(panel.y_label)
-        axes.set_xlabel(panel.x_label)
+        if following and following.phase:
+            axes.tick_params(labelbottom=False)
+        else:
+            axes.set_xlabel(panel.x_label)
         if panel.log_x:
             axes.set_xscale("log")
         if panel.log_y:
@@ -197,16 +210,17 @@ def _with_plotly(panels: list[Panel], title: str) -> Any:
 
     figure = make_subplots(rows=len(panels), cols=1, vertical_spacing=0.32 / max(len(panels), 2))
     for row, panel in enumerate(panels, 1):
+        with_phase = row < len(panels) and panels[row].phase
         for i, line in enumerate(panel.lines):
             figure.add_scatter(
                 x=line.x, y=line.y, name=line.name, legendgroup=line.name, showlegend=not panel.phase,
                 mode="markers" if panel.marks else "lines",
-                line={"color": _colours[i % len(_colours)], "dash": _plotly_dashes[i // len(_colours) % 4]},
+                line={"color": _colours[i % len(_colours)], "dash": _plotly_dashes[i // len(_colours) % 4], "simplify": False},
                 marker={"color": _colours[i % len(_colours)]},
                 row=row, col=1,
             )  # fmt: skip
-        figure.update_xaxes(title=panel.x_label, type="log" if panel.log_x else "linear", row=row, col=1)
-        figure.update_yaxes(title=panel.y_label, type="log" if panel.log_y else "linear", row=row, col=1)
+        figure.update_xaxes(title=None if with_phase else panel.x_label, type="log" if panel.log_x else "linear", row=row, col=1)
+        figure.update_yaxes(title=panel.y_label, type="log" if panel.log_y else "linear", exponentformat="power", row=row, col=1)
         low, high = _log_range(panel) if panel.log_y and not panel.marks else (None, None)
         if low is not None and high is not None:
             figure.update_yaxes(range=[np.log10(low), np.log10(high)], row=row, col=1)
