@@ -15,10 +15,13 @@ namespace {
 constexpr int label_width = 10, date_field_width = 10, color_of_all = 1;
 constexpr std::size_t labels_per_line = 8, largest_line_nodes = 250;
 
-/// "28-Jan-21 14:01:42" in two fields of ten characters.
+/// "28-Jan-21 14:01:42" in two fields of ten characters; NONE for an empty one: some programs cannot read blank dates.
 std::string date_fields(std::string_view date_and_time) {
   const auto parts = blank_separated(date_and_time);
-  const auto part = [&](std::size_t i) { return i < parts.size() ? parts[i].substr(0, date_field_width) : ""; };
+  const auto part = [&](std::size_t i) -> std::string_view {
+    if (parts.empty() && i == 0) return "NONE";
+    return i < parts.size() ? parts[i].substr(0, date_field_width) : "";
+  };
   return fmt::format("{:<{}}{:<{}}", part(0), date_field_width, part(1), date_field_width);
 }
 
