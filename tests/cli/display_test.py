@@ -110,6 +110,15 @@ class Display(InTemporaryFolder):
             self.assertEqual((first["unit"], row["unit"]), ("m", "in"))
             self.near(row[key], number(first) / INCH)
 
+    def test_the_stiffness_of_an_element_has_the_units_of_loads_and_motions(self):
+        text = trivet("element", self.shown, "mount").stdout
+        row = table(text, "end   load")[2]
+        self.near(row["N u_z [in]"], 2.5e5 * INCH / POUND)
+        row = table(text, "end   load")[4]
+        self.assertEqual(row["load"], "M_y [lbf in]")
+        self.near(row["N θ_y [deg]"], 5e3 / (POUND * INCH) * math.pi / 180)
+        self.assertIn(f"{2.5e5 * INCH / POUND:.6g} lbf/in", text)
+
     def test_limits_are_at_the_level_of_what_they_limit(self):
         row = table(trivet("response", self.shown).stdout, "limit on")[0]
         self.near(row["allowed"], 2 * 0.001 / INCH)

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -11,13 +10,25 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
 namespace trivet::results {
 namespace {
 
 using foundation::two_pi;
-constexpr std::array<const char*, 6> loads = {"F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"};
+using project::ShownUnits;
+
+/// "F_x", "M_z" and its unit. @param component  0 … 5
+DisplayUnit load_unit(const ShownUnits& display, int component) {
+  return display_unit(display, component % 6 < 3 ? "N" : "N m");
+}
+DisplayUnit motion_unit(const ShownUnits& display, int component) {
+  return display_unit(display, component % 6 < 3 ? "m" : "rad");
+}
+std::string load_heading(const ShownUnits& display, int component) {
+  return fmt::format("{}_{} [{}]", component < 3 ? "F" : "M", "xyz"[component % 3], load_unit(display, component).unit);
+}
 
 std::string vector_words(const Eigen::Vector3d& v, double round_off) {
   const auto part = [&](int i) { return number_text(std::abs(v(i)) < round_off ? 0.0 : v(i), 4); };
@@ -33,12 +44,14 @@ std::string ends_text(const project::Case& variant, const model::Element& elemen
   std::string text;
   for (const auto& [letter, end] : {std::pair{'N', &element.n}, std::pair{'K', &element.k}}) {
     const spatial::Pose pose = model::end_in_ground(variant.system.bodies(), *end);
-    text += fmt::format("  end {} on {} at {} m", letter,
+    const DisplayUnit length = display_unit(variant.display, "m");
+    text += fmt::format("  end {} on {} at {} {}", letter,
                         end->body ? "body \"" + variant.system.bodies()[*end->body].name + "\"" : "the ground",
-                        vector_words(end->at, 1e-12));
+                        vector_words(length.factor * end->at, 1e-12), length.unit);
     text += pose.position.isApprox(end->at, 1e-12)
         ? "\n"
-        : fmt::format(", in the ground frame at {} m\n", vector_words(pose.position, 1e-12));
+        : fmt::format(", in the ground frame at {} {}\n", vector_words(length.factor * pose.position, 1e-12),
+                      length.unit);
   }
   const Eigen::Matrix3d n = model::end_in_ground(variant.system.bodies(), element.n).rotation,
                         k = model::end_in_ground(variant.system.bodies(), element.k).rotation;
@@ -48,38 +61,42 @@ std::string ends_text(const project::Case& variant, const model::Element& elemen
 }
 
 /// Twelve rows with the six columns of one end: a width of 80 characters fits a terminal.
-std::string half_matrix(const elements::Matrix12& matrix, int first_column) {
+std::string half_matrix(const elements::Matrix12& matrix, int first_column, const ShownUnits& display) {
   constexpr double round_off = 1e-12;
   const char end = first_column == 0 ? 'N' : 'K';
   std::vector<std::string> header = {"end", "load"};
   for (int j = 0; j < 6; ++j)
-    header.push_back(fmt::format("{} {} [{}]", end, study::component_name(j), j < 3 ? "m" : "rad"));
+    header.push_back(fmt::format("{} {} [{}]", end, study::component_name(j), motion_unit(display, j).unit));
   TextTable table(header);
   for (int i = 0; i < 12; ++i) {
-    std::vector<std::string> row = {i < 6 ? "N" : "K", loads[to_size(i % 6)]};
+    std::vector<std::string> row = {i < 6 ? "N" : "K", load_heading(display, i % 6)};
     for (int j = first_column; j < first_column + 6; ++j) {
       const double scale = std::sqrt(std::abs(matrix(i, i) * matrix(j, j)));
-      row.push_back(number_text(std::abs(matrix(i, j)) <= round_off * scale ? 0.0 : matrix(i, j)));
+      const double factor = load_unit(display, i).factor / motion_unit(display, j).factor;
+      row.push_back(number_text(std::abs(matrix(i, j)) <= round_off * scale ? 0.0 : factor * matrix(i, j)));
     }
     table.add(row);
   }
   return table.text();
 }
 
-std::string stiffness_properties_text(const elements::StiffnessProperties& c) {
+std::string stiffness_properties_text(const elements::StiffnessProperties& c, const ShownUnits& display) {
   TextTable table(
       {"principal stiffness of K, N held", "axis (local)", "principal rotational stiffness", "axis (local) "});
   constexpr double round_off = 1e-9;
+  const DisplayUnit along = display_unit(display, "N/m"), about = display_unit(display, "N m/rad"),
+                    length = display_unit(display, "m");
   const double least = round_off * std::abs(c.principal_rotational_stiffnesses(2));
   for (int i = 0; i < 3; ++i) {
     const double rotational = c.principal_rotational_stiffnesses(i);
-    table.add({number_text(c.principal_stiffnesses(i)) + " N/m", vector_words(c.principal_axes.col(i), round_off),
-               number_text(std::abs(rotational) < least ? 0.0 : rotational) + " N m/rad",
+    table.add({number_text(along.factor * c.principal_stiffnesses(i)) + " " + along.unit,
+               vector_words(c.principal_axes.col(i), round_off),
+               number_text(std::abs(rotational) < least ? 0.0 : about.factor * rotational) + " " + about.unit,
                vector_words(c.principal_rotational_axes.col(i), round_off)});
   }
   return table.text() +
-      fmt::format("  elastic centre: {} m from K{}; rotational stiffnesses are about it\n",
-                  vector_words(c.elastic_centre, 1e-9),
+      fmt::format("  elastic centre: {} {} from K{}; rotational stiffnesses are about it\n",
+                  vector_words(length.factor * c.elastic_centre, 1e-9), length.unit,
                   c.centre_is_unique ? "" : " (not unique: the nearest point of a line)") +
       fmt::format(
              "  coupling of translation and rotation, largest |K_ij|/√(K_ii K_jj): {:.3f} at K, {:.3f} at the elastic "
@@ -109,17 +126,18 @@ std::string checks_text(const model::Element& element, const elements::MatrixVer
   return table.text();
 }
 
-std::string energy_text(const study::ElementSummary& summary) {
+std::string energy_text(const study::ElementSummary& summary, const ShownUnits& display) {
   constexpr double idle = 1e-4;  // share of the strain energy of a mode below which the element is not listed
-  TextTable table(
-      {"mode", "f [Hz]", "of the model's strain energy", "in translation", "in rotation", "in coupling", "motion"});
+  TextTable table({"mode", frequency_heading(display), "of the model's strain energy", "in translation", "in rotation",
+                   "in coupling", "motion"});
   const auto share_words = [](double share) {
     return fmt::format("{:.1f}%", std::abs(share) < 5e-4 ? 0.0 : 100 * share);
   };
   std::size_t shown_modes = 0;
   for (const study::ElementInMode& mode : summary.modes) {
     if (std::abs(mode.share) < idle || !(mode.inside.energy > 0)) continue;
-    table.add({std::to_string(mode.number), number_text(mode.angular_frequency.value_or(std::nan("")) / two_pi),
+    table.add({std::to_string(mode.number),
+               number_text(shown_frequency(display, mode.angular_frequency.value_or(std::nan("")))),
                fmt::format("{:.2f}%", 100 * mode.share), share_words(mode.inside.translation),
                share_words(mode.inside.rotation), share_words(mode.inside.coupling), mode.name});
     ++shown_modes;
@@ -132,15 +150,16 @@ std::string energy_text(const study::ElementSummary& summary) {
       table.text() + (others > 0 ? fmt::format("  below 0.01 % in {} more\n", others) : "");
 }
 
-std::string uncertainty_text(const model::Element& element) {
+std::string uncertainty_text(const model::Element& element, const ShownUnits& display) {
   if (!element.evidence) return "";
   const model::Evidence& evidence = *element.evidence;
   TextTable table({"diagonal entry", "value", "±", "unit", "of the value"});
   for (int i = 0; i < 12; ++i) {
-    const double value = element.law.scale * element.law.nominal_stiffness(i, i),
-                 half = element.law.scale * evidence.uncertainty(i, i);
+    const DisplayUnit shown = display_unit(display, i % 6 < 3 ? "N/m" : "N m/rad");
+    const double value = shown.factor * element.law.scale * element.law.nominal_stiffness(i, i),
+                 half = shown.factor * element.law.scale * evidence.uncertainty(i, i);
     table.add({fmt::format("{} {}", i < 6 ? "N" : "K", study::component_name(i)), number_text(value),
-               number_text(half, 3), i % 6 < 3 ? "N/m" : "N m/rad",
+               number_text(half, 3), shown.unit,
                value != 0 ? fmt::format("{:.2g}%", 100 * half / std::abs(value)) : "–"});
   }
   std::string text = "Uncertainty (" + evidence.meaning + ")\n" + table.text();
@@ -186,15 +205,18 @@ std::string frequency_text(const model::Element& element) {
   return text;
 }
 
-std::string preload_text(const elements::Law& law) {
+std::string preload_text(const elements::Law& law, const ShownUnits& display) {
   if (!law.preload) return "";
-  TextTable table({"preload on", "F_x [N]", "F_y [N]", "F_z [N]", "M_x [N m]", "M_y [N m]", "M_z [N m]"});
+  std::vector<std::string> header = {"preload on"};
+  for (int j = 0; j < 6; ++j) header.push_back(load_heading(display, j));
+  TextTable table(header);
   const double round_off = 1e-12 * law.preload->cwiseAbs().maxCoeff();
   for (int end = 0; end < 2; ++end) {
     std::vector<std::string> row = {end == 0 ? "N" : "K"};
     for (int j = 0; j < 6; ++j)
-      row.push_back(
-          number_text(std::abs((*law.preload)(6 * end + j)) <= round_off ? 0.0 : (*law.preload)(6 * end + j)));
+      row.push_back(number_text(std::abs((*law.preload)(6 * end + j)) <= round_off
+                                    ? 0.0
+                                    : load_unit(display, j).factor * (*law.preload)(6 * end + j)));
     table.add(row);
   }
   return "Preload in the equilibrium state (local axes of each end)\n" + table.text();
@@ -265,14 +287,19 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
   if (element.law.scale != 1) text += fmt::format("  stiffness scaled by {:.6g}\n", element.law.scale);
   for (const model::Fact& fact : element.facts) text += "  " + fact.what + ": " + fact.value + "\n";
   for (const auto& problem : summary.warnings.list()) text += "  " + foundation::message(problem) + "\n";
-  text +=
-      "\nStiffness 12×12, local axes: load per unit displacement, so F rows are N/m and N/rad, M rows N m/m and N "
-      "m/rad\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n";
-  text += half_matrix(summary.stiffness, 0) + "\n" + half_matrix(summary.stiffness, 6);
-  text += "\nCharacter\n" + stiffness_properties_text(summary.stiffness_properties);
+  const ShownUnits& display = variant.display;
+  const std::string force = load_unit(display, 0).unit, moment = load_unit(display, 3).unit,
+                    length = motion_unit(display, 0).unit, angle = motion_unit(display, 3).unit;
+  text += fmt::format(
+      "\nStiffness 12×12, local axes: load per unit displacement, so F rows are {0}/{2} and {0}/{3}, M rows {1}/{2} "
+      "and "
+      "{1}/{3}\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n",
+      force, moment, length, angle);
+  text += half_matrix(summary.stiffness, 0, display) + "\n" + half_matrix(summary.stiffness, 6, display);
+  text += "\nCharacter\n" + stiffness_properties_text(summary.stiffness_properties, display);
   text += "\nChecks\n" + checks_text(element, summary.verdict);
-  for (const std::string& part :
-       {energy_text(summary), uncertainty_text(element), frequency_text(element), preload_text(element.law)})
+  for (const std::string& part : {energy_text(summary, display), uncertainty_text(element, display),
+                                  frequency_text(element), preload_text(element.law, display)})
     if (!part.empty()) text += "\n" + part;
   return text;
 }
