@@ -66,6 +66,7 @@ ELSEWHERE = {
     "build/release/benchmarks/transient": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/random_response": (IDLE, ".ci/run", COMPILED),
     "build/release/benchmarks/solid_condensation": (IDLE, ".ci/run", COMPILED),
+    "build/release/benchmarks/python_calls": (IDLE, ".ci/run", COMPILED),
 }
 COMMAND_ELSEWHERE = re.compile(r"(scripts/|pip install |\.ci/|cmake |python3 |build/\w+/(tests|benchmarks)/)")
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Matrices, state space and sweeps against NumPy, SciPy and single answers."""
 
+import pickle
+
 import numpy as np
 import pytest
 import scipy.integrate
@@ -74,7 +76,9 @@ def test_scipy_takes_a_state_space():
     project = trivet.Project(**MACHINE | {"excitations": {"push": {**ramp, "history": history}}})
     transient = project.transient(step=1e-3, to=1.6)
     time = transient.array("time")
-    system = scipy.signal.StateSpace(*project.state_space(["machine.z"]))
+    system = project.state_space(["machine.z"])
+    assert isinstance(system, tuple)
+    assert pickle.loads(pickle.dumps(system)).outputs == ["machine.z"]
     _, found, _ = scipy.signal.lsim(system, np.interp(time, [0, 0.1, 1, 1.1], [0, 50, 50, 0]), time)
     expected = transient.array("machine.z")
     np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * max(abs(expected)))

@@ -32,7 +32,7 @@ class Project(Questions):
         document = plain({"trivet": 1, **tables}, "", wrong)
         if wrong:
             raise InputError(wrong)
-        self._inner = _core.read(toml_text(document), "project", [])
+        self._inner = _core.read(toml_text(document), "", [])  # lines of this text would mean nothing to its reader
 
     @classmethod
     def from_toml(cls, text: str, source: str = "project") -> Project:
@@ -52,7 +52,7 @@ class Project(Questions):
 
     @property
     def source(self) -> str:
-        """Name of the project file."""
+        """Name of the project file; empty for a project from tables."""
         return self._inner.source
 
     @property

@@ -47,6 +47,7 @@ class _Arrays:
     """Named arrays of the core."""
 
     def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]]) -> None:
+        self.given = arrays
         self._arrays = {name: values for name, _, _, values in arrays}
         self._units = {name: unit for name, unit, _, _ in arrays}
         self._axes = {name: axes for name, _, axes, _ in arrays}
@@ -125,43 +126,48 @@ class Matrices(_Arrays):
         return f"<trivet.Matrices of {len(self.coordinates)} coordinates>"
 
 
-class StateSpace(_Arrays):
-    """x' = A x + B u, y = C x + D u, SI. Unpacks as (A, B, C, D) for SciPy and python-control."""
+class StateSpace(tuple[Real, Real, Real, Real]):
+    """x' = A x + B u, y = C x + D u, SI: the tuple (A, B, C, D) that SciPy and python-control take, with names."""
+
+    _named: _Arrays
+
+    def __new__(cls, arrays: list[tuple[str, str, tuple[str, ...], Any]]) -> StateSpace:
+        named = _Arrays(arrays)
+        self = super().__new__(cls, (named.array("A"), named.array("B"), named.array("C"), named.array("D")))
+        self._named = named
+        return self
+
+    def __getnewargs__(self) -> tuple[list[tuple[str, str, tuple[str, ...], Any]]]:
+        return (self._named.given,)
 
     @property
     def A(self) -> Real:
-        return self.array("A")
+        return self[0]
 
     @property
     def B(self) -> Real:
-        return self.array("B")
+        return self[1]
 
     @property
     def C(self) -> Real:
-        return self.array("C")
+        return self[2]
 
     @property
     def D(self) -> Real:
-        return self.array("D")
+        return self[3]
 
     @property
     def states(self) -> list[str]:
-        return self._texts("state")
+        return self._named._texts("state")
 
     @property
     def inputs(self) -> list[str]:
         """Names of the inputs: excitations, and their derivatives where a moving ground needs them."""
-        return self._texts("input")
+        return self._named._texts("input")
 
     @property
     def outputs(self) -> list[str]:
-        return self._texts("output")
-
-    def __iter__(self) -> Any:
-        return iter((self.A, self.B, self.C, self.D))
-
-    def __len__(self) -> int:
-        return 4
+        return self._named._texts("output")
 
     def __repr__(self) -> str:
         return f"<trivet.StateSpace: {len(self.states)} states, {len(self.inputs)} inputs, {len(self.outputs)} outputs>"

@@ -32,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string place(const Origin& origin) {
-  return origin.line > 0 ? origin.source + ":" + std::to_string(origin.line) : origin.source;
+  return origin.line > 0 && !origin.source.empty() ? origin.source + ":" + std::to_string(origin.line) : origin.source;
 }
 
 std::string message(const Problem& problem) {

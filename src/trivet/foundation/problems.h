@@ -15,7 +15,7 @@ struct Origin {
   int column = 0;
 };
 
-/// "genset.toml:12"; only the file if the line is unknown.
+/// "genset.toml:12"; only the file if the line is unknown; empty without a file.
 [[nodiscard]] std::string place(const Origin& origin);
 
 enum class Severity { error, warning };
