@@ -28,8 +28,21 @@ TRIVET = os.environ["TRIVET"]
 SOURCE = pathlib.Path(os.environ["TRIVET_SOURCE"])
 EXAMPLES = sorted((SOURCE / "examples").glob("*/*.toml"))
 SLOWER = int(os.environ.get("TRIVET_CAMPAIGN_SLOWER", "1"))  # with sanitizers
-SECONDS = {"check": 60, "run": 120, "peaks": 120}  # each takes less than a tenth on an idle machine
+SECONDS = {"check": 60, "run": 120, "peaks": 120, "export": 120}  # each takes less than a tenth on an idle machine
 RUN_EVERY = 10
+FORMATS = (
+    "matlab",
+    "universal",
+    "universal_binary",
+    "nastran",
+    "numpy",
+    "hdf5",
+    "excel",
+    "fmu",
+    "fmu3",
+    "matrix_market",
+    "csv",
+)
 ODD_FILES, MACHINES = "odd file", "machine"
 MESHED = {"step_mount", "rubber_mounts"}  # a changed number costs seconds of finite elements: only every eighth time
 
@@ -66,7 +79,9 @@ def scene(kind, number, folder):
     if kind == MACHINES:
         project = folder / "machine.toml"
         project.write_text(machines.machine(chance))
-        return project, ["peaks", "run"]
+        if number % 4 == 0:  # results without a load, and a model without inputs
+            project.write_text(machines.without_excitations(project.read_text()))
+        return project, ["peaks", "run", f"export --to {FORMATS[number % len(FORMATS)]}"]
     examples = [
         e for e in EXAMPLES if kind != ODD_FILES or any(p.suffix in (".csv", ".step") for p in e.parent.iterdir())
     ]
@@ -85,7 +100,9 @@ def scene(kind, number, folder):
         change_file(chance, folder, project)
     else:
         change_project(chance, kind, folder, project)
-    return project, ["check"] + (["run"] if number % RUN_EVERY == RUN_EVERY - 1 else [])
+    return project, ["check"] + (["run"] if number % RUN_EVERY == RUN_EVERY - 1 else []) + (
+        [f"export --to {FORMATS[number // RUN_EVERY % len(FORMATS)]}"] if number % RUN_EVERY == 0 else []
+    )
 
 
 def tried(kind, number, cache, keep, memory):
@@ -96,7 +113,9 @@ def tried(kind, number, cache, keep, memory):
         project, commands = scene(kind, number, folder)
         for command in commands:
             begin = time.monotonic()
-            found = verdict.faults(TRIVET, [command, str(project)], folder, cache, SECONDS[command] * SLOWER, memory)
+            name, *options = command.split()
+            arguments = [name, str(project), *options]
+            found = verdict.faults(TRIVET, arguments, folder, cache, SECONDS[name] * SLOWER, memory)
             results.append((kind, number, command, time.monotonic() - begin, found))
         if keep and any(r[4] for r in results):
             target = pathlib.Path(keep) / f"{kind} {number}".replace(" ", "_")
@@ -143,7 +162,7 @@ def main():
                 if done % 1000 == 0:
                     print(f"{done} of {len(jobs)} projects, {len(failed)} failed", flush=True)
                 for kind, number, command, seconds, found in results:
-                    count[command] += 1
+                    count[command.split()[0]] += 1
                     slowest = sorted([*slowest, (seconds, kind, number, command)])[-8:]
                     if found:
                         failed.append((kind, number, command))

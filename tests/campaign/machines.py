@@ -54,3 +54,8 @@ def machine(random):
         text
         + f'\n[analyses]\nmodes = {{}}\nroots = {{}}\nresponse = {{band = ["0 Hz", "{random.uniform(20, 100):.4g} Hz"]}}\npeaks = {{}}\nstatic = {{}}\n'
     )
+
+
+def without_excitations(text):
+    """The machine at rest: it requests modes and static deflections only."""
+    return text.partition("\n[excitations.")[0] + "\n[analyses]\nmodes = {}\nroots = {}\nstatic = {}\n"

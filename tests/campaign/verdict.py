@@ -49,7 +49,8 @@ def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
     known = set(pathlib.Path(folder).rglob("*"))
     environment = {**os.environ, "TMPDIR": str(private), "TRIVET_CACHE": str(cache), "TERM": "dumb"}
     running = arguments[0] == "run"
-    command = [trivet, *arguments] + (["-o", str(result)] if running else [])
+    writing = running or arguments[0] == "export"
+    command = [trivet, *arguments] + (["-o", str(result)] if writing else [])
     found = []
     try:
         code, out, err, most = measured_run(command, environment, folder, seconds)
@@ -80,6 +81,12 @@ def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
             if code == 2:
                 found.append("a result of a wrong input")
             shutil.rmtree(result)
+        elif writing and code == 0:
+            for written in [result, *pathlib.Path(folder).glob("result_*")]:
+                if written.is_dir():
+                    shutil.rmtree(written)
+                else:
+                    written.unlink(missing_ok=True)
         if left := left_behind(folder, known) + left_behind(private, set()):
             found.append("left behind: " + ", ".join(left[:5]))
         if found and (messages or code):

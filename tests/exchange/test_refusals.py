@@ -51,3 +51,12 @@ def test_full_disk(program, tmp_path, name):
     assert ran.returncode in (1, 2), (ran.returncode, ran.stderr)
     assert "error" in ran.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["matlab", "numpy", "hdf5", "excel", "universal", "matrix_market", "csv", "nastran"])
+def test_a_machine_at_rest_has_no_load(with_text, program, tmp_path, name):
+    """Arrays without a single number, and a default content that cannot be computed."""
+    text, _, _ = program.path.read_text().partition("[excitations.")
+    notes = with_text(text).export(name, tmp_path / "out")
+    assert (tmp_path / "out").exists()
+    assert ("left out: response: no harmonic excitation" in notes) == (name == "universal")

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/content.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "trivet/foundation/invalid_input.h"
@@ -60,6 +62,10 @@ Group answer(const project::Case& variant, const std::string& question, const fo
   return {question, results::answer_arrays(question, variant, *found), found, found};
 }
 
+std::string left_out(const std::string& name, const std::string& reason) {
+  return "left out: " + (reason.starts_with(name + ":") ? "" : name + ": ") + reason;
+}
+
 }  // namespace
 
 const Group* Content::find(const std::string& name) const {
@@ -70,13 +76,25 @@ const Group* Content::find(const std::string& name) const {
 std::string Content::words() const { return project.source + (variant.name.empty() ? "" : ", case " + variant.name); }
 
 Content content(const project::Project& project, const project::Case& variant, const std::vector<std::string>& what,
-                const foundation::Progress& progress) {
+                const std::vector<std::string>& by_default, const foundation::Progress& progress) {
   require_known(what);
   Content found{project, variant, {}, {}};
-  for (const std::string& name : what.empty() ? asked_in(variant.analyses) : what) {
-    if (found.find(name)) continue;
-    found.groups.push_back(name == of_matrices ? matrices(variant, found.notes) : answer(variant, name, progress));
+  const auto add = [&](const std::string& name) {
+    if (!found.find(name))
+      found.groups.push_back(name == of_matrices ? matrices(variant, found.notes) : answer(variant, name, progress));
+  };
+  for (const std::string& name : what) add(name);
+  if (!what.empty()) return found;
+  for (const std::string& name : by_default.empty() ? asked_in(variant.analyses) : by_default) {
+    try {
+      add(name);
+    } catch (const foundation::NotComputable& reason) {
+      found.notes.push_back(left_out(name, reason.what()));
+    } catch (const foundation::InvalidInput& reason) {
+      found.notes.push_back(left_out(name, reason.what()));
+    }
   }
+  if (found.groups.empty()) throw foundation::NotComputable(found.notes.front());
   return found;
 }
 

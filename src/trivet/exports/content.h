@@ -32,10 +32,15 @@ struct Content {
   [[nodiscard]] std::string words() const;
 };
 
-/// Computes the groups. @param what  "matrices" and names of questions; empty: the matrices, the modes, and every
-/// question of the file
-/// @throws foundation::InvalidInput for a name that is neither, NotComputable if a wanted answer does not exist
+/// Computes the groups.
+/// @param what        "matrices" and names of questions
+/// @param by_default  the same if `what` is empty; if both are: the matrices, the modes, and every question of the
+/// file.
+///   Of these, what cannot be computed is left out with a note, unless nothing is left.
+/// @throws foundation::InvalidInput for a name that is neither or lacks an excitation, NotComputable if an answer does
+/// not exist
 [[nodiscard]] Content content(const project::Project& project, const project::Case& variant,
-                              const std::vector<std::string>& what, const foundation::Progress& progress = {});
+                              const std::vector<std::string>& what, const std::vector<std::string>& by_default,
+                              const foundation::Progress& progress = {});
 
 }  // namespace trivet::exports

@@ -43,8 +43,8 @@ std::vector<std::string> export_project(const project::Project& project, const p
     throw foundation::InvalidInput(std::string("what: the format ") + format.name +
                                    " has a fixed content; leave it out");
   const Target target(path, format.kind);
-  const std::vector<std::string>& wanted = what.empty() ? format.by_default : what;
-  const Content found = format.fixed ? Content{project, variant, {}, {}} : content(project, variant, wanted, progress);
+  const Content found =
+      format.fixed ? Content{project, variant, {}, {}} : content(project, variant, what, format.by_default, progress);
   std::vector<std::string> notes = found.notes;
   const std::vector<std::string> lost = format.write(found, target);
   notes.insert(notes.end(), lost.begin(), lost.end());

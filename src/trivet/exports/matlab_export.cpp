@@ -99,6 +99,7 @@ Variable mat_real(const char* name, std::vector<std::size_t> sizes, std::vector<
 }
 
 Variable mat_complex(const char* name, std::vector<std::size_t> sizes, const std::vector<Complex>& numbers) {
+  if (numbers.empty()) return mat_real(name, std::move(sizes), {});  // matio frees what it did not allocate
   std::vector<double> re, im;
   for (const Complex& number : numbers) {
     re.push_back(number.real());
