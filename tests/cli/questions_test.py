@@ -122,6 +122,19 @@ class Questions(unittest.TestCase):
             self.assertIn(words, said)
         self.assertIn("Mean power into the ground", trivet("power", bare).stdout)
 
+    def test_end_with_a_text_or_a_message_for_every_example(self):
+        for example in EXAMPLES:
+            for question in QUESTIONS:
+                ran = subprocess.run([TRIVET, question, example], capture_output=True, text=True)
+                self.assertIn(ran.returncode, (0, 1, 2), (question, example, ran.stderr))
+                if ran.returncode != 0:
+                    self.assertIn("error: ", ran.stderr, (question, example))
+
+    def test_say_that_no_mount_is_on_the_ground(self):
+        for example in EXAMPLES:
+            if example.parent.name == "free_pair":
+                self.assertIn("none, no element ends there", trivet("power", example).stdout)
+
     def test_fit_on_a_screen(self):
         for question in QUESTIONS:
             if question in ("random", "transient", "orders", "transmissibility", "static"):

@@ -44,6 +44,7 @@ def test_labels_tell_the_units(machine):
         ("transport_shock/device.toml", "transient"),
         ("genset/genset.toml", "orders"),
         ("genset/genset.toml", "power"),
+        ("measured_response/machine.toml", "measurements"),
         ("optical_table/table.toml", "transmissibility"),
     ],
 )

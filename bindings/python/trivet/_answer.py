@@ -301,12 +301,12 @@ class Answer:
         if len(axes) != 1 or axes[0] == name or axes[0] not in self._arrays or isinstance(values, list):
             return False
         is_phase = name.endswith(" phase") and name.removesuffix(" phase") in self._arrays
-        return axes[0] in _plotted_axes and not is_phase
+        return _kind_of_axis(axes[0]) in _plotted_axes and not is_phase
 
     def _curve(self, name: str) -> Curve:
         unit, axes, values = self._arrays[name]
         phase = self._arrays.get(f"{name} phase", (None, None, None))[2]
-        return Curve(name, unit, values, axes[0], self._arrays[axes[0]][2], self._shown, phase)
+        return Curve(name, unit, values, _kind_of_axis(axes[0]), self._arrays[axes[0]][2], self._shown, phase)
 
     def _table_name(self, table: str | None) -> str:
         tables = self.tables
@@ -322,3 +322,8 @@ class Answer:
 
 #: Axes over which results are curves; other axes number the rows of a table.
 _plotted_axes = ("angular_frequency", "frequency", "time", "speed", "natural_frequency", "period")
+
+
+def _kind_of_axis(axis: str) -> str:
+    """The last word: measured functions have an axis each, "rig flange.z angular_frequency"."""
+    return axis.rpartition(" ")[2]

@@ -66,6 +66,8 @@ def _panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
         return _mode_panels(answer)
     if answer.question == "peaks":
         return _peak_panels(answer, names)
+    if answer.question == "measurements":
+        return _measurement_panels(answer, names)
     curves = answer.curves
     shown = names or [name for name in curves if answer.question != "orders" or name.endswith(" rms")]
     chosen = [curves[name] for name in shown if name in curves]
@@ -149,6 +151,17 @@ def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
                 lines.append(Line(str(name), places[rows], np.array([table["amplitude"][i] for i in rows], dtype=float)))
         if lines:
             panels.append(Panel(x_label, _label(_level_words[answer._shown.level], str(unit)), lines, log_y=True, marks=True))
+    return panels
+
+
+def _measurement_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
+    """For each measured function its amplitude and phase, and the computed ones."""
+    curves = answer.curves
+    panels = []
+    for channel in answer.array("channel"):
+        pair = [curves[f"{channel} measured"], curves[f"{channel} computed"]]
+        if not names or any(curve.name in names for curve in pair):
+            panels += _curve_panels(pair, answer._shown)
     return panels
 
 

@@ -33,7 +33,7 @@ void add_ground_point(GroundPoints& ground, const std::string& element, model::D
   joint.is_foundation = true;
   joint.n.at = joint.k.at = mount->n.at;
   joint.k.foundation = mount->n.foundation;
-  ground.placed.emplace_back(point, joint.k);
+  ground.placed.push_back({point, joint.k, name});
   description.foundations.push_back(std::move(place));
   description.elements.push_back(std::move(joint));
 }
@@ -44,12 +44,12 @@ void add_couplings(const GroundPoints& ground, model::Description& description) 
       model::Element coupling;
       coupling.type = "foundation";
       coupling.is_foundation = true;
-      coupling.n = ground.placed[i].second;
-      coupling.k = ground.placed[j].second;
+      const GroundPoints::Placed &n = ground.placed[i], &k = ground.placed[j];
+      coupling.name = n.name + " and " + k.name;
+      coupling.n = n.end;
+      coupling.k = k.end;
       for (model::End* end : {&coupling.n, &coupling.k}) end->foundation->fixed_directions.setZero();
-      coupling.name = description.foundations[coupling.n.foundation->foundation].name + " and " +
-          description.foundations[coupling.k.foundation->foundation].name;
-      couple(ground.mobility, ground.placed[i].first, ground.placed[j].first, coupling);
+      couple(ground.mobility, n.point, k.point, coupling);
       description.elements.push_back(std::move(coupling));
     }
 }

@@ -18,7 +18,12 @@ struct GroundPoints {
   std::shared_ptr<const GroundMobility> mobility;  ///< then it takes the place of the impedance
   std::map<std::string, std::size_t>
       points;  ///< element and its point of the mobility; empty: all elements have the first
-  std::vector<std::pair<std::size_t, model::End>> placed;  ///< points of the mobility that elements are on
+  struct Placed {
+    std::size_t point = 0;
+    model::End end;
+    std::string name;
+  };
+  std::vector<Placed> placed;  ///< points that elements are on
 };
 
 /// Puts end N of an element on a ground point of its own, and adds the element that joins the point to the ground.

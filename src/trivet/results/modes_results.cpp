@@ -93,7 +93,7 @@ std::string modes_csv(const project::Case& variant, const study::Answers& answer
 }
 
 std::string strain_words(const project::Case& variant, const modal::Mode& mode) {
-  if (!mode.strain_energy_share) return "–";
+  if (!mode.strain_energy_share || mode.strain_energy_share->size() == 0) return "–";
   Eigen::Index largest = 0;
   const double share = mode.strain_energy_share->maxCoeff(&largest);
   return variant.system.elements()[to_size(largest)].name + " " + percent(share);

@@ -56,6 +56,8 @@ std::string power_csv(const project::Case&, const study::Answers& answers) {
 std::string power_text(const project::Case& variant, const study::Answers& answers) {
   const response::PowerFlow& p = *answers.find<response::PowerFlow>("power");
   if (p.angular_frequency.empty()) return "";
+  if (p.mounts.empty())
+    return excited_at_once(variant, "power") + "Power into the ground: none, no element ends there\n";
   TextTable table({"mount", "highest power into the ground [W]", "at [" + frequency_unit(variant.display) + "]"});
   const double most = std::max(
       {p.by_forces.cwiseAbs().maxCoeff(), p.by_ground.cwiseAbs().maxCoeff(), p.into_ground.cwiseAbs().maxCoeff()});
