@@ -143,7 +143,7 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
-    ("docs/measurements.md", "Measured beside computed curves"): DRIVEN_FRAME,
+    ("docs/measurements.md", "Measured and computed curves"): DRIVEN_FRAME,
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."
     + REQUIRED[1].partition("[cases.")[2],
@@ -191,7 +191,7 @@ NOT_A_PROJECT = {("docs/elements/catalogue.md", "Catalogues of mounts"): "maker.
 # Files that a part names: a text, or a path of a file with the contents.
 CONES = {"catalogue/cones.toml": SOURCE / "examples/genset/catalogue/cones.toml"}
 FILES = {
-    ("docs/measurements.md", "Measured beside computed curves"): {
+    ("docs/measurements.md", "Measured and computed curves"): {
         "impact_test.uff": SOURCE / "tests/data/measured/seat.uff"
     },
     ("docs/design.md", "Choices of mounts"): CONES,

@@ -20,7 +20,7 @@
 namespace trivet::python {
 namespace {
 
-/// Answers that exist beside those of a question.
+/// Answers that exist in addition to those of a question.
 struct Found {
   ProjectPointer project;
   study::Answers answers;

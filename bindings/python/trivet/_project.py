@@ -57,7 +57,7 @@ class Project(Questions):
 
     @property
     def cases(self) -> list[str]:
-        """Names of the cases beside the base model."""
+        """Names of the cases, without the base model."""
         return self._inner.cases
 
     @property
@@ -215,7 +215,7 @@ class Project(Questions):
         format_name = to or _formats_by_ending.get(pathlib.Path(target).suffix.lower(), "")
         if not format_name:
             known = ", ".join(name for name, _ in _core.formats())
-            raise InputError([problem("to", target, "its ending is none of a format", f"name one: {known}")])
+            raise InputError([problem("to", target, "no format has this ending", f"name one: {known}")])
         wanted = [what] if isinstance(what, str) else list(what)
         with shown(progress) as callback:
             return self._inner.export(format_name, target, wanted, case, threads, callback)

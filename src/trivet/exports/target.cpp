@@ -66,7 +66,7 @@ void Target::publish() const {
   std::vector<fs::path> written;
   for (const fs::directory_entry& entry : fs::directory_iterator(temporary_->path()))
     if (entry.path().filename() != foundation::owner_mark && entry.path() != path()) written.push_back(entry.path());
-  written.push_back(path());  // last: it tells that the others are there
+  written.push_back(path());  // last: it shows that the others are there
   for (const fs::path& file : written) {
     std::error_code error;
     const fs::path to = target_.parent_path() / file.filename();

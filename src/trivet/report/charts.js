@@ -225,7 +225,7 @@ function isNear({holder}) {
   const {top, bottom} = holder.getBoundingClientRect(), margin = 300;
   return bottom > -margin && top < window.innerHeight + margin;
 }
-/// Draws a chart anew, or only moves it to the shown frequencies. One outside the window waits, except on paper, where
+/// Draws a chart again, or only moves it to the shown frequencies. One outside the window waits, except on paper, where
 /// charts have a fixed width.
 function draw(chart) {
   if (!chart.stale || !(chart.width || isNear(chart))) return;
