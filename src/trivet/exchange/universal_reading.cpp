@@ -102,7 +102,8 @@ void UniversalReader::read_set(const UniversalSet& set) {
 
 void UniversalReader::warn_about_units() {
   if (!file_.units_of_file && has_quantities())
-    problems_.warning(0, "units", "no set 164", "it has the units of the numbers", "the numbers are read as SI");
+    problems_.warning(0, "units", "no set 164", "set 164 states the units of the numbers",
+                      "the numbers are read as SI");
 }
 
 void UniversalReader::warn_about_ignored_sets() {

@@ -268,7 +268,7 @@ TEST(UniversalUnits, MustAgreeWithTheirCode) {
   ASSERT_TRUE(read);
   ASSERT_EQ(read->warnings.list().size(), 1u);
   EXPECT_EQ(message(read->warnings.list()[0]),
-            "f: warning: units: no set 164; it has the units of the numbers; the numbers are read as SI");
+            "f: warning: units: no set 164; set 164 states the units of the numbers; the numbers are read as SI");
 }
 
 }  // namespace
