@@ -2,6 +2,7 @@
 // Machines on the measured mobility of several ground points, compared with the ground modelled by bodies and nodes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <complex>
@@ -62,7 +63,7 @@ std::filesystem::path written(const std::string& name, const std::vector<Directi
       }
       file.functions.push_back(function);
     }
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("{}-{}", ::getpid(), name);
   std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
   return path;
 }

@@ -99,20 +99,24 @@ def test_other_units(machine):
     shown = answer.to(frequency="rpm", length="in", force="lbf", level="peak_to_peak")
     inch = 0.0254
     curve, si = shown["machine.z"], answer["machine.z"]
-    assert curve.unit == "in"
+    assert curve.unit == "in p-p"
     np.testing.assert_allclose(curve.amplitude, 2 * si.amplitude / inch, rtol=1e-15)
-    np.testing.assert_allclose(curve.complex, si.complex / inch, rtol=1e-15)
+    np.testing.assert_allclose(curve.complex, 2 * si.complex / inch, rtol=1e-15)
+    assert "|machine.z| [in p-p]" in str(shown) and "in p-p" not in str(answer)
     table = shown.to_dataframe()
     np.testing.assert_allclose(table["angular_frequency [rpm]"], answer.angular_frequency * 30 / np.pi, rtol=1e-15)
-    np.testing.assert_allclose(table["machine.z amplitude [in]"], curve.amplitude, rtol=1e-15)
+    np.testing.assert_allclose(table["machine.z amplitude [in p-p]"], curve.amplitude, rtol=1e-15)
+    np.testing.assert_allclose(table["machine.z re [in p-p]"], curve.complex.real, rtol=1e-15)
     np.testing.assert_array_equal(shown.array("machine.z"), answer.array("machine.z"))  # arrays stay SI
     assert shown.to_json() == answer.to_json()
     peaks = machine.peaks()
-    np.testing.assert_allclose(
-        peaks.to(length="mm", level="rms").to_dataframe().query("unit == 'mm'")["amplitude"],
-        peaks.to_dataframe().query("unit == 'm'")["amplitude"] * 1000 / np.sqrt(2),
-        rtol=1e-14,
-    )
+    rms = peaks.to(length="mm", level="rms", frequency="rpm").to_dataframe().query("unit == 'mm rms'")
+    metres = peaks.to_dataframe().query("unit == 'm'")
+    for name in ("amplitude", "prominence"):
+        np.testing.assert_allclose(rms[name], metres[name] * 1000 / np.sqrt(2), rtol=1e-14)
+    uncertainty = "angular_frequency_uncertainty"
+    if f"{uncertainty} [rad/s]" in metres:
+        np.testing.assert_allclose(rms[f"{uncertainty} [rpm]"], metres[f"{uncertainty} [rad/s]"] * 30 / np.pi)
     with pytest.raises(trivet.InputError, match="unit of length") as wrong:
         answer.to(length="s", level="peak", colour="red")
     assert len(wrong.value.problems) == 3

@@ -2,6 +2,7 @@
 #include "core/answer.h"
 
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -80,11 +81,11 @@ void bind_answer(nb::module_& module) {
           "JSON as docs/json.md describes it.")
       .def(
           "text",
-          [](const Answer& answer) {
+          [](const Answer& answer, const std::optional<project::ShownUnits>& display) {
             const nb::gil_scoped_release released;
-            return answer.text();
+            return display && answer.text_in ? answer.text_in(*display) : answer.text();
           },
-          "The text of the command line.")
+          nb::arg("display") = nb::none(), "The text of the command line, perhaps in other units.")
       .def_prop_ro("tables", [](const Answer& answer) { return names_of(answer.tables); }, "names of the CSV tables")
       .def("table", [](const Answer& answer, const std::string& name) { return text_of(answer.tables, name); },
            nb::arg("name"), "One table as CSV, SI.")

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "trivet/foundation/problems.h"
+#include "trivet/project/text/shown_units.h"
 #include "trivet/results/labelled_arrays.h"
 
 namespace trivet::python {
@@ -24,6 +25,8 @@ struct Answer {
   std::vector<std::string> failures;  ///< parts that could not be computed, with the reason
   std::vector<std::string> changes;   ///< of the best design: "elements.mount.scale = 1.5"
   std::function<std::string()> json, text;
+  /// The text with the units of another [display]; empty: it has no units that can change.
+  std::function<std::string(const project::ShownUnits& display)> text_in;
   std::vector<std::pair<std::string, std::function<std::string()>>> tables = {};  ///< "random.csv", CSV
   std::vector<std::pair<std::string, std::function<std::string()>>> figures = {};  ///< "front.svg", SVG
   results::LabelledArrays arrays = {};

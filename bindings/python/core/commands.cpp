@@ -45,6 +45,11 @@ Answer new_answer(const ProjectPointer& project, const std::string& question, co
   return answer;
 }
 
+project::Case with_display(project::Case variant, const project::ShownUnits& display) {
+  variant.display = display;
+  return variant;
+}
+
 std::string case_list(const project::Project& project) {
   std::string known;
   for (const project::Case& variant : project.cases)
@@ -89,6 +94,9 @@ Answer asked(const ProjectPointer& project, const std::string& question, const s
     answer.notes.insert(answer.notes.end(), notes->begin(), notes->end());
   answer.json = [held, question, &variant] { return results::answer_json(question, variant, held->found); };
   answer.text = [held, question, &variant] { return results::answer_text(question, variant, held->found); };
+  answer.text_in = [held, question, &variant](const project::ShownUnits& display) {
+    return results::answer_text(question, with_display(variant, display), held->found);
+  };
   for (const results::AnswerTable& table : results::answer_tables(question))
     answer.tables.emplace_back(table.file, [held, &variant, table] { return table.csv(variant, held->found); });
   answer.arrays = results::answer_arrays(question, variant, answers);
@@ -150,6 +158,9 @@ Answer suspended(const ProjectPointer& project, const std::string& case_name,
   answer.warnings = held->found.warnings;
   answer.json = [held, &variant] { return results::suspension_json(variant, held->found); };
   answer.text = [held, &variant] { return results::suspension_text(variant, held->found); };
+  answer.text_in = [held, &variant](const project::ShownUnits& display) {
+    return results::suspension_text(with_display(variant, display), held->found);
+  };
   answer.tables.emplace_back("suspension.csv", [held, &variant] { return results::suspension_csv(variant, held->found); });
   return answer;
 }
@@ -179,10 +190,12 @@ Answer element(const ProjectPointer& project, const std::string& name, const std
   answer.json = [held, &variant, number] {
     return results::element_json(variant, number, held->found.summary, held->found.simple);
   };
-  answer.text = [held, &variant, number] {
-    return results::element_text(variant, number, held->found.summary) +
+  const auto text = [held, number](const project::Case& shown) {
+    return results::element_text(shown, number, held->found.summary) +
         (held->found.simple ? "\n" + results::simplification_text(*held->found.simple) : "");
   };
+  answer.text = [text, &variant] { return text(variant); };
+  answer.text_in = [text, &variant](const project::ShownUnits& display) { return text(with_display(variant, display)); };
   answer.figures.emplace_back("element.svg",
                               [held, &variant, number] { return report::element_picture(variant, number); });
   return answer;

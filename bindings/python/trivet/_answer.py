@@ -44,6 +44,9 @@ class Curve:
         self._si = unit, values, places
         self._shown = shown
         self.unit, self._factor = shown.unit(unit)
+        if np.iscomplexobj(values):
+            self.unit, level = _tables.with_level(self.unit, unit, shown)
+            self._factor *= level
 
     @property
     def values(self) -> Numbers:
@@ -58,7 +61,8 @@ class Curve:
 
     @property
     def complex(self) -> Numbers:
-        """Complex amplitudes: the result is Re(value · e^{iωt})."""
+        """Complex amplitudes: the result is Re(value · e^{iωt}). With a level that `Answer.to` chose, the magnitude is
+        peak-to-peak or rms instead, as the unit says."""
         if not np.iscomplexobj(self._si[1]):
             raise InputError([problem(self.name, "real numbers", "only harmonic results are complex", "take .values")])
         return self.values
@@ -66,8 +70,7 @@ class Curve:
     @property
     def amplitude(self) -> Numbers:
         """Magnitudes, in the level that `Answer.to` chose; of real numbers their absolute values."""
-        level = self._shown.level_factor if np.iscomplexobj(self._si[1]) else 1.0
-        return np.abs(self._si[1]) * (self._factor * level)
+        return np.abs(self.values)
 
     @property
     def phase(self) -> Numbers:
@@ -115,6 +118,7 @@ class Answer:
         self._core = core
         self._project = project
         self._shown = shown or _core.ShownUnits()
+        self._converted: _core.ShownUnits | None = None  # by `to`; the text otherwise has the units of [display]
         self._arrays = {name: (unit, axes, values) for name, unit, axes, values in core.arrays()}
 
     @property
@@ -220,9 +224,11 @@ class Answer:
 
     def to(self, **units: str) -> Answer:
         """The same answer in other units: length="in", force="lbf", angle="deg", mass="lb", frequency="rpm",
-        level="peak_to_peak" or "rms". They apply to curves, tables and pictures; arrays, JSON and xarray stay SI."""
+        level="peak_to_peak" or "rms". They apply to curves (not to their axis), tables of pandas, notebooks, pictures and
+        print; arrays, CSV, JSON and xarray stay SI."""
         changed = copy.copy(self)
         changed._shown = self._shown.changed([(key, str(value)) for key, value in units.items()])
+        changed._converted = changed._shown
         return changed
 
     @property
@@ -278,7 +284,7 @@ class Answer:
         return self._core.figure(figure or figures[0])
 
     def __str__(self) -> str:
-        return self._core.text()
+        return self._core.text(self._converted)
 
     def __repr__(self) -> str:
         case = f" of case {self.case}" if self.case else ""

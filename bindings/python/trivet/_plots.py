@@ -81,7 +81,7 @@ def _curve_panels(curves: list[Curve], shown: _core.ShownUnits) -> list[Panel]:
     panels = []
     for (axis, unit), group in groups.items():
         panels.append(_amplitude_panel(axis, unit, group, shown))
-        if any(np.iscomplexobj(curve.values) for curve in group):
+        if all(np.iscomplexobj(curve.values) for curve in group):
             panels.append(_phase_panel(panels[-1], group))
     return panels
 
@@ -101,6 +101,7 @@ def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.Sho
     x_label, factor = _axis(axis, shown)
     harmonic = any(np.iscomplexobj(curve.values) for curve in curves)
     word = _level_words[shown.level] if harmonic else _quantity_words.get(unit, "value")
+    unit = unit.removesuffix(" p-p").removesuffix(" rms")  # the word says it
     per_axis, words = 1.0, unit
     if unit.endswith("/(rad/s)") and not shown.frequency:  # a density over the axis, which is in Hz
         per_axis, word, words = 2 * np.pi, "density", unit.removesuffix("(rad/s)") + "Hz"
@@ -150,7 +151,8 @@ def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
             if rows and (not names or name in names):
                 lines.append(Line(str(name), places[rows], np.array([table["amplitude"][i] for i in rows], dtype=float)))
         if lines:
-            panels.append(Panel(x_label, _label(_level_words[answer._shown.level], str(unit)), lines, log_y=True, marks=True))
+            plain = str(unit).removesuffix(" p-p").removesuffix(" rms")
+            panels.append(Panel(x_label, _label(_level_words[answer._shown.level], plain), lines, log_y=True, marks=True))
     return panels
 
 

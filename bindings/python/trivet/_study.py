@@ -156,6 +156,14 @@ class StateSpace(tuple[Real, Real, Real, Real]):
     def D(self) -> Real:
         return self[3]
 
+    def array(self, name: str) -> npt.NDArray[Any]:
+        """An array by its name; read-only."""
+        return self._named.array(name)
+
+    @property
+    def arrays(self) -> list[str]:
+        return self._named.arrays
+
     @property
     def states(self) -> list[str]:
         return self._named._texts("state")

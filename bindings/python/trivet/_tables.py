@@ -53,24 +53,39 @@ def shown(table: list[Column], units: _core.ShownUnits) -> list[Column]:
     """The same columns in the units and the level in which numbers are shown. Where units are in a column of their own,
     each row is converted."""
     by_row = next((column.values for column in table if column.name == "unit"), None)
-    return [_shown_column(column, by_row, units) for column in table]
+    harmonic = any(column.name.endswith("amplitude") for column in table)
+    return [_shown_column(column, by_row, units, harmonic) for column in table]
 
 
-def _shown_column(column: Column, by_row: list[float | int | None] | list[str] | None, units: _core.ShownUnits) -> Column:
+def with_level(unit: str, si_unit: str, units: _core.ShownUnits) -> tuple[str, float]:
+    """The unit of a harmonic quantity with the level that it has, "mil p-p", and the factor of the level. Ratios have
+    no level."""
+    if si_unit in ("1", ""):
+        return unit, 1.0
+    return unit + {"peak_to_peak": " p-p", "rms": " rms"}.get(units.level, ""), units.level_factor
+
+
+def _shown_column(
+    column: Column, by_row: list[float | int | None] | list[str] | None, units: _core.ShownUnits, harmonic: bool
+) -> Column:
     if column.name == "unit" and not column.unit:
-        return Column("unit", "", [units.unit(str(unit))[0] for unit in column.values])
+        words = [(units.unit(str(unit))[0], str(unit)) for unit in column.values]
+        return Column("unit", "", [with_level(*unit, units)[0] if harmonic else unit[0] for unit in words])
     if all(isinstance(value, str) for value in column.values):
         return column
     unit, factor = column.unit, 1.0
-    if column.unit == "rad/s" and column.name in ("angular_frequency", "speed"):
+    if column.unit == "rad/s" and (column.name.startswith("angular_frequency") or column.name == "speed"):
         unit, factor = units.axis()
     elif column.unit:
         unit, factor = units.unit(column.unit)
-    level = units.level_factor if column.name.endswith("amplitude") else 1.0
-    if factor * level == 1 and not (by_row and _is_of_row(column)):
-        return column
-    factors = [units.unit(str(one))[1] for one in by_row] if by_row and _is_of_row(column) else [factor] * len(column.values)
-    values = [_times(value, of_row * level) for value, of_row in zip(column.values, factors, strict=True)]
+    level = 1.0
+    if column.unit and column.name.endswith((" re", " im", "amplitude")):
+        unit, level = with_level(unit, column.unit, units)
+    factors = [factor * level] * len(column.values)
+    if by_row and _is_of_row(column):
+        of_rows = [str(one) for one in by_row]
+        factors = [units.unit(one)[1] * (with_level("", one, units)[1] if harmonic else 1.0) for one in of_rows]
+    values = [_times(value, one) for value, one in zip(column.values, factors, strict=True)]
     return Column(column.name, unit, values)
 
 

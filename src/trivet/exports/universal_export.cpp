@@ -110,7 +110,7 @@ UniversalQuantity quantity_of(const std::string& unit) {
 
 /// A text that fits; cut and noted if it does not.
 std::string fitting(const std::string& text, std::vector<std::string>& lost) {
-  if (exchange::fits_universal_line(text)) return text;
+  if (text.empty() || exchange::fits_universal_line(text)) return text;
   lost.push_back("cut to 80 characters, or without characters that the format does not know: " + text);
   return text.substr(0, exchange::universal_id_width);
 }

@@ -59,9 +59,9 @@ struct Foundation {
 struct OnFoundation {
   std::size_t foundation = 0;
   Eigen::Matrix<double, 6, Eigen::Dynamic> shape;  ///< motion of the end, ground axes, per unit of each coordinate
-  /// Projector on the fixed directions, in which the end moves with the rigid ground at this place, ground axes: all
-  /// directions that `shape` does not move. Zero for the modes of a deck: the data do not define how a deck moves with
-  /// the ground.
+  /// Projector on the directions in which the end moves with the rigid ground at this place, ground axes: all that
+  /// `shape` does not move, or all if the coordinates are relative to the ground. Zero for the modes of a deck: the
+  /// data do not define how a deck moves with the ground.
   spatial::Matrix6 fixed_directions = spatial::Matrix6::Zero();
 };
 

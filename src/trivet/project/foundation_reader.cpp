@@ -90,9 +90,11 @@ std::vector<int> read_ground_nodes(TableReader& reader, std::map<std::string, st
   for (const std::string& key : table->keys) {
     const auto number = node_number(key);
     const auto element = nodes.text(key);
-    if (!number)
+    if (!number || *number <= 0)
       nodes.error(key, foundation::quoted(key), "the key is the number of a node of the file", "for instance \"11\"");
-    if (!number || !element) continue;
+    if (!number || *number <= 0 || !element) continue;
+    if (std::find(numbers.begin(), numbers.end(), *number) != numbers.end())
+      nodes.error(key, foundation::quoted(key), "each node is named once", "remove one");
     if (!points.emplace(*element, numbers.size()).second)
       nodes.error(key, foundation::quoted(*element) + " twice", "an element is on one node", "remove one");
     numbers.push_back(*number);
@@ -175,7 +177,8 @@ Ground read_modal(TableReader& reader, const std::string& name, model::Descripti
   return ground;
 }
 
-/// Reports what a foundation has for a mount that is not on it: it has no effect.
+/// Reports what a foundation has for a mount that is not on it. Shapes then have no effect; a ground point without a
+/// mount would be free of forces, but its mobility could not be used, so that is an error.
 /// @param key, thing  "modes" and "shapes", or "nodes" and "a node"
 void report_idle_mount(TableReader& root, const std::string& ground, const std::string& mount, const std::string& key,
                        const std::string& thing, const NamesInFile& in_file) {
@@ -187,10 +190,11 @@ void report_idle_mount(TableReader& root, const std::string& ground, const std::
   const Node* origin = root.node("foundations")->find(ground)->find(key);
   const std::string finding = fmt::format("{} of {}", thing, foundation::quoted(mount));
   if (std::find(in_file.elements.begin(), in_file.elements.end(), mount) != in_file.elements.end()) {
-    root.problems()
-        .warning(subject, finding, "this element is not on the foundation",
-                 "add foundation = \"" + ground + "\" to it, or remove " + thing)
-        .origin = origin->origin;
+    const std::string rule = "this element is not on the foundation",
+                      remedy = "add foundation = \"" + ground + "\" to it, or remove " + thing;
+    foundation::Problem& problem = key == "nodes" ? root.problems().error(subject, finding, rule, remedy)
+                                                  : root.problems().warning(subject, finding, rule, remedy);
+    problem.origin = origin->origin;
     return;
   }
   const std::string guess = foundation::nearest_name(mount, in_file.elements);

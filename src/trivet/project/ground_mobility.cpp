@@ -17,10 +17,11 @@
 namespace trivet::project {
 namespace {
 
-/// Largest negative eigenvalue of Re Y over the largest mobility of its row that noise, or rounding, explains.
+/// Largest negative eigenvalue of Re Y, scaled to a unit diagonal of |Y|, that noise, or rounding, explains.
 constexpr double noisy = 0.02, rounded = 1e-9;
-/// Least reciprocal condition of Y, scaled to a unit diagonal, of which the inverse has four digits.
-constexpr double invertible = 1e-12;
+/// Least reciprocal condition of Y, scaled alike, of which the inverse has four digits; and the one below which errors
+/// of one percent, usual in measurements, change the inverse by more than its size.
+constexpr double invertible = 1e-12, well_conditioned = 1e-2;
 
 foundation::Origin origin(const GroundMobility& mobility, std::size_t row) {
   return {mobility.source, mobility.lines.empty() ? 0 : mobility.lines[row]};
@@ -35,17 +36,23 @@ Eigen::VectorXcd driving_point(const GroundMobility& mobility, std::size_t direc
   return values;
 }
 
+/// Y with unit magnitudes on its diagonal: D⁻½ Y D⁻½ with D = |diag Y|. A point that does not move gives zeros.
+Eigen::MatrixXcd scaled(const Eigen::MatrixXcd& y) {
+  Eigen::VectorXd inverse_size = y.diagonal().cwiseAbs().cwiseSqrt();
+  for (double& one : inverse_size) one = one > 0 ? 1 / one : 0;
+  const Eigen::VectorXcd sides = inverse_size.cast<std::complex<double>>();
+  return sides.asDiagonal() * y * sides.asDiagonal();
+}
+
 void check_passive(const GroundMobility& mobility, foundation::Problems& found) {
   double worst = 0;
   std::size_t at = 0;
   for (std::size_t i = 0; i < mobility.rows.size(); ++i) {
-    const Eigen::MatrixXd real = 0.5 * (mobility.rows[i] + mobility.rows[i].adjoint()).real();
-    const double share =
-        numerics::symmetric_eigenvalues(real)(0) / std::max(mobility.rows[i].cwiseAbs().maxCoeff(), 1e-300);
+    const double share = numerics::symmetric_eigenvalues(scaled(mobility.rows[i]).real().eval())(0);
     if (share < worst) worst = share, at = i;
   }
   if (worst >= -rounded) return;
-  const std::string finding = fmt::format("at {:.6g} Hz Re Y has the eigenvalue {:.3g}, relative to its largest entry",
+  const std::string finding = fmt::format("at {:.6g} Hz Re Y has the eigenvalue {:.3g}, relative to the driving points",
                                           hertz(mobility, at), worst);
   const char* rule = "a passive ground absorbs energy in every motion: Re Y is positive semidefinite";
   foundation::Problem& problem = worst < -noisy
@@ -56,23 +63,27 @@ void check_passive(const GroundMobility& mobility, foundation::Problems& found) 
 }
 
 void check_invertible(const GroundMobility& mobility, foundation::Problems& found) {
-  for (std::size_t i = 0; i < mobility.rows.size(); ++i) {
-    const Eigen::MatrixXcd& y = mobility.rows[i];
-    const Eigen::VectorXd size = y.diagonal().cwiseAbs().cwiseSqrt();
-    double condition = 0;
-    if (size.minCoeff() > 0) {
-      const Eigen::VectorXcd inverse_size = size.cwiseInverse().cast<std::complex<double>>();
-      condition = numerics::PivotedLu<std::complex<double>>(inverse_size.asDiagonal() * y * inverse_size.asDiagonal())
-                      .reciprocal_condition();
-    }
-    if (condition >= invertible) continue;
+  double worst = 1;
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < mobility.rows.size(); ++i)
+    if (const double condition =
+            numerics::PivotedLu<std::complex<double>>(scaled(mobility.rows[i])).reciprocal_condition();
+        !(condition >= worst))
+      worst = condition, at = i;
+  const char* remedy =
+      "leave out a zero column; points on one rigid part are a body on elements, or a modal foundation";
+  if (!(worst >= invertible))
     found
-        .error("", fmt::format("at {:.6g} Hz Y is singular", hertz(mobility, i)),
-               "the compliant directions move independently: Y has an inverse",
-               "leave out a zero column; points on one rigid part are a body on elements, or a modal foundation")
-        .origin = origin(mobility, i);
-    return;
-  }
+        .error("", fmt::format("at {:.6g} Hz Y is singular", hertz(mobility, at)),
+               "the compliant directions move independently: Y has an inverse", remedy)
+        .origin = origin(mobility, at);
+  else if (worst < well_conditioned)
+    found
+        .warning("",
+                 fmt::format("at {:.6g} Hz Y is nearly singular: its reciprocal condition is {:.2g}",
+                             hertz(mobility, at), worst),
+                 "an error of the measurement grows by up to its inverse in the dynamic stiffness Y⁻¹", remedy)
+        .origin = origin(mobility, at);
 }
 
 void check_causal(GroundMobility& mobility, foundation::Problems& found) {

@@ -89,6 +89,10 @@ class MobilityFunctions {
       found_.error("", name_of(function) + " is not a motion per force, or has no known unit",
                    "the axes of receptance, mobility or accelerance have the types 8, 11 or 12 per 13",
                    "write the types of the axes and set 164");
+    const UniversalQuantity abscissa = function.abscissa_axis.quantity;
+    if (abscissa != UniversalQuantity::frequency && abscissa != UniversalQuantity::unknown)
+      found_.error("", fmt::format("{} has an abscissa of type {}", name_of(function), static_cast<int>(abscissa)),
+                   "a mobility is a function of frequency, type 18", "export it over frequency");
     if (exchange::abscissa_values(function) != exchange::abscissa_values(*functions_.front()))
       found_.error("", name_of(function) + " has other frequencies than " + name_of(*functions_.front()),
                    "all functions of a mobility have the same frequencies", "measure or interpolate them alike");
@@ -96,8 +100,16 @@ class MobilityFunctions {
 
   void read_frequencies() {
     hertz_ = exchange::abscissa_values(*functions_.front());
-    for (std::size_t i = 0; i < hertz_.size(); ++i)
-      if (hertz_[i] > 0) result_.knots.push_back(foundation::two_pi * hertz_[i]);
+    for (const double hertz : hertz_) {
+      if (!(hertz > 0)) continue;
+      const double omega = foundation::two_pi * hertz;
+      if (!result_.knots.empty() && omega <= result_.knots.back()) {
+        found_.error("", fmt::format("{:.6g} Hz after {:.6g} Hz", hertz, result_.knots.back() / foundation::two_pi),
+                     "frequencies increase", "sort the lines of the functions");
+        return;
+      }
+      result_.knots.push_back(omega);
+    }
     if (result_.knots.size() < 2 || result_.knots.size() > most_frequencies)
       found_.error("", fmt::format("{} frequencies above 0 Hz", result_.knots.size()),
                    fmt::format("a mobility has 2 to {} frequencies", most_frequencies), "measure another number");

@@ -73,7 +73,7 @@ void warn_of_frequency_dependence(const CaseContext& c, foundation::Problems& wa
     if (element.is_foundation && element.law.frequency_dependence)
       warnings.warning("elements." + element.name, "flexible ground given by its mobility",
                        "modes, roots, mode numbers and the Campbell diagram use the spring stiffness of its first "
-                       "row, without its inertia and resonances",
+                       "row, without its inertia, its resonances and its couplings to other points",
                        "use the response, its peaks and critical speeds, which are exact");
     else if (element.law.frequency_dependence && element.law.frequency_dependence->from > 0)
       warnings.warning(

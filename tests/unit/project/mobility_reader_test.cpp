@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -39,11 +40,11 @@ exchange::UniversalFunction function(int node, int reference, double share, doub
 
 /// Messages about a machine on the points that nodes 11 and 12 of a file are.
 std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>& functions,
-                                  const std::string& nodes = R"({"11" = "left", "12" = "right"})",
-                                  const std::string& name = "trivet_mobility_messages.uff") {
+                                  const std::string& nodes = R"({"11" = "left", "12" = "right"})") {
   exchange::UniversalFile file;
   file.functions = functions;
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / name;
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("trivet-mobility-messages-{}.uff", ::getpid());
   std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
   const auto project = project::project_from_text(
       fmt::format(
@@ -54,6 +55,7 @@ std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>
           "[foundations.deck]\ntype = \"mobility\"\nfile = \"{}\"\nnodes = {}\n",
           path.string(), nodes),
       "machine.toml");
+  std::filesystem::remove(path);
   std::vector<std::string> result;
   for (const auto& problem : (project ? project->base().warnings : project.error()).list())
     result.push_back(foundation::message(problem));
@@ -120,6 +122,28 @@ TEST(MobilityReader, NamesElementsWithoutNodesAndNodesWithoutElements) {
   EXPECT_THAT(messages(complete, R"({"11" = "left", "12" = "rigth"})"), Contains(HasSubstr("did you mean \"right\"?")));
   EXPECT_THAT(messages(complete, R"({"11" = "left", "twelve" = "right"})"),
               Contains(HasSubstr("the key is the number of a node of the file")));
+}
+
+TEST(MobilityReader, RejectsANodeWhoseElementIsElsewhere) {
+  // Its point would be free of forces, but the inverse of all of Y would hold it in place.
+  EXPECT_THAT(messages(complete, R"({"11" = "left", "12" = "right", "13" = "absent"})"),
+              Contains(HasSubstr("no element has this name")));
+}
+
+TEST(MobilityReader, RejectsRepeatedNodes) {
+  EXPECT_THAT(messages(complete, R"({"11" = "left", "011" = "right"})"),
+              Contains(HasSubstr("each node is named once")));
+}
+
+TEST(MobilityReader, RejectsFunctionsOfSpeed) {
+  exchange::UniversalFunction other = function(12, 11, 0.3);
+  other.abscissa_axis.quantity = UniversalQuantity::shaft_speed;
+  EXPECT_THAT(messages(with(other)), Contains(HasSubstr("abscissa of type 19")));
+}
+
+TEST(MobilityReader, WarnsOfPointsThatMoveAlmostAsOne) {
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), function(11, 12, 0.9999)}),
+              Contains(HasSubstr("Y is nearly singular")));
 }
 
 }  // namespace
