@@ -73,3 +73,30 @@ def find(program, mount: str) -> dict:
     import json
 
     return json.loads(program("element", program.path, mount, "--json").stdout)
+
+
+def test_a_relaxing_mount_has_its_stiffness_at_rest(with_text, program, tmp_path):
+    relaxing = "damping = {maxwell = {ratios = [0.4, 0.2], times = [0.001, 0.01]}}"
+    other = with_text(program.path.read_text().replace("damping = {proportional = 5e-7}", relaxing))
+    notes = other.export("nastran", tmp_path / "relaxing.bdf")
+    program.export("nastran", tmp_path / "elastic.bdf")
+    assert "condensed statically" in notes
+    largest = []
+    for name in ("elastic.bdf", "relaxing.bdf"):
+        lines = (tmp_path / name).read_text().splitlines()
+        values = [line[40:56].strip() for line in lines if line.startswith("*  ") and line[40:56].strip()]
+        largest.append(max(float(re.sub(r"(?<=\d)([+-])", r"e\1", value)) for value in values))
+    assert largest[1] == pytest.approx(largest[0], rel=1e-12)
+
+
+def test_an_unsymmetric_stiffness_is_rejected(with_text, program, tmp_path):
+    matrix = [[0.0] * 6 for _ in range(6)]
+    for i in range(6):
+        matrix[i][i] = 3e5
+    matrix[0][1] = 2e4
+    text = program.path.read_text() + (
+        f'[elements.skew]\ntype = "matrix"\non = "raft"\nat = [0, 0, -0.1]\nstiffness = {matrix}\nsymmetric = false\n'
+    )
+    said = with_text(text).export("nastran", tmp_path / "x.bdf", code=1)
+    assert "not symmetric" in said
+    assert not (tmp_path / "x.bdf").exists()

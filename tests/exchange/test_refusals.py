@@ -60,3 +60,24 @@ def test_a_machine_at_rest_has_no_load(with_text, program, tmp_path, name):
     notes = with_text(text).export(name, tmp_path / "out")
     assert (tmp_path / "out").exists()
     assert ("left out: response: no harmonic excitation" in notes) == (name == "universal")
+
+
+@pytest.mark.parametrize("share", [0.3, 0.7])
+@pytest.mark.parametrize("name", ["matlab", "numpy", "hdf5", "universal", "nastran", "fmu"])
+def test_a_disk_that_is_full_before_the_end(program, tmp_path, name, share):
+    import os
+    import resource
+    import subprocess
+
+    folder = tmp_path / "complete"
+    folder.mkdir()
+    program.export(name, folder / "out")
+    limit = int(share * (folder / "out").stat().st_size)
+    cut = tmp_path / "cut"
+    cut.mkdir()
+    ran = subprocess.run(
+        [os.environ["TRIVET"], "export", program.path, "--to", name, "-o", cut / "out"],
+        capture_output=True, text=True, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)),
+    )  # fmt: skip
+    assert ran.returncode in (1, 2) and "error" in ran.stderr
+    assert list(cut.iterdir()) == []

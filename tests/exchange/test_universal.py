@@ -83,3 +83,19 @@ def test_coarse_digits_are_said(program, tmp_path):
     notes = program.export("universal", tmp_path / "machine.uff")
     assert "six digits of frequency" in notes
     assert "universal_binary" in notes
+
+
+def test_directions_of_turned_bodies_are_those_of_the_ground(with_text, program, tmp_path):
+    turned = '[bodies.raft]\norientation = {axis = [0, 0, 1], angle = "90 deg"}'
+    askew = turned.replace("90 deg", "20 deg")
+    for text, wanted in ((turned, {"x": 2, "y": -1, "z": 3, "rx": 5}), (askew, {"z": 3})):
+        other = with_text(program.path.read_text().replace("[bodies.raft]", text))
+        notes = other.export("universal", tmp_path / "machine.uff")
+        nodes = nodes_of(tmp_path)
+        found = {f["id1"].strip(): (f["rsp_node"], f["rsp_dir"]) for f in sets(tmp_path / "machine.uff", 58)}
+        for direction, number in wanted.items():
+            assert found[f"raft.{direction}"] == (nodes["raft"], number)
+        assert ("raft.x: its axis is not an axis of the ground" in notes) == (text == askew)
+        for file in tmp_path.glob("machine*"):
+            if file.suffix != ".toml":
+                file.unlink()

@@ -3,7 +3,10 @@
 #include <matio.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <set>
 
@@ -228,6 +231,22 @@ void require_size(const Content& content) {
   }
 }
 
+/// matio does not report a full disk: the elements of a complete file end where the file ends.
+void require_complete(const std::filesystem::path& path) {
+  constexpr std::uintmax_t header = 128, tag = 8;
+  std::ifstream file(path, std::ios::binary);
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  std::uintmax_t end = header;
+  while (file && end < size) {
+    std::array<std::uint32_t, 2> type_and_bytes{};
+    file.seekg(static_cast<std::streamoff>(end));
+    if (!file.read(reinterpret_cast<char*>(type_and_bytes.data()), tag)) break;
+    end += tag + type_and_bytes[1];
+  }
+  if (end != size)
+    throw std::runtime_error(fmt::format("cannot write {}: the file is incomplete; is the disk full?", path.string()));
+}
+
 std::vector<std::string> write_matlab(const Content& content, const Target& target) {
   require_size(content);
   const std::string path = target.path().string(), name = target.path().filename().string();
@@ -249,6 +268,7 @@ std::vector<std::string> write_matlab(const Content& content, const Target& targ
       if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0)
         throw std::runtime_error(fmt::format("cannot write {} to {}; is the disk full?", variable->name, path));
   }
+  require_complete(target.path());
   return notes;
 }
 

@@ -7,6 +7,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 /// Nastran: every mount between two GRIDs, one at each end, as symmetric DMIG matrices in large fields: stiffness
 /// (K2GG = MOUNTK), damping (B2GG = MOUNTB) and structural damping (K42GG = MOUNTS), in ground axes, SI.
@@ -28,6 +29,25 @@ std::string in_sixteen(double value) {
     if (text.size() <= width) return text;
   }
   return "0.";
+}
+
+/// Stiffness of the ends at rest: internal coordinates condensed statically.
+/// @throws NotComputable for an unsymmetric one: the cards hold one triangle
+Matrix12 end_stiffness_at_rest(const model::Element& element, const Eigen::MatrixXd& stiffness) {
+  const Eigen::Index internal = stiffness.rows() - 12;
+  Matrix12 ends = stiffness.topLeftCorner<12, 12>();
+  if (internal > 0) {
+    const Eigen::MatrixXd inside = stiffness.bottomRightCorner(internal, internal),
+                          to_ends = stiffness.bottomLeftCorner(internal, 12);
+    ends -= stiffness.topRightCorner(12, internal) * numerics::lu_solution(inside, to_ends);
+  }
+  constexpr double round_off = 1e-9;
+  if ((ends - ends.transpose()).cwiseAbs().maxCoeff() > round_off * ends.cwiseAbs().maxCoeff())
+    throw foundation::NotComputable(fmt::format(
+        "nastran: the stiffness of \"{}\" is not symmetric, and DMIG is written as a symmetric matrix; export it to "
+        "matrix_market or matlab",
+        element.name));
+  return ends;
 }
 
 /// The 12×12 of an element in ground axes, both ends about their reference points.
@@ -68,10 +88,8 @@ void note_losses(const assembly::ElementMap& map, const model::Element& element,
   if (map.frequency_dependent())
     lost.push_back(fmt::format("{}: it depends on frequency; its nearest linear system is written", element.name));
   if (map.matrices.stiffness.rows() > 12)
-    lost.push_back(
-        fmt::format("{}: its internal coordinates are left out, with the part of the stiffness that acts "
-                    "through them",
-                    element.name));
+    lost.push_back(fmt::format(
+        "{}: its internal coordinates are condensed statically, without their damping and dynamics", element.name));
   if (map.matrices.mass.size() > 0 && !map.matrices.mass.isZero(0))
     lost.push_back(fmt::format("{}: its own mass is not written", element.name));
 }
@@ -94,11 +112,14 @@ std::vector<std::string> write_nastran(const Content& content, const Target& tar
     deck.grids += fmt::format("$ {}: {} at its end N, {} at its end K\n", element.name, grid, grid + 1);
     deck.grids += grid_card(grid, model::end_in_ground(system.bodies(), element.n).position);
     deck.grids += grid_card(grid + 1, model::end_in_ground(system.bodies(), element.k).position);
-    deck.stiffness += columns("MOUNTK", grid, in_ground_axes(system, element, matrices.stiffness));
+    deck.stiffness +=
+        columns("MOUNTK", grid, in_ground_axes(system, element, end_stiffness_at_rest(element, matrices.stiffness)));
     if (!matrices.damping.isZero(0))
       deck.damping += columns("MOUNTB", grid, in_ground_axes(system, element, matrices.damping));
     if (matrices.loss_factor != 0)
-      deck.loss += columns("MOUNTS", grid, in_ground_axes(system, element, matrices.loss_factor * matrices.stiffness));
+      deck.loss += columns(
+          "MOUNTS", grid,
+          in_ground_axes(system, element, matrices.loss_factor * end_stiffness_at_rest(element, matrices.stiffness)));
   }
   std::string selection = "$   K2GG = MOUNTK\n", cards;
   const auto add = [&](const char* name, const char* by, const std::string& text) {

@@ -128,6 +128,8 @@ std::vector<exchange::UniversalFunction> functions(const Content& content, const
     function.type = force ? UniversalFunctionType::frequency_response : UniversalFunctionType::spectrum;
     function.identifier = static_cast<int>(all.size()) + 1;
     function.response = universal_point(geometry, curve.name);
+    if (function.response.node == 0 && geometry.label(curve.name.substr(0, curve.name.rfind('.'))) != 0)
+      lost.push_back(curve.name + ": its axis is not an axis of the ground, so it has no node and direction");
     if (force) function.reference = force->point;
     function.abscissa_axis = {UniversalQuantity::frequency, {}, "Frequency", "Hz"};
     function.numerator = {quantity_of(curve.unit), {}, "", ""};

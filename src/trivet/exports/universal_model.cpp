@@ -17,10 +17,10 @@ class Builder {
  public:
   explicit Builder(const model::System& system) : system_(system) {}
 
-  int add(const std::string& name, const Eigen::Vector3d& position) {
+  int add(const std::string& name, const spatial::Pose& pose) {
     const int label = static_cast<int>(geometry_.nodes.size()) + 1;
-    geometry_.places.push_back({label, name});
-    geometry_.nodes.push_back({label, position});
+    geometry_.places.push_back({label, name, pose.rotation});
+    geometry_.nodes.push_back({label, pose.position});
     return label;
   }
   void line(const std::string& name, std::vector<int> nodes) {
@@ -29,15 +29,16 @@ class Builder {
 
   UniversalGeometry built() {
     for (const model::Body& body : system_.bodies()) {
-      const int pole = add(body.name, body.pose.position);
+      const int pole = add(body.name, body.pose);
       for (const auto& point : body.points) {
-        const int at = add(body.name + "." + point.name, body.pose.position + body.pose.rotation * point.at);
+        const int at =
+            add(body.name + "." + point.name, {body.pose.position + body.pose.rotation * point.at, body.pose.rotation});
         line(body.name, {pole, at});
       }
     }
     for (const model::Element& element : system_.elements()) {
-      const int foot = add(element.name + ".foot", model::end_in_ground(system_.bodies(), element.n).position);
-      const int head = add(element.name + ".head", model::end_in_ground(system_.bodies(), element.k).position);
+      const int foot = add(element.name + ".foot", model::end_in_ground(system_.bodies(), element.n));
+      const int head = add(element.name + ".head", model::end_in_ground(system_.bodies(), element.k));
       line(element.name, {foot, head});
       if (element.k.body)
         line(system_.bodies()[*element.k.body].name, {geometry_.label(system_.bodies()[*element.k.body].name), head});
@@ -65,9 +66,17 @@ UniversalPoint universal_point(const UniversalGeometry& geometry, const std::str
   if (dot == std::string::npos) return {};
   const auto component =
       std::find(model::coordinate_names.begin(), model::coordinate_names.end(), result.substr(dot + 1));
-  const int node = geometry.label(result.substr(0, dot));
-  if (component == model::coordinate_names.end() || node == 0) return {};
-  return {"", node, static_cast<int>(component - model::coordinate_names.begin()) + 1};
+  const std::string name = result.substr(0, dot);
+  const auto place = std::find_if(geometry.places.begin(), geometry.places.end(),
+                                  [&](const UniversalPlace& one) { return one.name == name; });
+  if (component == model::coordinate_names.end() || place == geometry.places.end()) return {};
+  const auto index = static_cast<int>(component - model::coordinate_names.begin());
+  const Eigen::Vector3d axis = place->axes.col(index % 3);
+  Eigen::Index along = 0;
+  constexpr double same_axis = 1 - 1e-9;
+  if (axis.cwiseAbs().maxCoeff(&along) < same_axis) return {};
+  const int direction = static_cast<int>(along) + 1 + (index < 3 ? 0 : 3);
+  return {"", place->label, axis(along) > 0 ? direction : -direction};
 }
 
 std::vector<exchange::UniversalMode> universal_modes(const model::System& system, const UniversalGeometry& geometry,

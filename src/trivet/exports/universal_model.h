@@ -12,7 +12,8 @@ namespace trivet::exports {
 /// A node of a universal file, and the results that belong to it.
 struct UniversalPlace {
   int label = 0;
-  std::string name;  ///< BODY, BODY.POINT, ELEMENT.foot or ELEMENT.head
+  std::string name;                                    ///< BODY, BODY.POINT, ELEMENT.foot or ELEMENT.head
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< of its results, as columns in the ground frame
 };
 
 /// Nodes at the poles of bodies, their points and the ends of elements, and lines between them.
