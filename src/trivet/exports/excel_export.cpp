@@ -61,7 +61,8 @@ const LabelledArray* units_of_rows(const LabelledArrays& all, const std::string&
 
 /// Are the numbers with the unit of their row amplitudes of harmonic quantities?
 bool is_harmonic(const Group& group, const std::string& axis) {
-  return group.name == "peaks" || axis == "limit" || axis == "critical_speed";
+  return group.name == "peaks" || (group.name == "measurements" && axis == "peak") || axis == "limit" ||
+      axis == "critical_speed";
 }
 
 DisplayUnit unit_of_row(const Group& group, const std::string& axis, const std::string& si_unit,
@@ -69,9 +70,10 @@ DisplayUnit unit_of_row(const Group& group, const std::string& axis, const std::
   return is_harmonic(group, axis) ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
 }
 
-/// Unit of a whole column of real numbers. A number in rad/s is a frequency, except in time.
+/// Unit of a whole column of real numbers. A number in rad/s is a frequency, except in time and over shaft speed.
 DisplayUnit unit_of_column(const LabelledArray& array, const project::ShownUnits& display) {
-  if (array.unit != "rad/s" || array.axes.front() == "time") return results::display_unit(display, array.unit);
+  if (array.unit != "rad/s" || array.axes.front() == "time" || (array.axes.front() == "speed" && array.name != "speed"))
+    return results::display_unit(display, array.unit);
   if (array.name == "angular_frequency") return {array.unit};
   return {results::frequency_unit(display, "rad/s"), "", results::shown_frequency(display, 1, "rad/s")};
 }

@@ -74,7 +74,7 @@ UniversalPoint universal_point(const UniversalGeometry& geometry, const std::str
   const Eigen::Vector3d axis = place->axes.col(index % 3);
   Eigen::Index along = 0;
   constexpr double same_axis = 1 - 1e-9;
-  if (axis.cwiseAbs().maxCoeff(&along) < same_axis) return {};
+  if (axis.cwiseAbs().maxCoeff(&along) < same_axis) return {"", 0, index + 1};  // still a translation or a rotation
   const int direction = static_cast<int>(along) + 1 + (index < 3 ? 0 : 3);
   return {"", place->label, axis(along) > 0 ? direction : -direction};
 }

@@ -74,6 +74,10 @@ std::vector<FunctionColumns> function_columns(const CsvTable& table, foundation:
     }
     known->parts[to_size(part - column_parts.begin())] = to_index(c);
     if (heading.part == "re" || heading.part == "amplitude") known->unit = heading.unit;
+    if (heading.part == "im" && heading.unit != known->unit)
+      found.error("", fmt::format("column {}: its unit is \"{}\"", foundation::quoted(table.columns[c]), heading.unit),
+                  fmt::format("real and imaginary part have one unit, here \"{}\"", known->unit),
+                  "put \"re\" first and convert the numbers of \"im\"");
   }
   for (const FunctionColumns& one : all)
     if (!one.is_complete())

@@ -96,10 +96,16 @@ Eigen::VectorXd coherence_of(const MeasuredFunction& measured, const std::vector
         !same_point(function.reference, measured.reference))
       continue;
     const std::vector<double> hertz = exchange::abscissa_values(function);
-    std::vector<double> values;
-    for (std::size_t i = 0; i < hertz.size(); ++i)
-      if (hertz[i] > 0) values.push_back(function.values[i].real());
-    if (values.size() == measured.angular_frequency.size())
+    std::vector<double> values, frequencies;
+    for (std::size_t i = 0; i < hertz.size(); ++i) {
+      if (!(hertz[i] > 0)) continue;
+      values.push_back(function.values[i].real());
+      frequencies.push_back(foundation::two_pi * hertz[i]);
+    }
+    constexpr double digits_of_text = 1e-5;
+    if (std::equal(frequencies.begin(), frequencies.end(), measured.angular_frequency.begin(),
+                   measured.angular_frequency.end(),
+                   [](double a, double b) { return std::abs(a - b) <= digits_of_text * b; }))
       return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
   }
   return {};
