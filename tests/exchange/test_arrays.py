@@ -40,7 +40,11 @@ def test_numpy(program, tmp_path):
     squared = scipy.linalg.eigh(data["matrices/K"], data["matrices/A"], eigvals_only=True)
     np.testing.assert_allclose(np.sqrt(squared), frequencies(program), rtol=1e-10)
     about = json.loads(str(data["about"]))
-    assert about["arrays"]["response/pump 1.flange.z"] == {"unit": "m", "axes": ["angular_frequency"]}
+    assert about["arrays"]["response/pump 1.flange.z"] == {
+        "name": "response/pump 1.flange.z",
+        "unit": "m",
+        "axes": ["angular_frequency"],
+    }
     assert {f"{name}" for name in about["arrays"]} | {"about"} == set(data.files)
 
 
@@ -104,7 +108,7 @@ def test_matrix_market(program, tmp_path):
         read = scipy.io.mmread(tmp_path / "matrices" / f"{name}.mtx").toarray()
         np.testing.assert_array_equal(read, data[f"matrices/{name}"])
     rows = (tmp_path / "matrices" / "coordinates.csv").read_text().splitlines()
-    assert rows[1] == '1,"pump 1.x",m'
+    assert rows[1] == '1,pump 1.x,m'
 
 
 def test_csv(program, tmp_path):
@@ -138,3 +142,91 @@ def test_sheets_saved_as_csv(program, with_text, tmp_path, separator, ending):
     tables = "".join(f'[tables.{kind}]\nfile = "tables/{kind}.csv"\n' for kind in ("bodies", "elements", "points"))
     read = with_text(f'trivet = 1\ntitle = "Pump on a raft"\n{tables}[excitations.shaft]{rest}')
     assert read.json("modes") == program.json("modes")
+
+
+NAMES = """trivet = 1
+[bodies."a/b"]
+mass = 10
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+[bodies.a_b]
+mass = 20
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+position = [1, 0, 0]
+[bodies.'C:\\x//y']
+mass = 30
+inertia = {about = "center_of_mass", xx = 1, yy = 1, zz = 1}
+position = [2, 0, 0]
+[element_types.mount]
+type = "bushing"
+translation = [1e5, 1e5, 1e5]
+rotation = [1e3, 1e3, 1e3]
+damping = {proportional = 1e-4}
+[elements.1]
+type = "mount"
+on = "a/b"
+at = [0, 0, -0.1]
+[elements.2]
+type = "mount"
+on = "a_b"
+at = [0, 0, -0.1]
+[elements."three \\"quoted\\""]
+type = "mount"
+on = 'C:\\x//y'
+at = [0, 0, -0.1]
+[excitations.push]
+type = "harmonic"
+on = "a_b"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[excitations.pull]
+type = "harmonic"
+on = "a/b"
+at = [0, 0, 0]
+force = [0, 0, 2]
+[analyses]
+response = {at = ["3 Hz", "5 Hz"]}
+""".replace(
+    "\\\\", "\\"
+)
+
+
+def test_names_that_formats_dislike(with_text, tmp_path):
+    program = with_text(NAMES)
+    _, curves = response(program)
+    program.export("hdf5", tmp_path / "a.h5")
+    with h5py.File(tmp_path / "a.h5") as file:
+        group = file["response"]
+        found = {set_.attrs.get("long_name", name): set_[()] for name, set_ in group.items()}
+        np.testing.assert_array_equal(group["a_b.z"][()], curves["a_b.z"])
+    notes = program.export("numpy", tmp_path / "a.npz")
+    assert "is named" in notes
+    data = np.load(tmp_path / "a.npz")
+    named = {one["name"]: data[key] for key, one in json.loads(str(data["about"]))["arrays"].items()}
+    for name, values in curves.items():
+        np.testing.assert_array_equal(found[name], values)
+        np.testing.assert_array_equal(named[f"response/{name}"], values)
+
+
+def test_quotes_in_tables_of_names(with_text, tmp_path):
+    import csv
+
+    text = NAMES.replace('"a/b"', "'a\"b'")
+    program = with_text(text)
+    program.export("matrix_market", tmp_path / "m")
+    program.export("universal", tmp_path / "a.uff", "--what", "modes")
+    with open(tmp_path / "m" / "coordinates.csv", newline="") as file:
+        assert 'a"b.x' in [row["coordinate"] for row in csv.DictReader(file)]
+    with open(tmp_path / "a_nodes.csv", newline="") as file:
+        assert 'a"b' in [row["name"] for row in csv.DictReader(file)]
+
+
+def test_a_folder_that_is_no_unicode(program, tmp_path):
+    import os
+    import shutil
+
+    folder = os.fsencode(tmp_path) + b"/caf\xe9"
+    os.mkdir(folder)
+    shutil.copy(program.path, folder + b"/machine.toml")
+    for name in ("numpy", "hdf5", "matlab", "excel", "universal"):
+        program(*("export", os.fsdecode(folder + b"/machine.toml"), "--to", name, "-o", str(tmp_path / f"out.{name}")))
+        assert (tmp_path / f"out.{name}").exists()

@@ -24,6 +24,7 @@ def test_sheets(program, tmp_path):
     modes = columns(book["modes"])
     expected = [mode["angular_frequency"] for mode in program.json("modes")["modes"]]
     assert modes["angular_frequency [rad/s]"] == pytest.approx(expected, rel=1e-15)
+    assert [heading for heading in modes if heading.startswith("frequency")] == ["frequency [Hz]"]
     peaks = columns(book["peaks"])
     found = program.json("peaks")["peaks"]
     assert [amplitude for amplitude in peaks["amplitude [unit of the row]"] if amplitude is not None] == pytest.approx(
@@ -38,13 +39,46 @@ def test_sheets(program, tmp_path):
     assert all(len(chart.series) > 0 for chart in charts)
 
 
-def test_requirements(tmp_path):
+@pytest.mark.parametrize("case", [0, 1])
+def test_requirements(tmp_path, case):
     program = Program(ROOT / "examples" / "genset" / "load_cases.toml")
-    program.export("excel", tmp_path / "genset.xlsx", "--what", "static")
+    judged = program.json("verdict")["cases"][case]
+    arguments = ("--case", judged["case"]) if case else ()
+    program.export("excel", tmp_path / "genset.xlsx", "--what", "static", *arguments)
     table = columns(openpyxl.load_workbook(tmp_path / "genset.xlsx")["requirements"])
-    given = [row for case in program.json("verdict")["cases"] for row in case["requirements"]]
+    given = judged["requirements"]
     assert table["requirement"] == [row["requirement"] for row in given]
     assert len(table["margin"]) == len(given) > 0
+    assert {"met": True, "VIOLATED": False}[table["verdict"][0]] == given[0]["met"]
+
+
+def test_a_requirement_that_is_not_judged(with_text, tmp_path, program):
+    lossy = program.path.read_text().replace("proportional = 5e-7", "loss_factor = 0.1")
+    step = '[excitations.s]\ntype = "time"\non = "raft"\nat = [0, 0, 0]\nforce = [0, 0, 1]\nhistory = {step = {amplitude = 50}}\n'
+    asked = with_text(lossy + step + '[requirements]\nlargest = {"raft.z" = "1 mm"}\n')
+    asked.export("excel", tmp_path / "out.xlsx", "--what", "modes")
+    table = columns(openpyxl.load_workbook(tmp_path / "out.xlsx")["requirements"])
+    assert table["verdict"] == ["NOT JUDGED"] and table["reason"][0]
+    assert table["margin"] == [None]
+
+
+def test_power_over_frequency_in_columns_by_name(program, tmp_path):
+    program.export("excel", tmp_path / "out.xlsx", "--what", "power")
+    book = openpyxl.load_workbook(tmp_path / "out.xlsx")
+    table = columns(book["power"])
+    given = program.json("power")
+    for element in given["elements"]:
+        assert table[f"dissipated {element['name']} [W]"] == pytest.approx(element["dissipated"], rel=1e-14)
+    for mount in given["mounts"]:
+        assert table[f"into_ground {mount['name']} [W]"] == pytest.approx(mount["into_ground"], rel=1e-14)
+
+
+def test_values_without_an_axis(program, tmp_path):
+    program.export("excel", tmp_path / "out.xlsx", "--what", "peaks")
+    table = columns(openpyxl.load_workbook(tmp_path / "out.xlsx")["peaks values"])
+    assert table["name"] == ["searched_from", "searched_to"]
+    assert table["value"] == [0, "infinite"]
+    assert table["unit"] == ["rad/s", "rad/s"]
 
 
 @pytest.mark.skipif(shutil.which("soffice") is None, reason="LibreOffice is not installed")

@@ -62,8 +62,8 @@ def test_a_machine_at_rest_has_no_load(with_text, program, tmp_path, name):
     assert ("left out: response: no harmonic excitation" in notes) == (name == "universal")
 
 
-@pytest.mark.parametrize("share", [0.3, 0.7])
-@pytest.mark.parametrize("name", ["matlab", "numpy", "hdf5", "universal", "nastran", "fmu"])
+@pytest.mark.parametrize("share", [0.3, 0.7, 0.95, 0.9995])
+@pytest.mark.parametrize("name", ["matlab", "numpy", "hdf5", "excel", "universal", "nastran", "fmu"])
 def test_a_disk_that_is_full_before_the_end(program, tmp_path, name, share):
     import os
     import resource
@@ -81,3 +81,48 @@ def test_a_disk_that_is_full_before_the_end(program, tmp_path, name, share):
     )  # fmt: skip
     assert ran.returncode in (1, 2) and "error" in ran.stderr
     assert list(cut.iterdir()) == []
+
+
+@pytest.mark.parametrize("missing", [1, 4, 8, 9, 40, 200])
+@pytest.mark.parametrize("name", ["matlab", "excel"])
+def test_a_disk_that_lacks_a_few_bytes(program, tmp_path, name, missing):
+    """The libraries of these formats do not report it."""
+    import os
+    import resource
+    import subprocess
+
+    program.export(name, tmp_path / "out")
+    size = (tmp_path / "out").stat().st_size
+    cut = tmp_path / "cut"
+    cut.mkdir()
+    ran = subprocess.run(
+        [os.environ["TRIVET"], "export", program.path, "--to", name, "-o", cut / "out"],
+        capture_output=True, text=True,
+        preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size - missing, size - missing)),
+    )  # fmt: skip
+    assert ran.returncode == 1 and "cannot write" in ran.stderr
+    assert list(cut.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("name", "file", "side"), [("matlab", "a.mat", "a_check.m"), ("universal", "a.uff", "a_nodes.csv")]
+)
+def test_the_file_beside_replaces_only_exports(program, tmp_path, name, file, side):
+    (tmp_path / side).write_text("mine\n")
+    said = program("export", program.path, "--to", name, "-o", tmp_path / file, code=2).stderr
+    assert side in said and "move it" in said
+    assert sorted(one.name for one in tmp_path.iterdir() if one.name.startswith("a")) == [side]
+    (tmp_path / side).unlink()
+    program.export(name, tmp_path / file)
+    first = (tmp_path / side).read_text()
+    program.export(name, tmp_path / file)
+    assert (tmp_path / side).read_text() == first
+
+
+def test_an_old_check_does_not_stay_beside_new_matrices(with_text, program, tmp_path):
+    program.export("matlab", tmp_path / "a.mat")
+    text, _, _ = program.path.read_text().partition("[excitations.")
+    with_text(text).export("matlab", tmp_path / "a.mat", "--what", "matrices")
+    assert not (tmp_path / "a_check.m").exists()
+    notes = program.export("matlab", tmp_path / "it's.mat")
+    assert "cannot quote" in notes

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Universal files, read back by pyuff."""
 
+import csv
+
 import numpy as np
 import pyuff
 import pytest
@@ -9,8 +11,8 @@ DIRECTIONS = ["x", "y", "z", "rx", "ry", "rz"]
 
 
 def nodes_of(folder) -> dict[str, int]:
-    lines = (folder / "machine_nodes.csv").read_text().splitlines()[1:]
-    return {line.split('"')[1]: int(line.split(",")[0]) for line in lines}
+    with open(folder / "machine_nodes.csv", newline="") as file:
+        return {row["name"]: int(row["node"]) for row in csv.DictReader(file)}
 
 
 def sets(path, kind: int) -> list[dict]:

@@ -7,7 +7,7 @@
 namespace trivet::exports {
 namespace {
 
-std::vector<std::string> write_csv(const Content& content, const Target& target) {
+std::vector<std::string> write_csv(const Content& content, const Target& target, const foundation::Progress&) {
   std::vector<std::string> lost;
   for (const PartTable& table : part_tables(content.variant.document, lost))
     write_bytes(target.path() / (table.kind + ".csv"), table.csv);

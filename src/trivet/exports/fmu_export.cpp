@@ -38,13 +38,13 @@ std::string unit_of_case(const Content& content, FmiVersion version, std::vector
   return functional_mockup_unit(with_names(system, content), version, binaries);
 }
 
-std::vector<std::string> write_fmi2(const Content& content, const Target& target) {
+std::vector<std::string> write_fmi2(const Content& content, const Target& target, const foundation::Progress&) {
   std::vector<std::string> notes;
   write_bytes(target.path(), unit_of_case(content, FmiVersion::two, notes));
   return notes;
 }
 
-std::vector<std::string> write_fmi3(const Content& content, const Target& target) {
+std::vector<std::string> write_fmi3(const Content& content, const Target& target, const foundation::Progress&) {
   std::vector<std::string> notes;
   write_bytes(target.path(), unit_of_case(content, FmiVersion::three, notes));
   return notes;

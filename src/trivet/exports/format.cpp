@@ -42,11 +42,11 @@ std::vector<std::string> export_project(const project::Project& project, const p
   if (format.fixed && !what.empty())
     throw foundation::InvalidInput(std::string("what: the format ") + format.name +
                                    " has a fixed content; leave it out");
-  const Target target(path, format.kind);
+  const Target target(path, format.kind, format.side);
   const Content found =
       format.fixed ? Content{project, variant, {}, {}} : content(project, variant, what, format.by_default, progress);
   std::vector<std::string> notes = found.notes;
-  const std::vector<std::string> lost = format.write(found, target);
+  const std::vector<std::string> lost = format.write(found, target, progress);
   notes.insert(notes.end(), lost.begin(), lost.end());
   target.publish();
   return notes;

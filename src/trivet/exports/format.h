@@ -20,7 +20,9 @@ struct Format {
   bool fixed = false;
   /// Writes to the target. @returns what the format cannot hold
   /// @throws foundation::InvalidInput, NotComputable if it cannot hold the content at all
-  std::vector<std::string> (*write)(const Content& content, const Target& target) = nullptr;
+  std::vector<std::string> (*write)(const Content& content, const Target& target,
+                                    const foundation::Progress& progress) = nullptr;
+  SideFile side = {};
 };
 
 /// All formats that this program was built with.

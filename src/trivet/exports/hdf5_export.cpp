@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "trivet/exports/format_table.h"
+#include "trivet/exports/unique_names.h"
 #include "trivet/project/text/toml_value.h"
 
 /// HDF5: a group for each answer, a dataset for each array, dimension scales with the names of the axes, the attribute
@@ -92,13 +93,26 @@ hid_t dataset(hid_t group, const std::string& name, const LabelledArray& array) 
   return written_set(group, name, array.shape, H5T_NATIVE_DOUBLE, array.real_numbers().data());
 }
 
-/// Names of HDF5 cannot have a slash.
-std::string link_name(const std::string& name, std::vector<std::string>& lost) {
-  std::string link = name;
-  std::replace(link.begin(), link.end(), '/', '_');
-  if (link != name) lost.push_back(fmt::format("\"{}\" is named \"{}\": names of HDF5 have no slash", name, link));
-  return link;
-}
+/// The names of a group in HDF5, which cannot have a slash.
+class LinkNames {
+ public:
+  explicit LinkNames(std::vector<std::string>& lost) : lost_(lost) {}
+
+  std::string operator()(const std::string& name) {
+    const auto [known, is_new] = links_.emplace(name, "");
+    if (!is_new) return known->second;
+    std::string link = name;
+    std::replace(link.begin(), link.end(), '/', '_');
+    known->second = used_.unique(link);
+    if (known->second != name) lost_.push_back(fmt::format("\"{}\" is named \"{}\"", name, known->second));
+    return known->second;
+  }
+
+ private:
+  std::vector<std::string>& lost_;
+  UniqueNames used_;
+  std::map<std::string, std::string> links_;
+};
 
 bool is_coordinate(const LabelledArray& array) { return array.axes.size() == 1 && array.axes[0] == array.name; }
 
@@ -113,6 +127,9 @@ void add_count(hid_t group, const std::string& axis, std::size_t size) {
 
 void write_group(hid_t file, const Group& content, std::vector<std::string>& lost) {
   const Handle group(H5Gcreate2(file, content.name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  LinkNames link_name(lost);
+  for (const LabelledArray& array : content.arrays.list())
+    if (array.name.find('/') == std::string::npos) link_name(array.name);  // these keep their names
   std::map<std::string, std::size_t> axes;
   std::set<std::string> with_coordinates;
   for (const LabelledArray& array : content.arrays.list()) {
@@ -120,17 +137,17 @@ void write_group(hid_t file, const Group& content, std::vector<std::string>& los
     if (is_coordinate(array)) with_coordinates.insert(array.name);
   }
   for (const auto& [axis, size] : axes)
-    if (!with_coordinates.count(axis)) add_count(group, link_name(axis, lost), size);
+    if (!with_coordinates.count(axis)) add_count(group, link_name(axis), size);
   for (const bool coordinates : {true, false})
     for (const LabelledArray& array : content.arrays.list()) {
       if (is_coordinate(array) != coordinates) continue;
-      const std::string name = link_name(array.name, lost);
+      const std::string name = link_name(array.name);
       const Handle set(dataset(group, name, array), H5Dclose);
       if (!array.unit.empty()) add_attribute(set, "units", array.unit);
+      if (name != array.name) add_attribute(set, "long_name", array.name);
       if (coordinates) require(H5DSset_scale(set, name.c_str()));
       for (std::size_t i = 0; !coordinates && i < array.axes.size(); ++i) {
-        std::vector<std::string> known;
-        const Handle scale(H5Dopen2(group, link_name(array.axes[i], known).c_str(), H5P_DEFAULT), H5Dclose);
+        const Handle scale(H5Dopen2(group, link_name(array.axes[i]).c_str(), H5P_DEFAULT), H5Dclose);
         require(H5DSattach_scale(set, scale, static_cast<unsigned>(i)));
       }
     }
@@ -157,7 +174,7 @@ std::string file_in_memory(const Content& content, std::vector<std::string>& los
   return bytes;
 }
 
-std::vector<std::string> write_hdf5(const Content& content, const Target& target) {
+std::vector<std::string> write_hdf5(const Content& content, const Target& target, const foundation::Progress&) {
   static std::mutex one_at_a_time;  // the library is not made for threads
   const std::lock_guard lock(one_at_a_time);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors become exceptions, not text on the screen

@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <memory>
-#include <set>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/exports/format_table.h"
+#include "trivet/exports/matlab_completeness.h"
 #include "trivet/exports/unicode_text.h"
+#include "trivet/exports/unique_names.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/response/steady/frequency_response.h"
@@ -37,8 +36,8 @@ struct CloseFile {
 /// Bytes that a variable of version 5 may have.
 constexpr double most_bytes = 2147483647;
 
-/// A name that MATLAB accepts: letters, digits and _, at most 63, unique among those used.
-std::string field_name(const std::string& name, std::set<std::string>& used) {
+/// A name that MATLAB accepts: letters, digits and _, at most 63.
+std::string field_name(const std::string& name) {
   constexpr std::size_t longest = 63, room_for_number = 5;
   std::string field;
   for (const char c : name) {
@@ -47,9 +46,7 @@ std::string field_name(const std::string& name, std::set<std::string>& used) {
   }
   if (field.empty() || std::isalpha(static_cast<unsigned char>(field[0])) == 0) field = "n_" + field;
   field.resize(std::min(field.size(), longest - room_for_number));
-  std::string unique = field;
-  for (int i = 2; !used.insert(unique).second; ++i) unique = fmt::format("{}_{}", field, i);
-  return unique;
+  return field;
 }
 
 Variable made_variable(matvar_t* variable) {
@@ -137,18 +134,17 @@ std::vector<Variable> group_variables(const Content& content) {
   std::vector<Variable> variables;
   std::vector<std::string> fields, names, units, axes;
   for (const Group& group : content.groups) {
-    std::set<std::string> used;
+    UniqueNames used;
     Fields of_group;
     for (const LabelledArray& array : group.arrays.list()) {
-      const std::string field = field_name(array.name, used);
+      const std::string field = used.unique(field_name(array.name));
       of_group.emplace_back(field, variable_of(array, nullptr));
       fields.push_back(group.name + "." + field);
       names.push_back(array.name);
       units.push_back(array.unit);
       axes.push_back(fmt::format("{}", fmt::join(array.axes, " × ")));
     }
-    std::set<std::string> any;
-    variables.push_back(mat_structure(field_name(group.name, any).c_str(), std::move(of_group)));
+    variables.push_back(mat_structure(field_name(group.name).c_str(), std::move(of_group)));
   }
   Fields about;
   about.emplace_back("source", mat_text(nullptr, content.words()));
@@ -193,9 +189,12 @@ std::optional<Variable> check_variable(const Content& content) {
   return mat_structure("check", std::move(check));
 }
 
+constexpr const char* check_script_start =
+    "% Computes the displacements again from the matrices, by backslash, and compares them with those of the file.";
+
 std::string check_script(const std::string& file) {
   return fmt::format(
-      R"(% Computes the displacements again from the matrices, by backslash, and compares them with those of the file.
+      R"({}
 data = load('{}');
 m = data.matrices;
 largest = 0;
@@ -212,7 +211,7 @@ end
 fprintf('%d frequencies, largest difference %.2e of the largest displacement\n', numel(data.check.omega), largest);
 assert(largest < 1e-10)
 )",
-      file);
+      check_script_start, file);
 }
 
 /// A text that a MATLAB script can quote.
@@ -231,23 +230,7 @@ void require_size(const Content& content) {
   }
 }
 
-/// matio does not report a full disk: the elements of a complete file end where the file ends.
-void require_complete(const std::filesystem::path& path) {
-  constexpr std::uintmax_t header = 128, tag = 8;
-  std::ifstream file(path, std::ios::binary);
-  const std::uintmax_t size = std::filesystem::file_size(path);
-  std::uintmax_t end = header;
-  while (file && end < size) {
-    std::array<std::uint32_t, 2> type_and_bytes{};
-    file.seekg(static_cast<std::streamoff>(end));
-    if (!file.read(reinterpret_cast<char*>(type_and_bytes.data()), tag)) break;
-    end += tag + type_and_bytes[1];
-  }
-  if (end != size)
-    throw std::runtime_error(fmt::format("cannot write {}: the file is incomplete; is the disk full?", path.string()));
-}
-
-std::vector<std::string> write_matlab(const Content& content, const Target& target) {
+std::vector<std::string> write_matlab(const Content& content, const Target& target, const foundation::Progress&) {
   require_size(content);
   const std::string path = target.path().string(), name = target.path().filename().string();
   std::vector<std::string> notes;
@@ -259,7 +242,9 @@ std::vector<std::string> write_matlab(const Content& content, const Target& targ
     std::optional<Variable> check = check_variable(content);
     if (check && is_quotable(name)) {
       variables.push_back(std::move(*check));
-      write_bytes(target.beside(target.path().stem().string() + "_check.m"), check_script(name));
+      write_bytes(target.side(), check_script(name));
+    } else if (check) {
+      notes.emplace_back("no check script: it cannot quote the name of the file; choose one without '");
     } else if (content.find("matrices")) {
       notes.emplace_back(
           "no check script: it needs a harmonic excitation and matrices that describe the system exactly");
@@ -268,7 +253,7 @@ std::vector<std::string> write_matlab(const Content& content, const Target& targ
       if (Mat_VarWrite(file.get(), variable.get(), MAT_COMPRESSION_NONE) != 0)
         throw std::runtime_error(fmt::format("cannot write {} to {}; is the disk full?", variable->name, path));
   }
-  require_complete(target.path());
+  require_complete_matlab_file(target.path());
   return notes;
 }
 
@@ -279,6 +264,7 @@ const Format matlab_format = {"matlab",
                               Target::Kind::file,
                               {},
                               false,
-                              write_matlab};
+                              write_matlab,
+                              {"_check.m", check_script_start}};
 
 }  // namespace trivet::exports

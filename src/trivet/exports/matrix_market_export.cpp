@@ -3,6 +3,7 @@
 
 #include "trivet/exports/format_table.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/results/csv_field.h"
 
 /// Matrices as coordinate files of Matrix Market, and the names of their rows.
 namespace trivet::exports {
@@ -26,7 +27,8 @@ std::string matrix_market(const LabelledArray& array, const std::string& words) 
       array.name, words, rows, columns, count, entries);
 }
 
-std::vector<std::string> write_matrix_market(const Content& content, const Target& target) {
+std::vector<std::string> write_matrix_market(const Content& content, const Target& target,
+                                             const foundation::Progress&) {
   const Group* matrices = content.find("matrices");
   if (!matrices)
     throw foundation::InvalidInput("what: the format matrix_market holds matrices only; add matrices, or leave it out");
@@ -36,7 +38,8 @@ std::vector<std::string> write_matrix_market(const Content& content, const Targe
   const std::vector<std::string>&names = matrices->arrays.find("coordinate")->texts(),
         &units = matrices->arrays.find("coordinate_unit")->texts();
   std::string rows = "row,coordinate,unit\n";
-  for (std::size_t i = 0; i < names.size(); ++i) rows += fmt::format("{},\"{}\",{}\n", i + 1, names[i], units[i]);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    rows += fmt::format("{},{},{}\n", i + 1, results::csv_field(names[i]), units[i]);
   write_bytes(target.path() / "coordinates.csv", rows);
   std::vector<std::string> lost;
   for (const Group& group : content.groups)

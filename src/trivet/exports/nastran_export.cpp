@@ -98,7 +98,7 @@ struct Deck {
   std::string grids, stiffness, damping, loss;
 };
 
-std::vector<std::string> write_nastran(const Content& content, const Target& target) {
+std::vector<std::string> write_nastran(const Content& content, const Target& target, const foundation::Progress&) {
   const model::System& system = content.variant.system;
   const assembly::Assembled assembled = assembly::assemble(system);
   if (system.elements().empty()) throw foundation::NotComputable("nastran: the model has no elements to export");

@@ -7,6 +7,7 @@
 
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/unicode_text.h"
+#include "trivet/exports/unique_names.h"
 #include "trivet/exports/zip_archive.h"
 
 /// Archives of NumPy: an array "response/machine.z" for each array, and "about", JSON with its unit and axes.
@@ -58,18 +59,32 @@ std::string npy_of(const LabelledArray& array) {
   return npy("<f8", array.shape, array.real_numbers());
 }
 
-std::vector<std::string> write_numpy(const Content& content, const Target& target) {
+/// Names of files in the archive: without the characters that paths of some systems do not allow.
+std::string entry_name(const std::string& name) {
+  std::string entry = name;
+  for (char& c : entry)
+    if (c == ':' || c == '\\' || static_cast<unsigned char>(c) < ' ') c = '_';
+  for (std::size_t at = 0; (at = entry.find("//", at)) != std::string::npos;) entry.insert(at + 1, "_");
+  return entry;
+}
+
+std::vector<std::string> write_numpy(const Content& content, const Target& target, const foundation::Progress&) {
   ZipArchive archive;
   nlohmann::ordered_json about{{"source", content.words()}, {"sha256", content.project.sha256}};
+  UniqueNames used;
+  std::vector<std::string> lost;
   for (const Group& group : content.groups)
     for (const LabelledArray& array : group.arrays.list()) {
-      const std::string name = group.name + "/" + array.name;
-      archive.add(name + ".npy", npy_of(array));
-      about["arrays"][name] = {{"unit", array.unit}, {"axes", array.axes}};
+      const std::string name = group.name + "/" + array.name, entry = used.unique(entry_name(name));
+      if (entry != name) lost.push_back(fmt::format("\"{}\" is named \"{}\"", name, entry));
+      archive.add(entry + ".npy", npy_of(array));
+      about["arrays"][entry] = {{"name", name}, {"unit", array.unit}, {"axes", array.axes}};
     }
-  archive.add("about.npy", npy_texts({}, {about.dump()}));
+  // The path of the project may have bytes that are no UTF-8.
+  const std::string words = about.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  archive.add("about.npy", npy_texts({}, {words}));
   write_bytes(target.path(), archive.bytes());
-  return {};
+  return lost;
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <stdexcept>
 #include <system_error>
-#include <vector>
 
 #include "trivet/foundation/file_writing.h"
 #include "trivet/foundation/folder_handle.h"
@@ -17,61 +18,65 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Why a file must not be replaced; empty if it may be.
-std::string reason_against(const fs::path& target, const fs::file_status& status) {
-  if (fs::is_symlink(status)) return "this is a symbolic link, which is neither followed nor replaced; name the file";
-  if (fs::is_directory(status)) return "this is a folder; name a file inside it";
-  if (!fs::is_regular_file(status)) return "this is a pipe or a device";
+std::string reason_against_file(const fs::path& target, const fs::file_status& status) {
+  if (fs::is_directory(status)) return results::reason_against_folder(status);
   return project::is_project_file(target) ? "this is a project file; choose another name" : "";
 }
 
-std::string reason_against_folder(const fs::path& target, const fs::file_status& status) {
+std::string reason_against_full_folder(const fs::path& target, const fs::file_status& status) {
   std::error_code error;
   if (!fs::is_directory(status)) return "this is a file, and the format is a folder of files; choose another name";
   return fs::is_empty(target, error) && !error ? "" : "this folder is not empty; choose a new name";
 }
 
+bool begins_with_line(const fs::path& file, const std::string& line) {
+  std::ifstream stream(file);
+  std::string first;
+  return std::getline(stream, first) && first == line;
+}
+
+fs::path checked_side(const fs::path& target, const SideFile& side) {
+  if (side.suffix.empty()) return {};
+  fs::path path = target.parent_path() / (target.stem().string() + side.suffix);
+  if (path == target)
+    throw foundation::InvalidInput(fmt::format("{}: a second file gets this name; choose another", target.string()));
+  if (fs::exists(fs::symlink_status(path)) &&
+      (!fs::is_regular_file(fs::symlink_status(path)) || !begins_with_line(path, side.first_line)))
+    throw foundation::InvalidInput(
+        fmt::format("{}: would be written beside {}, but it is there already and is no file of an export; move it, or "
+                    "choose another name for the export",
+                    path.string(), target.filename().string()));
+  return path;
+}
+
+void rename_or_throw(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) throw std::runtime_error(fmt::format("cannot write {}: {}", to.string(), error.message()));
+}
+
 }  // namespace
 
-Target::Target(const fs::path& target, Kind kind) : kind_(kind) {
-  const auto refuse = [&](const std::string& reason) {
-    throw foundation::InvalidInput(fmt::format("{}: {}", target.string(), reason));
-  };
+Target::Target(const fs::path& target, Kind kind, const SideFile& side) {
   if (target.empty()) throw foundation::InvalidInput("-o \"\": the export needs a name");
-  std::error_code error;
-  target_ = fs::absolute(target, error);
-  if (target_.filename().empty()) target_ = target_.parent_path();  // "folder/"
-  const fs::file_status status = fs::symlink_status(target_, error);
-  if (error && status.type() != fs::file_type::not_found) refuse(error.message());
-  if (fs::exists(status))
-    if (const std::string reason =
-            kind == Kind::file ? reason_against(target_, status) : reason_against_folder(target_, status);
-        !reason.empty())
-      refuse(reason);
-  if (!fs::is_directory(target_.parent_path(), error))
-    refuse(fmt::format("there is no folder {}; create it, or choose another", target_.parent_path().string()));
-  try {
-    temporary_ = std::make_unique<foundation::TemporaryFolder>(target_.parent_path());
-  } catch (const std::system_error& reason) {
-    refuse(fmt::format("cannot write there: {}; choose a folder with write permission", reason.code().message()));
-  }
+  place_ = results::target_place(target, kind == Kind::file ? reason_against_file : reason_against_full_folder);
+  side_ = checked_side(place_.path, side);
   if (kind == Kind::folder) fs::create_directory(path());
 }
 
-fs::path Target::path() const { return temporary_->path() / target_.filename(); }
-fs::path Target::beside(const std::string& name) const { return temporary_->path() / name; }
-
 void Target::publish() const {
   const foundation::Undisturbed step;
-  std::vector<fs::path> written;
-  for (const fs::directory_entry& entry : fs::directory_iterator(temporary_->path()))
-    if (entry.path().filename() != foundation::owner_mark && entry.path() != path()) written.push_back(entry.path());
-  written.push_back(path());  // last: it shows that the others are there
-  for (const fs::path& file : written) {
-    std::error_code error;
-    const fs::path to = target_.parent_path() / file.filename();
-    fs::rename(file, to, error);
-    if (error) throw std::runtime_error(fmt::format("cannot write {}: {}", to.string(), error.message()));
+  const fs::path earlier = place_.temporary->path() / "earlier";
+  const bool had_side = !side_.empty() && fs::exists(side_);
+  if (had_side) rename_or_throw(side_, earlier);
+  try {
+    if (!side_.empty() && fs::exists(side())) rename_or_throw(side(), side_);
+    rename_or_throw(path(), place_.path);  // last: it shows that the other is there
+  } catch (const std::runtime_error&) {
+    std::error_code ignored;
+    if (!side_.empty()) fs::remove(side_, ignored);
+    if (had_side) fs::rename(earlier, side_, ignored);
+    throw;
   }
 }
 

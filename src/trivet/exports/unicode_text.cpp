@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/unicode_text.h"
 
-#include <cstddef>
+#include <algorithm>
 
 namespace trivet::exports {
+namespace {
+
+bool is_continuation(char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; }
+
+}  // namespace
 
 std::u32string code_points(const std::string& text) {
   constexpr char32_t replacement = 0xfffd;
@@ -11,7 +16,9 @@ std::u32string code_points(const std::string& text) {
   for (std::size_t i = 0; i < text.size();) {
     const auto lead = static_cast<unsigned char>(text[i]);
     const std::size_t length = lead < 0x80 ? 1 : lead >> 5 == 6 ? 2 : lead >> 4 == 14 ? 3 : lead >> 3 == 30 ? 4 : 0;
-    if (length == 0 || i + length > text.size()) {
+    bool complete = length != 0 && i + length <= text.size();
+    for (std::size_t k = 1; complete && k < length; ++k) complete = is_continuation(text[i + k]);
+    if (!complete) {
       points += replacement;
       ++i;
       continue;
@@ -36,6 +43,12 @@ std::u16string utf16(const std::string& text) {
     }
   }
   return units;
+}
+
+std::string cut_text(const std::string& text, std::size_t most) {
+  std::size_t end = std::min(most, text.size());
+  while (end > 0 && end < text.size() && is_continuation(text[end])) --end;
+  return text.substr(0, end);
 }
 
 }  // namespace trivet::exports

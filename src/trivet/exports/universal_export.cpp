@@ -6,11 +6,13 @@
 
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/exports/format_table.h"
+#include "trivet/exports/unicode_text.h"
 #include "trivet/exports/universal_model.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/drive.h"
+#include "trivet/results/csv_field.h"
 #include "trivet/study/asked_questions.h"
 
 /// Universal files: units, nodes, lines, modes (set 55), and the response as functions (set 58). In text, frequencies
@@ -54,13 +56,14 @@ void warn_of_coarse_digits(const Content& content, const std::vector<double>& he
 }
 
 /// The response at frequencies [Hz], with the results and the quantity of the file.
-study::Answers response_at(const Content& content, const std::vector<double>& hertz) {
+study::Answers response_at(const Content& content, const std::vector<double>& hertz,
+                           const foundation::Progress& progress) {
   project::Analyses asked = study::asked_question("response").asked(content.variant);
   asked.response->band.reset();
   asked.response->at.clear();
   for (const double f : hertz) asked.response->at.push_back(foundation::two_pi * f);
   asked.limit_lines.clear();
-  study::Answers answers = study::answers(content.variant, asked);
+  study::Answers answers = study::answers(content.variant, asked, progress);
   if (!answers.response)
     throw foundation::NotComputable(answers.failures.empty() ? "response: none" : answers.failures.front());
   return answers;
@@ -112,13 +115,14 @@ UniversalQuantity quantity_of(const std::string& unit) {
 std::string fitting(const std::string& text, std::vector<std::string>& lost) {
   if (text.empty() || exchange::fits_universal_line(text)) return text;
   lost.push_back("cut to 80 characters, or without characters that the format does not know: " + text);
-  return text.substr(0, exchange::universal_id_width);
+  return cut_text(text, exchange::universal_id_width);
 }
 
 std::vector<exchange::UniversalFunction> functions(const Content& content, const UniversalGeometry& geometry,
                                                    const std::vector<double>& hertz, FunctionForm form,
-                                                   std::vector<std::string>& lost) {
-  const study::Answers answers = response_at(content, hertz);
+                                                   std::vector<std::string>& lost,
+                                                   const foundation::Progress& progress) {
+  const study::Answers answers = response_at(content, hertz, progress);
   const std::optional<SingleForce> force = single_force(content, geometry);
   std::vector<exchange::UniversalFunction> all;
   for (const response::Curve& curve : answers.response->curves.curves) {
@@ -143,17 +147,20 @@ std::vector<exchange::UniversalFunction> functions(const Content& content, const
   return all;
 }
 
+constexpr const char* nodes_header = "node,name,x [m],y [m],z [m]";
+
 std::string nodes_csv(const UniversalGeometry& geometry) {
-  std::string text = "node,name,x [m],y [m],z [m]\n";
+  std::string text = std::string(nodes_header) + "\n";
   for (std::size_t i = 0; i < geometry.nodes.size(); ++i) {
     const Eigen::Vector3d& at = geometry.nodes[i].position;
-    text +=
-        fmt::format("{},\"{}\",{},{},{}\n", geometry.nodes[i].label, geometry.places[i].name, at.x(), at.y(), at.z());
+    text += fmt::format("{},{},{},{},{}\n", geometry.nodes[i].label, results::csv_field(geometry.places[i].name),
+                        at.x(), at.y(), at.z());
   }
   return text;
 }
 
-std::vector<std::string> written_universal(const Content& content, const Target& target, FunctionForm form) {
+std::vector<std::string> written_universal(const Content& content, const Target& target, FunctionForm form,
+                                           const foundation::Progress& progress) {
   const model::System& system = content.variant.system;
   const UniversalGeometry geometry = universal_geometry(system);
   exchange::UniversalFile file;
@@ -168,21 +175,23 @@ std::vector<std::string> written_universal(const Content& content, const Target&
     const std::vector<double> hertz = held_frequencies(response->answers->response->curves.angular_frequency, form);
     if (form == FunctionForm::ascii) warn_of_coarse_digits(content, hertz, notes);
     else notes.emplace_back("binary functions are single precision: values have seven digits");
-    file.functions = functions(content, geometry, hertz, form, notes);
+    file.functions = functions(content, geometry, hertz, form, notes, progress);
   }
   for (const Group& group : content.groups)
     if (group.name != "modes" && group.name != "response")
       notes.push_back(group.name + " is not written: no set holds it");
-  write_bytes(target.beside(target.path().stem().string() + "_nodes.csv"), nodes_csv(geometry));
+  write_bytes(target.side(), nodes_csv(geometry));
   write_bytes(target.path(), exchange::universal_text(file, form));
   return notes;
 }
 
-std::vector<std::string> write_universal(const Content& content, const Target& target) {
-  return written_universal(content, target, FunctionForm::ascii);
+std::vector<std::string> write_universal(const Content& content, const Target& target,
+                                         const foundation::Progress& progress) {
+  return written_universal(content, target, FunctionForm::ascii, progress);
 }
-std::vector<std::string> write_universal_binary(const Content& content, const Target& target) {
-  return written_universal(content, target, FunctionForm::binary);
+std::vector<std::string> write_universal_binary(const Content& content, const Target& target,
+                                                const foundation::Progress& progress) {
+  return written_universal(content, target, FunctionForm::binary, progress);
 }
 
 }  // namespace
@@ -192,9 +201,14 @@ const Format universal_format = {"universal",
                                  Target::Kind::file,
                                  {"modes", "response"},
                                  false,
-                                 write_universal};
-const Format universal_binary_format = {
-    "universal_binary",    "the same with binary functions (set 58b)", Target::Kind::file, {"modes", "response"}, false,
-    write_universal_binary};
+                                 write_universal,
+                                 {"_nodes.csv", nodes_header}};
+const Format universal_binary_format = {"universal_binary",
+                                        "the same with binary functions (set 58b)",
+                                        Target::Kind::file,
+                                        {"modes", "response"},
+                                        false,
+                                        write_universal_binary,
+                                        {"_nodes.csv", nodes_header}};
 
 }  // namespace trivet::exports

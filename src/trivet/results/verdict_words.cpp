@@ -93,6 +93,11 @@ std::string verdict_summary(const CaseVerdict& judged) {
   return text + "\n" + (judged.cause.empty() ? "" : "  " + judged.cause + sentence_note(judged.display) + "\n");
 }
 
+const char* verdict_word(const RequirementResult& result) {
+  if (!result.value) return "NOT JUDGED";
+  return result.met() ? "met" : "VIOLATED";
+}
+
 std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   std::vector<std::size_t> order(judged.results.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -104,11 +109,7 @@ std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   for (const std::size_t i : order) {
     const RequirementResult& r = judged.results[i];
     rows.push_back({requirement_words(r, judged.display), value_cell(r, judged.display), place_words(r, judged.display),
-                    r.value ? margin_words(r.margin) : "",
-                    !r.value      ? "NOT JUDGED"
-                        : r.met() ? "met"
-                                  : "VIOLATED",
-                    r.met()});
+                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met()});
   }
   return rows;
 }

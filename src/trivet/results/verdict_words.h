@@ -18,6 +18,9 @@ namespace trivet::results {
 /// "machine.z ≤ 0.5 mm" with the bound in the units of the display. Words without a bound at their end stay.
 [[nodiscard]] std::string requirement_words(const study::RequirementResult& result, const project::ShownUnits& display);
 
+/// "met", "VIOLATED" or "NOT JUDGED".
+[[nodiscard]] const char* verdict_word(const study::RequirementResult& result);
+
 /// A requirement as a line of a table.
 struct RequirementRow {
   std::string words, value, place, margin, verdict;

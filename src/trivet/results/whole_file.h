@@ -3,10 +3,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <memory>
 #include <string>
 
-#include "trivet/foundation/temporary_folder.h"
+#include "trivet/results/target_place.h"
 
 namespace trivet::results {
 
@@ -26,8 +25,7 @@ class WholeFile {
   void publish(const std::string& text) const;
 
  private:
-  std::filesystem::path target_;
-  std::unique_ptr<foundation::TemporaryFolder> temporary_;
+  TargetPlace place_;
 };
 
 }  // namespace trivet::results

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <fmt/format.h>
+
+#include <set>
+#include <string>
+
+namespace trivet::exports {
+
+/// Names that a format allows only once: a further one like it gets a number, "name_2".
+class UniqueNames {
+ public:
+  /// @param separator  between the name and its number
+  explicit UniqueNames(std::string separator = "_") : separator_(std::move(separator)) {}
+
+  std::string unique(const std::string& wanted) {
+    std::string name = wanted;
+    for (int i = 2; !used_.insert(name).second; ++i) name = fmt::format("{}{}{}", wanted, separator_, i);
+    return name;
+  }
+
+ private:
+  std::string separator_;
+  std::set<std::string> used_;
+};
+
+}  // namespace trivet::exports
