@@ -241,6 +241,24 @@ class Measurements(unittest.TestCase):
         (self.folder / "m.uff").write_text(nodes + other)
         self.refused(MACHINE + RIG, "7:+z over 8:+z", "force of motor at (0.2, 0.1, 0.1) m")
 
+    def test_the_load_must_be_on_the_body_of_the_reference(self):
+        """A second body at the same place, and a moment, which has no place on its own body."""
+        frame = (
+            MACHINE
+            + '[bodies.frame]\nmass = 9\nposition = [0.2, 0.1, 0.1]\ninertia = {about = "pole", xx = 1, yy = 1, zz = 1}\n'
+        )
+        frame += '[elements.joint]\ntype = "mount"\non = "frame"\nat = [0, 0, 0]\n'
+        frame += 'from = "device"\nfrom_at = [0.2, 0.1, 0.1]\n'
+        moment = frame.replace("force = [0, 0, 10]", "moment = [0, 0, 10]")
+        for project, reference, what in ((frame, (8, 3), "force"), (moment, (8, 6), "moment")):
+            function = measured_function(7, 3, [1e-5] * 291, reference=reference, hertz=(1.0, 0.1))
+            (self.folder / "m.uff").write_text(function)
+            nodes = 'nodes = {"7" = "device.seat", "8" = "%s"}\n'
+            other = f"8:+{'z' if what == 'force' else 'rz'} at frame"
+            self.refused(project + RIG + nodes % "frame", other, f"{what} of motor", 'of "device"')
+            place = "device.seat" if what == "force" else "device"
+            self.assertEqual(len(self.compared(project + RIG + nodes % place)["channels"]), 1)
+
     def test_places_of_neither_side_are_listed(self):
         (self.folder / "m.uff").write_text(self.function_at_the_seat())
         self.refused(MACHINE + RIG, "the file has: 7:+z", "device, device.seat", 'nodes = {"3" = "BODY.POINT"}')

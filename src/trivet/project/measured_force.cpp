@@ -41,15 +41,22 @@ std::optional<std::complex<double>> MeasuredForce::along_itself() const {
   return std::nullopt;
 }
 
+bool MeasuredForce::acts_at(int node) const {
+  const model::Body& body = description_.bodies[*force_.action.body];
+  const MeasuredPlace* place = places_.place(node);
+  const auto position = places_.position(node);
+  if (!position || (place && place->body != *force_.action.body)) return false;
+  if ((*position - body.pose.position - body.pose.rotation * force_.action.at).norm() <= same_place) return true;
+  const bool turns = !force_.action.amplitude.tail<3>().isZero(0);
+  return turns && (place || description_.bodies.size() == 1);
+}
+
 std::optional<std::complex<double>> MeasuredForce::amplitude(const exchange::UniversalPoint& reference) const {
   if (reference.node == 0) return along_itself();
   const model::Body& body = description_.bodies[*force_.action.body];
-  const auto position = places_.position(reference.node);
-  const Eigen::Vector3d own = body.pose.position + body.pose.rotation * force_.action.at;
   const int direction = std::abs(reference.direction);
   const bool turns = !force_.action.amplitude.tail<3>().isZero(0);
-  if (!position || direction < 1 || direction > 6 || (direction > 3) != turns) return std::nullopt;
-  if (!turns && (*position - own).norm() > same_place) return std::nullopt;
+  if (direction < 1 || direction > 6 || (direction > 3) != turns || !acts_at(reference.node)) return std::nullopt;
   const Eigen::Vector3d along = body.pose.rotation.transpose() * direction_in_ground(reference.direction);
   return component_along(turns ? force_.action.amplitude.tail<3>() : force_.action.amplitude.head<3>(), along);
 }

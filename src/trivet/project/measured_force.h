@@ -18,17 +18,21 @@ class MeasuredForce {
   /// Reason why functions per force cannot be compared with this excitation: it is no force on a body.
   [[nodiscard]] std::optional<std::string> unsuitable() const;
 
-  /// Amplitude along the reference of a function (its delay excluded); none if place or direction do not fit. Without a
-  /// reference in the file (node 0), the measured force is positive along the axis of the body on which the excitation
-  /// acts; a force along no axis is positive in its own direction.
+  /// Amplitude along the reference of a function (its delay excluded); none if body, place or direction do not fit. A
+  /// moment may be measured at any place of its body. Without a reference in the file (node 0), the measured force is
+  /// positive along the axis of the body on which the excitation acts; a force along no axis is positive in its own
+  /// direction.
   [[nodiscard]] std::optional<std::complex<double>> amplitude(const exchange::UniversalPoint& reference) const;
 
   [[nodiscard]] double delay() const { return force_.action.delay; }
-  /// "force [0, 0, 10] N at (0.1, 0, 0) m", ground frame.
+  /// "force of push at (0.1, 0, 0) m along (0, 0, 10) of "frame"": place in the ground frame [m], magnitudes of the
+  /// components along the axes of the body [N or N m].
   [[nodiscard]] std::string words() const;
 
  private:
   [[nodiscard]] std::optional<std::complex<double>> along_itself() const;
+  /// True for a node at the place of a force, or at any place of the body of a moment.
+  [[nodiscard]] bool acts_at(int node) const;
 
   const model::Description& description_;
   const MeasuredPlaces& places_;

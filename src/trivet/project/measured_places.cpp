@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "trivet/foundation/index.h"
+#include "trivet/project/measured_file.h"
 
 namespace trivet::project {
 
@@ -64,6 +65,11 @@ std::optional<MeasuredPlaces::Component> MeasuredPlaces::component(const exchang
       return Component{at->name + "." + model::coordinate_names[to_size(direction > 3 ? j + 3 : j)],
                        along(j) < 0 ? -1.0 : 1.0};
   return std::nullopt;
+}
+
+std::string MeasuredPlaces::words(const exchange::UniversalPoint& point) const {
+  const MeasuredPlace* at = place(point.node);
+  return point_name(point) + (at ? " at " + at->name : "");
 }
 
 std::vector<std::string> MeasuredPlaces::names() const {

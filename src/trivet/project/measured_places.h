@@ -45,6 +45,8 @@ class MeasuredPlaces {
   /// The component that a node and direction measure; none without a place, or if the direction is not an axis of it.
   [[nodiscard]] std::optional<Component> component(const exchange::UniversalPoint& point) const;
 
+  /// "3:+z at frame.seat" of a node and a direction; without a place "3:+z".
+  [[nodiscard]] std::string words(const exchange::UniversalPoint& point) const;
   [[nodiscard]] std::vector<std::string> names() const;
 
  private:

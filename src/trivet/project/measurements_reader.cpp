@@ -210,7 +210,7 @@ class MeasurementTable {
       if (!has_known_unit(match)) return;
       const auto factor = factor_of(match, force);
       if (!factor) {
-        of_other_force.push_back(match.function->name + " over " + point_name(match.function->reference));
+        of_other_force.push_back(match.function->name + " over " + places.words(match.function->reference));
         continue;
       }
       const auto& curves = result.curves;
@@ -221,7 +221,7 @@ class MeasurementTable {
     if (reader_.errors() > before) return;
     if (result.curves.empty())
       reader_.error("force", "references of the file: " + foundation::comma_separated(of_other_force),
-                    "none is at the place and along the direction of the " + force->words(),
+                    "none is on the body, at the place and along the direction of the " + force->words(),
                     "name the excitation at the reference, or add the node of the reference to `nodes`");
     else if (!repeated.empty())
       warn("functions of the same results again: " + foundation::comma_separated(repeated),
