@@ -181,7 +181,6 @@ TEST(MobilityOfPoints, IsTheDeckUnderTheMounts) {
 TEST(MobilityOfPoints, WithoutCouplingsIsAnotherDeck) {
   // The couplings matter here: without them the test above would pass by chance.
   const Deck deck;
-  Deck uncoupled = deck;
   const auto file = [&](const std::string& name, bool coupled) {
     return written(name, directions({2}), [&, coupled](const Direction& i, const Direction& j, double w) {
       return coupled || i.node == j.node ? deck.mobility(i, j, w) : 0;

@@ -48,7 +48,17 @@ def trivet(*arguments, code=0):
     return run
 
 
-def measured_function(node, direction, values, quantity=8, reference=(2, 3), hertz=None, kind=4, unit="NONE"):
+def measured_function(
+    node,
+    direction,
+    values,
+    quantity=8,
+    reference=(2, 3),
+    hertz=None,
+    kind=4,
+    unit="NONE",
+    abscissa=(18, "Frequency", "Hz"),
+):
     """Set 58 of a function over evenly spaced frequencies [Hz]: from, step."""
     first, step = hertz or (2.0, 0.1)
     lines = ["    -1", "    58", "NONE", "NONE", "NONE", "NONE", "NONE"]
@@ -57,7 +67,7 @@ def measured_function(node, direction, values, quantity=8, reference=(2, 3), her
     )
     complex_values = kind != 6
     lines.append(f"{6 if complex_values else 4:10d}{len(values):10d}{1:10d}{first:13.5E}{step:13.5E}{0.0:13.5E}")
-    lines.append(f"{18:10d}{0:5d}{0:5d}{0:5d} {'Frequency':<20s} {'Hz':<20s}")
+    lines.append(f"{abscissa[0]:10d}{0:5d}{0:5d}{0:5d} {abscissa[1]:<20s} {abscissa[2]:<20s}")
     lines.append(f"{quantity:10d}{0:5d}{0:5d}{0:5d} {'NONE':<20s} {unit:<20s}")
     lines.append(f"{13 if kind == 4 else 0:10d}{0:5d}{0:5d}{0:5d} {'NONE':<20s} {'NONE':<20s}")
     lines.append(f"{0:10d}{0:5d}{0:5d}{0:5d} {'NONE':<20s} {'NONE':<20s}")
@@ -67,8 +77,18 @@ def measured_function(node, direction, values, quantity=8, reference=(2, 3), her
     return "\n".join([*lines, "    -1\n"])
 
 
-def file_of_nodes(*nodes):
-    lines = [f"{n:10d}{0:10d}{0:10d}{0:10d}{x:13.5E}{y:13.5E}{z:13.5E}" for n, x, y, z in nodes]
+def uneven(function, hertz, values):
+    """The same function with these points: single precision, three numbers each."""
+    lines = function.splitlines()
+    form = next(i for i, line in enumerate(lines) if line.startswith(f"{6:10d}"))
+    lines[form] = f"{5:10d}{len(hertz):10d}{0:10d}{0:13.5E}{0:13.5E}{0:13.5E}"
+    numbers = [f"{n:13.5E}" for f, v in zip(hertz, values) for n in (f, v.real, v.imag)]
+    points = ["".join(numbers[i : i + 6]) for i in range(0, len(numbers), 6)]
+    return "\n".join([*lines[: form + 5], *points, "    -1\n"])
+
+
+def file_of_nodes(*nodes, systems=(0, 0)):
+    lines = [f"{n:10d}{systems[0]:10d}{systems[1]:10d}{0:10d}{x:13.5E}{y:13.5E}{z:13.5E}" for n, x, y, z in nodes]
     return "\n".join(["    -1", "    15", *lines, "    -1\n"])
 
 
@@ -271,6 +291,37 @@ class Measurements(unittest.TestCase):
         self.assertAlmostEqual(channel["frac"], 1, delta=1e-9)
         self.refused(MACHINE + RIG + 'unit = "kg"\n', "a unit of a motion or a force")
         self.refused(MACHINE + RIG + 'unit = "rad"\n', "device.seat.z is measured in m")
+
+    def said(self, text):
+        project = self.folder / "said.toml"
+        project.write_text(text)
+        run = trivet("check", project)
+        return " ".join((run.stdout + run.stderr).split())
+
+    def test_an_abscissa_of_unknown_quantity_is_reported(self):
+        place = file_of_nodes((7, 0.2, 0.1, 0.1))
+        for abscissa, said in (((0, "NONE", "NONE"), True), ((0, "NONE", "Hz"), False), ((18, "x", "Hz"), False)):
+            (self.folder / "m.uff").write_text(place + self.function_at_the_seat(abscissa=abscissa))
+            self.assertEqual("unknown quantity, the first is 7:+z" in self.said(MACHINE + RIG), said, abscissa)
+        (self.folder / "m.uff").write_text(place + self.function_at_the_seat(abscissa=(0, "Time", "s")))
+        self.refused(MACHINE + RIG, "m.uff:6:", 'no quantity and the unit "s"')
+
+    def test_frequencies_increase(self):
+        place = file_of_nodes((7, 0.2, 0.1, 0.1))
+        for quantity in (0, 18):
+            function = self.function_at_the_seat(abscissa=(quantity, "NONE", "Hz"))
+            for hertz in ([2, 4, 3], [2, 3, 3]):
+                (self.folder / "m.uff").write_text(place + uneven(function, hertz, [1e-5 + 1e-6j] * 3))
+                self.refused(MACHINE + RIG, "m.uff:", "at point 3 after", "frequencies increase")
+
+    def test_nodes_in_coordinate_systems_are_reported(self):
+        place = 'nodes = {"7" = "device.seat"}\n'
+        for systems in ((1, 0), (0, 1)):
+            nodes = file_of_nodes((7, 0.2, 0.1, 0.1), systems=systems)
+            (self.folder / "m.uff").write_text(nodes + self.function_at_the_seat())
+            self.refused(MACHINE + RIG, "the nodes 7 in a coordinate system not 0", "no place by its position")
+            said = "displacements of the nodes 7 in a coordinate system not 0" in self.said(MACHINE + RIG + place)
+            self.assertEqual(said, systems[1] != 0)
 
     def test_functions_per_force_need_the_force(self):
         self.export()

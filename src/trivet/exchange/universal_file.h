@@ -180,6 +180,7 @@ struct UniversalFunction {
   bool is_complex = true;                                    ///< false: all imaginary parts are zero
   UniversalPrecision precision = UniversalPrecision::double_precision;
   bool in_file_units = false;  ///< ordinates are not converted to SI, because their unit is not known
+  int line = 0;                ///< of its set in the file that was read
 };
 
 /// Abscissa of every value, in the unit of the axis: [Hz] for a frequency, otherwise SI.

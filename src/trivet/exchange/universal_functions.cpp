@@ -56,6 +56,7 @@ UniversalFunctionSet read_universal_function(const UniversalSet& set, const Univ
     if (!numbers) return {};
     check_end(set, problems);
   }
+  head->function.line = set.line;
   distribute(*numbers, head->function);
   check_abscissa(head->function, head->points_line, problems);
   convert_to_si(head->function, units, head->points_line, problems);

@@ -28,6 +28,7 @@ struct MeasuredFile {
   std::vector<MeasuredFunction> functions;
   std::vector<exchange::UniversalMode> modes;
   std::map<int, Eigen::Vector3d> nodes;  ///< positions in the ground frame, of nodes with displacements along its axes
+  std::vector<exchange::UniversalNode> nodes_in_systems;  ///< measured, but not in `nodes`: see measured_systems.h
   foundation::Problems warnings;
 };
 

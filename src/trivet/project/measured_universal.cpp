@@ -10,7 +10,9 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/model/system.h"
+#include "trivet/project/measured_abscissa.h"
 #include "trivet/project/measured_file.h"
+#include "trivet/project/measured_systems.h"
 
 namespace trivet::project {
 namespace {
@@ -59,8 +61,7 @@ std::optional<MeasuredUnit> unit_of_function(const UniversalFunction& function,
 }
 
 bool is_compared(const UniversalFunction& function) {
-  const UniversalQuantity abscissa = function.abscissa_axis.quantity;
-  if (abscissa != UniversalQuantity::frequency && abscissa != UniversalQuantity::unknown) return false;
+  if (!may_be_over_frequency(function)) return false;
   return function.type == UniversalFunctionType::general || function.type == UniversalFunctionType::spectrum ||
       function.type == UniversalFunctionType::frequency_response;
 }
@@ -102,10 +103,7 @@ Eigen::VectorXd coherence_of(const MeasuredFunction& measured, const std::vector
       values.push_back(function.values[i].real());
       frequencies.push_back(foundation::two_pi * hertz[i]);
     }
-    constexpr double digits_of_text = 1e-5;
-    if (std::equal(frequencies.begin(), frequencies.end(), measured.angular_frequency.begin(),
-                   measured.angular_frequency.end(),
-                   [](double a, double b) { return std::abs(a - b) <= digits_of_text * b; }))
+    if (same_frequencies(frequencies, measured.angular_frequency))
       return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
   }
   return {};
@@ -150,12 +148,17 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
   result.modes = read->file.modes;
   for (const exchange::UniversalNode& node : read->file.nodes)
     if (node.definition_system == 0 && node.displacement_system == 0) result.nodes[node.label] = node.position;
+  result.nodes_in_systems = nodes_in_systems(read->file);
+  std::vector<const UniversalFunction*> compared;
   for (const UniversalFunction& function : read->file.functions) {
     if (!is_compared(function)) continue;
+    compared.push_back(&function);
     result.functions.push_back(measured_function(function, unit));
     result.functions.back().coherence = coherence_of(result.functions.back(), read->file.functions);
   }
   report_other_functions(read->file, result.warnings);
+  result.warnings.add(judge_abscissas(compared, path.string()));
+  if (result.warnings.has_errors()) return tl::make_unexpected(std::move(result.warnings));
   return result;
 }
 

@@ -15,6 +15,7 @@
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_force.h"
 #include "trivet/project/measured_places.h"
+#include "trivet/project/measured_systems.h"
 #include "trivet/project/text/file_name.h"
 
 namespace trivet::project {
@@ -54,6 +55,7 @@ class MeasurementTable {
                     "choose another file");
     MeasuredPlaces places(description_, file->nodes);
     read_nodes(places);
+    report_systems(*file, places);
     if (reader_.errors() > before) return std::nullopt;
     const std::vector<MatchedFunction> matched = read_matches(*file, places);
     add_modes(*file, places, result);
@@ -92,6 +94,15 @@ class MeasurementTable {
                                   : "did you mean \"" + guess + "\"?");
       }
     }
+  }
+
+  /// Reports nodes in coordinate systems: those without a place, and the directions of those with one.
+  void report_systems(const MeasuredFile& file, const MeasuredPlaces& places) {
+    std::vector<exchange::UniversalNode> placed, unplaced;
+    for (const exchange::UniversalNode& node : file.nodes_in_systems)
+      (places.is_put(node.label) ? placed : unplaced).push_back(node);
+    reader_.add_of_file("file", judge_positions(unplaced));
+    reader_.add_of_file("file", judge_directions(placed));
   }
 
   [[nodiscard]] bool is_result(const std::string& name) const {

@@ -8,7 +8,9 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/measured_abscissa.h"
 #include "trivet/project/measured_file.h"
+#include "trivet/project/measured_systems.h"
 #include "trivet/project/mobility_reader.h"
 #include "trivet/project/text/file_name.h"
 
@@ -45,10 +47,18 @@ std::string name_of(const UniversalFunction& function) {
   return fmt::format("function {} per {}", point_name(function.response), point_name(function.reference));
 }
 
+std::vector<exchange::UniversalNode> nodes_among(const std::vector<int>& wanted, const exchange::UniversalFile& file) {
+  std::vector<exchange::UniversalNode> found;
+  for (const exchange::UniversalNode& node : file.nodes)
+    if (std::find(wanted.begin(), wanted.end(), node.label) != wanted.end()) found.push_back(node);
+  return found;
+}
+
 class MobilityFunctions {
  public:
-  MobilityFunctions(const exchange::UniversalFile& file, const std::vector<int>& nodes, foundation::Problems& found)
-      : nodes_(nodes), found_(found) {
+  MobilityFunctions(const exchange::UniversalFile& file, const std::string& source, const std::vector<int>& nodes,
+                    foundation::Problems& found)
+      : source_(source), nodes_(nodes), found_(found) {
     for (const UniversalFunction& function : file.functions)
       if (function.type == UniversalFunctionType::frequency_response && point(function.response) &&
           point(function.reference) && is_axis(function.response) && is_axis(function.reference))
@@ -57,6 +67,7 @@ class MobilityFunctions {
 
   GroundMobility mobility() {
     for (const UniversalFunction* function : functions_) check(*function);
+    found_.add(judge_abscissas(functions_, source_));
     if (functions_.empty())
       found_.error("", "no frequency response between the nodes",
                    "each ground point has the function of its motion per its own force",
@@ -89,27 +100,20 @@ class MobilityFunctions {
       found_.error("", name_of(function) + " is not a motion per force, or has no known unit",
                    "the axes of receptance, mobility or accelerance have the types 8, 11 or 12 per 13",
                    "write the types of the axes and set 164");
-    const UniversalQuantity abscissa = function.abscissa_axis.quantity;
-    if (abscissa != UniversalQuantity::frequency && abscissa != UniversalQuantity::unknown)
-      found_.error("", fmt::format("{} has an abscissa of type {}", name_of(function), static_cast<int>(abscissa)),
+    if (!may_be_over_frequency(function))
+      found_.error("",
+                   fmt::format("{} has an abscissa of type {}", name_of(function),
+                               static_cast<int>(function.abscissa_axis.quantity)),
                    "a mobility is a function of frequency, type 18", "export it over frequency");
-    if (exchange::abscissa_values(function) != exchange::abscissa_values(*functions_.front()))
+    if (!same_frequencies(exchange::abscissa_values(function), exchange::abscissa_values(*functions_.front())))
       found_.error("", name_of(function) + " has other frequencies than " + name_of(*functions_.front()),
                    "all functions of a mobility have the same frequencies", "measure or interpolate them alike");
   }
 
   void read_frequencies() {
     hertz_ = exchange::abscissa_values(*functions_.front());
-    for (const double hertz : hertz_) {
-      if (!(hertz > 0)) continue;
-      const double omega = foundation::two_pi * hertz;
-      if (!result_.knots.empty() && omega <= result_.knots.back()) {
-        found_.error("", fmt::format("{:.6g} Hz after {:.6g} Hz", hertz, result_.knots.back() / foundation::two_pi),
-                     "frequencies increase", "sort the lines of the functions");
-        return;
-      }
-      result_.knots.push_back(omega);
-    }
+    for (const double hertz : hertz_)
+      if (hertz > 0) result_.knots.push_back(foundation::two_pi * hertz);
     if (result_.knots.size() < 2 || result_.knots.size() > most_frequencies)
       found_.error("", fmt::format("{} frequencies above 0 Hz", result_.knots.size()),
                    fmt::format("a mobility has 2 to {} frequencies", most_frequencies), "measure another number");
@@ -176,7 +180,9 @@ class MobilityFunctions {
       }
     if (!missing.empty())
       found_.warning("",
-                     fmt::format("{} couplings were not measured, for instance {}", missing.size(), missing.front()),
+                     missing.size() == 1 ? "the coupling " + missing.front() + " was not measured"
+                                         : fmt::format("{} couplings were not measured, for instance {}",
+                                                       missing.size(), missing.front()),
                      "a force at one point moves the others too", "they are zero; measure them if they matter");
   }
 
@@ -194,6 +200,7 @@ class MobilityFunctions {
 
   static constexpr std::size_t most_frequencies = 20'000;
 
+  const std::string source_;
   const std::vector<int>& nodes_;
   foundation::Problems& found_;
   std::vector<const UniversalFunction*> functions_;  ///< between the nodes
@@ -210,7 +217,8 @@ std::optional<GroundMobility> read_universal_mobility(TableReader& reader, const
   const auto read = exchange::read_universal(*file);
   if (!read) return reader.add_of_file("file", read.error()), std::nullopt;
   foundation::Problems found = read->warnings;
-  GroundMobility result = MobilityFunctions(read->file, nodes, found).mobility();
+  found.add(judge_directions(nodes_among(nodes, read->file)));
+  GroundMobility result = MobilityFunctions(read->file, file->string(), nodes, found).mobility();
   result.source = file->string();
   if (!found.has_errors()) found.add(judge_mobility(result));
   reader.add_of_file("file", found);

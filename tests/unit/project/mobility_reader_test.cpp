@@ -40,8 +40,10 @@ exchange::UniversalFunction function(int node, int reference, double share, doub
 
 /// Messages about a machine on the points that nodes 11 and 12 of a file are.
 std::vector<std::string> messages(const std::vector<exchange::UniversalFunction>& functions,
-                                  const std::string& nodes = R"({"11" = "left", "12" = "right"})") {
+                                  const std::string& nodes = R"({"11" = "left", "12" = "right"})",
+                                  const std::vector<exchange::UniversalNode>& geometry = {}) {
   exchange::UniversalFile file;
+  file.nodes = geometry;
   file.functions = functions;
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / fmt::format("trivet-mobility-messages-{}.uff", ::getpid());
@@ -77,7 +79,7 @@ TEST(MobilityReader, AcceptsOneFunctionPerPair) {
 
 TEST(MobilityReader, WarnsOfCouplingsThatWereNotMeasured) {
   EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1)}),
-              Contains(HasSubstr("1 couplings were not measured, for instance 12:+z per 11:+z")));
+              Contains(HasSubstr("the coupling 12:+z per 11:+z was not measured")));
 }
 
 TEST(MobilityReader, WarnsOfCouplingsThatAreNotReciprocal) {
@@ -97,6 +99,29 @@ TEST(MobilityReader, RejectsPointsOnOneRigidPart) {
 TEST(MobilityReader, RejectsOtherFrequencies) {
   EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), function(11, 12, 0.3, 6)}),
               Contains(HasSubstr("function 11:+z per 12:+z has other frequencies than function 11:+z per 11:+z")));
+}
+
+TEST(MobilityReader, AcceptsFrequenciesThatDifferByTheDigitsOfText) {
+  exchange::UniversalFunction coupling = function(11, 12, 0.3);
+  std::get<exchange::EvenAbscissa>(coupling.abscissa).step = 1.000004;
+  for (const std::string& message : messages({function(11, 11, 1), function(12, 12, 1), coupling}))
+    EXPECT_THAT(message, Not(HasSubstr("deck"))) << message;
+  std::get<exchange::EvenAbscissa>(coupling.abscissa).step = 1.001;
+  EXPECT_THAT(messages({function(11, 11, 1), function(12, 12, 1), coupling}), Contains(HasSubstr("other frequencies")));
+}
+
+TEST(MobilityReader, ReadsUnknownAbscissasAsFrequenciesWithAWarning) {
+  auto functions = complete;
+  for (auto& one : functions) one.abscissa_axis.quantity = UniversalQuantity::unknown;
+  EXPECT_THAT(messages(functions), Contains(HasSubstr("3 functions with an abscissa of unknown quantity")));
+  functions.front().abscissa_axis.unit = "s";
+  EXPECT_THAT(messages(functions), Contains(HasSubstr("its abscissa has no quantity and the unit \"s\"")));
+}
+
+TEST(MobilityReader, WarnsOfDirectionsInACoordinateSystem) {
+  std::vector<exchange::UniversalNode> nodes = {{.label = 11, .displacement_system = 3}, {.label = 12}};
+  EXPECT_THAT(messages(complete, R"({"11" = "left", "12" = "right"})", nodes),
+              Contains(HasSubstr("displacements of the nodes 11 in a coordinate system not 0")));
 }
 
 TEST(MobilityReader, RejectsTransmissibilities) {
