@@ -199,13 +199,14 @@ std::vector<PeakDifference> measured_peaks(const std::vector<double>& angular_fr
                                            const Eigen::VectorXcd& measured, const Eigen::VectorXd& coherence) {
   constexpr double rise = 1.2, lowest_share = 0.01, least_coherence = 0.8;
   const Eigen::VectorXd sizes = measured.cwiseAbs();
-  const std::vector<double> heights(sizes.begin(), sizes.end());
+  const std::vector<double> heights(sizes.begin(), sizes.end()), prominences = numerics::prominences(heights);
+  const double least = heights.empty() ? 0 : lowest_share * sizes.maxCoeff();
   std::vector<PeakDifference> peaks;
   for (std::size_t i = 1; i + 1 < heights.size(); ++i) {
     if (!(heights[i] > heights[i - 1] && heights[i] >= heights[i + 1])) continue;
-    if (heights[i] < lowest_share * sizes.maxCoeff()) continue;
+    if (heights[i] < least) continue;
     if (coherence.size() > 0 && coherence(to_index(i)) < least_coherence) continue;
-    if (heights[i] < rise * (heights[i] - numerics::prominence(heights, i))) continue;
+    if (heights[i] < rise * (heights[i] - prominences[i])) continue;
     peaks.push_back(top_between_lines(angular_frequency, heights, i));
   }
   return peaks;

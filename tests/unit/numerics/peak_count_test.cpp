@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace {
@@ -56,6 +57,19 @@ TEST(RiseIsKnown, OverTheHigherOfTwoUncertainMinima) {
   const std::vector<double> heights = {7, 1, 5, 0.9, 6};
   EXPECT_TRUE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.01, 0}, 0.5, 4, 1e-6));
   EXPECT_FALSE(rise_is_known(heights, std::vector<double>{0, 0, 0, 0.1, 0}, 0.5, 4, 1e-6));
+}
+
+TEST(Prominences, AreThoseOfEachPoint) {
+  std::mt19937 random(7);
+  for (const int levels : {2, 5, 1000}) {  // with many equal heights, and with few
+    std::vector<double> heights(200);
+    for (double& height : heights) height = std::uniform_int_distribution<int>(0, levels)(random);
+    heights[90] = std::numeric_limits<double>::infinity();
+    const std::vector<double> all = trivet::numerics::prominences(heights);
+    ASSERT_EQ(all.size(), heights.size());
+    for (std::size_t i = 0; i < heights.size(); ++i) EXPECT_EQ(all[i], trivet::numerics::prominence(heights, i)) << i;
+  }
+  EXPECT_TRUE(trivet::numerics::prominences({}).empty());
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <complex>
 
 namespace {
@@ -62,6 +63,20 @@ TEST(MeasuredPeaks, NeedARiseOfAFifth) {
   const auto peaks = study::measured_peaks({1, 2, 3, 4, 5, 6, 7}, values);
   ASSERT_EQ(peaks.size(), 1);
   EXPECT_NEAR(peaks[0].angular_frequency, 5, 0.5);
+}
+
+TEST(MeasuredPeaks, OfALongRisingNoiseNeedNoLongTime) {
+  // Each of 100 000 maxima is higher than all before it; to visit all of them again takes a minute.
+  constexpr int count = 200'000;
+  std::vector<double> omega;
+  Eigen::VectorXcd values(count);
+  for (int i = 0; i < count; ++i) {
+    omega.push_back(1 + i);
+    values(i) = (1 + 10.0 * i / count) * (i % 2 == 0 ? 1 : 0.5);
+  }
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(study::measured_peaks(omega, values).size(), count / 2 - 1);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 TEST(MeasuredPeaks, NeedCoherence) {

@@ -22,6 +22,24 @@ Minima minima_of(std::span<const double> heights, std::size_t peak) {
   return heights[left] > heights[right] ? Minima{left, right} : Minima{right, left};
 }
 
+/// Minimum from the next higher point before each point up to it, in the order of `heights`.
+template <typename Heights>
+std::vector<double> minima_before(const Heights& heights) {
+  struct Higher {
+    double height, lowest;  // from the higher one before it
+  };
+  std::vector<Higher> higher;  // each lower than the one before it
+  std::vector<double> lowest;
+  for (const double height : heights) {
+    Higher point{height, height};
+    for (; !higher.empty() && higher.back().height <= height; higher.pop_back())
+      point.lowest = std::min(point.lowest, higher.back().lowest);
+    higher.push_back(point);
+    lowest.push_back(point.lowest);
+  }
+  return lowest;
+}
+
 bool stands_out(std::span<const double> heights, std::size_t i) {
   return heights[i] > heights[i - 1] && heights[i] > heights[i + 1];
 }
@@ -30,6 +48,16 @@ bool stands_out(std::span<const double> heights, std::size_t i) {
 
 double prominence(std::span<const double> heights, std::size_t peak) {
   return std::isinf(heights[peak]) ? heights[peak] : heights[peak] - heights[minima_of(heights, peak).base];
+}
+
+std::vector<double> prominences(std::span<const double> heights) {
+  std::vector<double> result = minima_before(heights);
+  const std::vector<double> after = minima_before(std::vector<double>(heights.rbegin(), heights.rend()));
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    const double base = std::max(result[i], after[result.size() - 1 - i]);
+    result[i] = std::isinf(heights[i]) ? heights[i] : heights[i] - base;
+  }
+  return result;
 }
 
 bool rise_is_known(std::span<const double> heights, std::span<const double> doubts, double least, double largest_rise,

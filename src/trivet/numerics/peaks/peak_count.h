@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <vector>
 
 namespace trivet::numerics {
 
 /// Prominence of a peak: its height above the higher of the two minima that separate it from higher points or from an
 /// end. `heights` begin and end with those at the ends of the curve. Infinite for an infinite height.
 [[nodiscard]] double prominence(std::span<const double> heights, std::size_t peak);
+
+/// Prominence of every point, in a time proportional to their number.
+[[nodiscard]] std::vector<double> prominences(std::span<const double> heights);
 
 struct PeakCount {
   int peaks = 0;
