@@ -360,6 +360,42 @@ class Measurements(unittest.TestCase):
         self.export()
         self.refused(MACHINE + RIG + "coherence = true\n", "no coherence")
 
+    def table_with_coherence(self, *coherences):
+        rows = [f"{i + 2},1e-5,-1e-6,{c}" for i, c in enumerate(coherences)]
+        heading = "frequency [Hz],device.z re [m/N],device.z im [m/N],device.z coherence"
+        (self.folder / "m.csv").write_text("\n".join([heading, *rows]) + "\n")
+        return MACHINE + RIG.replace("m.uff", "m.csv") + "coherence = true\n"
+
+    def test_a_coherence_is_between_0_and_1(self):
+        for wrong in ("7", "-3", "1.01"):
+            text = self.table_with_coherence("0.9", wrong, "0.9")
+            self.refused(text, "m.csv:3:", f"device.z coherence = {wrong}", "between 0 and 1")
+            self.compared(text.replace("coherence = true\n", ""))
+        function = file_of_nodes((7, 0.2, 0.1, 0.1)) + self.function_at_the_seat()
+        function += measured_function(7, 3, [1.5] * 291, 0, (7, 3), (1.0, 0.1), kind=6)
+        (self.folder / "m.uff").write_text(function)
+        self.refused(MACHINE + RIG + "coherence = true\n", "coherence 1.5 of function 7:+z", "between 0 and 1")
+
+    def test_a_line_without_coherence_is_a_gap(self):
+        text = self.table_with_coherence("0.8", "", "0.9")
+        [channel] = self.compared(text)["channels"]
+        self.assertEqual(len(channel["angular_frequency"]), 2)
+        self.assertAlmostEqual(channel["mean_coherence"], 0.85)
+        [channel] = self.compared(text.replace("coherence = true\n", ""))["channels"]
+        self.assertEqual(len(channel["angular_frequency"]), 3)
+
+    def test_a_peak_without_a_computed_one_has_no_number(self):
+        """The computed curve has no peak: more than critical damping."""
+        rows = "".join(f"{1 + i / 10},{(1, 3)[i == 5]}e-5,0\n" for i in range(11))
+        (self.folder / "m.csv").write_text("frequency [Hz],device.z re [m/N],device.z im [m/N]\n" + rows)
+        damped = MACHINE.replace("{loss_factor = 0.08}", "{translation = [4e3, 4e3, 4e3]}")
+        self.machine.write_text(damped + RIG.replace("m.uff", "m.csv"))
+        out = self.folder / "out"
+        trivet("run", self.machine, "-o", out)
+        page = (out / "report.html").read_text()
+        self.assertTrue("no computed peak" in page)
+        self.assertFalse("nan %" in page)
+
     def test_tables_with_mistakes_are_refused(self):
         for table, words in (
             ("time [s],device.z re [m/N],device.z im [m/N]\n1,1,1\n2,1,1\n", "first column"),

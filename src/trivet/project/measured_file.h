@@ -34,16 +34,22 @@ struct MeasuredFile {
 
 /// Reads a CSV table (name ends in .csv) or a universal file. Lines at 0 Hz and incomplete ones are left out.
 /// @param unit  of values whose unit the file does not state
-/// @param with_coherence  reads coherences of the functions; a file without one is then an error
+/// @param with_coherence  reads coherences of the functions, 0 … 1; a file without one is then an error, and a line
+/// without one is incomplete
 [[nodiscard]] foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::path& path,
                                                                     const std::optional<MeasuredUnit>& unit,
                                                                     bool with_coherence);
 
 /// Each is used by `read_measured_file`.
 [[nodiscard]] foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::path& path,
-                                                                     const std::optional<MeasuredUnit>& unit);
+                                                                     const std::optional<MeasuredUnit>& unit,
+                                                                     bool with_coherence);
 [[nodiscard]] foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
-                                                                         const std::optional<MeasuredUnit>& unit);
+                                                                         const std::optional<MeasuredUnit>& unit,
+                                                                         bool with_coherence);
+
+/// True for a coherence, or one that is rounded.
+[[nodiscard]] bool is_coherence(double value);
 
 /// Number of a node, of a text that is nothing else.
 [[nodiscard]] std::optional<int> node_number(const std::string& text);

@@ -117,9 +117,24 @@ double phase_factor(const CsvTable& table, const FunctionColumns& columns, found
   return factor.value_or(1);
 }
 
+void check_coherences(const CsvTable& table, const FunctionColumns& columns, foundation::Problems& found) {
+  for (Eigen::Index i = 0; i < table.values.rows(); ++i) {
+    const double value = table.values(i, columns.parts[4]);
+    if (std::isnan(value) || is_coherence(value)) continue;
+    found
+        .error("", fmt::format("{} = {:.6g}", table.columns[to_size(columns.parts[4])], value),
+               "a coherence is between 0 and 1", "correct it; divide a coherence in percent by 100")
+        .origin = {table.source, table.lines[to_size(i)]};
+    return;
+  }
+}
+
 MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& columns, double to_radians_per_second,
-                             const std::optional<MeasuredUnit>& given, foundation::Problems& found) {
+                             const std::optional<MeasuredUnit>& given, bool with_coherence,
+                             foundation::Problems& found) {
   MeasuredFunction result;
+  const bool coherent = with_coherence && columns.parts[4] >= 0;
+  if (coherent) check_coherences(table, columns, found);
   result.name = columns.name;
   result.texts = {columns.name};
   result.unit = columns.unit.empty() ? given : measured_unit(columns.unit);
@@ -129,9 +144,10 @@ MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& colum
   for (Eigen::Index i = 0; i < table.values.rows(); ++i) {
     const std::complex<double> value = factor * value_in_row(table, columns, angle, i);
     if (!(table.values(i, 0) > 0) || !std::isfinite(std::abs(value))) continue;
+    if (coherent && std::isnan(table.values(i, columns.parts[4]))) continue;
     result.angular_frequency.push_back(to_radians_per_second * table.values(i, 0));
     values.push_back(value);
-    if (columns.parts[4] >= 0) coherence.push_back(table.values(i, columns.parts[4]));
+    if (coherent) coherence.push_back(table.values(i, columns.parts[4]));
   }
   result.value = Eigen::Map<const Eigen::VectorXcd>(values.data(), to_index(values.size()));
   result.coherence = Eigen::Map<const Eigen::VectorXd>(coherence.data(), to_index(coherence.size()));
@@ -141,7 +157,7 @@ MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& colum
 }  // namespace
 
 foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::path& path,
-                                                       const std::optional<MeasuredUnit>& unit) {
+                                                       const std::optional<MeasuredUnit>& unit, bool with_coherence) {
   const auto table = read_csv_table(path);
   if (!table) return tl::make_unexpected(table.error());
   foundation::Problems found;
@@ -153,21 +169,24 @@ foundation::Expected<MeasuredFile> read_measured_table(const std::filesystem::pa
   const std::vector<FunctionColumns> columns = function_columns(*table, found);
   if (found.has_errors()) return tl::make_unexpected(std::move(found));
   MeasuredFile result;
-  for (const FunctionColumns& one : columns) result.functions.push_back(function_of(*table, one, *factor, unit, found));
+  for (const FunctionColumns& one : columns)
+    result.functions.push_back(function_of(*table, one, *factor, unit, with_coherence, found));
   if (found.has_errors()) return tl::make_unexpected(std::move(found));
   return result;
 }
 
+bool is_coherence(double value) {
+  constexpr double rounding = 1e-5;  // of six digits in a text
+  return value >= -rounding && value <= 1 + rounding;
+}
+
 foundation::Expected<MeasuredFile> read_measured_file(const std::filesystem::path& path,
                                                       const std::optional<MeasuredUnit>& unit, bool with_coherence) {
-  auto file = path.extension() == ".csv" ? read_measured_table(path, unit) : read_measured_universal(path, unit);
-  if (!file) return file;
-  bool any = false;
-  for (MeasuredFunction& function : file->functions) {
-    if (!with_coherence) function.coherence.resize(0);
-    any = any || function.coherence.size() > 0;
-  }
-  if (with_coherence && !any) {
+  auto file = path.extension() == ".csv" ? read_measured_table(path, unit, with_coherence)
+                                         : read_measured_universal(path, unit, with_coherence);
+  if (!file || !with_coherence) return file;
+  if (std::none_of(file->functions.begin(), file->functions.end(),
+                   [](const MeasuredFunction& function) { return function.coherence.size() > 0; })) {
     foundation::Problems found;
     found.error("", "no coherence",
                 "coherence = true needs functions of type 6 at the points of the others, or columns "

@@ -90,23 +90,42 @@ bool same_point(const exchange::UniversalPoint& a, const exchange::UniversalPoin
   return a.node == b.node && std::abs(a.direction) == std::abs(b.direction);
 }
 
-/// Coherence of a function: type 6 at the same points and frequencies; empty if there is none.
-Eigen::VectorXd coherence_of(const MeasuredFunction& measured, const std::vector<UniversalFunction>& all) {
+void check_coherences(const UniversalFunction& function, const std::string& source, foundation::Problems& found) {
+  for (const std::complex<double>& value : function.values) {
+    if (is_coherence(value.real())) continue;
+    found
+        .error("", fmt::format("coherence {:.6g} of function {}", value.real(), point_name(function.response)),
+               "a coherence is between 0 and 1", "correct the values, or the type of the function")
+        .origin = {source, function.line};
+    return;
+  }
+}
+
+/// The function of type 6 at the same points and frequencies.
+const UniversalFunction* coherence_of(const MeasuredFunction& measured, const std::vector<UniversalFunction>& all) {
   for (const UniversalFunction& function : all) {
     if (function.type != UniversalFunctionType::coherence || !same_point(function.response, measured.response) ||
         !same_point(function.reference, measured.reference))
       continue;
-    const std::vector<double> hertz = exchange::abscissa_values(function);
-    std::vector<double> values, frequencies;
-    for (std::size_t i = 0; i < hertz.size(); ++i) {
-      if (!(hertz[i] > 0)) continue;
-      values.push_back(function.values[i].real());
-      frequencies.push_back(foundation::two_pi * hertz[i]);
-    }
-    if (same_frequencies(frequencies, measured.angular_frequency))
-      return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
+    std::vector<double> frequencies;
+    for (const double hertz : exchange::abscissa_values(function))
+      if (hertz > 0) frequencies.push_back(foundation::two_pi * hertz);
+    if (same_frequencies(frequencies, measured.angular_frequency)) return &function;
   }
-  return {};
+  return nullptr;
+}
+
+/// Coherences of a function at its frequencies; empty if there are none.
+Eigen::VectorXd coherences(const MeasuredFunction& measured, const exchange::UniversalFile& file,
+                           const std::string& source, foundation::Problems& found) {
+  const UniversalFunction* function = coherence_of(measured, file.functions);
+  if (!function) return {};
+  check_coherences(*function, source, found);
+  const std::vector<double> hertz = exchange::abscissa_values(*function);
+  std::vector<double> values;
+  for (std::size_t i = 0; i < hertz.size(); ++i)
+    if (hertz[i] > 0) values.push_back(function->values[i].real());
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), to_index(values.size()));
 }
 
 /// Warns of functions that are not compared: times, power spectra, orders.
@@ -140,7 +159,8 @@ std::string point_name(const exchange::UniversalPoint& point) {
 }
 
 foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem::path& path,
-                                                           const std::optional<MeasuredUnit>& unit) {
+                                                           const std::optional<MeasuredUnit>& unit,
+                                                           bool with_coherence) {
   const auto read = exchange::read_universal(path);
   if (!read) return tl::make_unexpected(read.error());
   MeasuredFile result;
@@ -154,7 +174,8 @@ foundation::Expected<MeasuredFile> read_measured_universal(const std::filesystem
     if (!is_compared(function)) continue;
     compared.push_back(&function);
     result.functions.push_back(measured_function(function, unit));
-    result.functions.back().coherence = coherence_of(result.functions.back(), read->file.functions);
+    MeasuredFunction& measured = result.functions.back();
+    if (with_coherence) measured.coherence = coherences(measured, read->file, path.string(), result.warnings);
   }
   report_other_functions(read->file, result.warnings);
   result.warnings.add(judge_abscissas(compared, path.string()));

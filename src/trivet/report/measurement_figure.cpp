@@ -79,9 +79,9 @@ Figure channel_figure(const study::Answers& answers, const MeasurementComparison
                       amplitudes(measured_key, measured_stroke, x, channel.measured, unit.factor)};
   amplitude.curves[1].key.push_back(fmt::format("FRAC {:.3f}, {:.2f} dB rms", channel.assurance, channel.rms_db));
   for (const PeakDifference& peak : channel.peaks)
-    amplitude.marks.push_back({results::shown_frequency(answers.display, peak.angular_frequency),
-                               unit.factor * peak.amplitude, "#222",
-                               fmt::format("{:+.1f} %", 100 * peak.frequency_difference())});
+    amplitude.marks.push_back(
+        {results::shown_frequency(answers.display, peak.angular_frequency), unit.factor * peak.amplitude, "#222",
+         peak.computed ? fmt::format("{:+.1f} %", 100 * peak.frequency_difference()) : "– (no computed peak)"});
   phase.curves = {phases(computed_key, series_stroke(0), computed_x, computed.value),
                   phases(measured_key, measured_stroke, x, channel.measured)};
   amplitude.x = phase.x = {x.front(), x.back(), false, results::frequency_heading(answers.display)};
