@@ -49,6 +49,10 @@ double row_sum(const Matrix& a, std::span<const double> x, const Matrix& b, std:
   return dot(a.row(row), x) + dot(b.row(row), u);
 }
 
+/// Part of a step by which times of masters may be wrong: they are rounded, for instance to nanoseconds, or sums of
+/// many steps. It is far below a step that is skipped or repeated.
+constexpr double rounded_times = 1e-3;
+
 }  // namespace
 
 Simulation::Simulation(LinearModel model) : model_(std::move(model)) { reset(); }
@@ -144,7 +148,7 @@ void Simulation::advance(double from, double step) {
   if (!std::isfinite(from) || !std::isfinite(step) || !(step > 0))
     refuse("the step of " + shown(step) + " s from " + shown(from) + " s must be finite and its size above 0");
   const double rounding = 4 * epsilon * (std::abs(from) + step);
-  const double tolerance = 1e-3 * step + rounding;
+  const double tolerance = rounded_times * step + rounding;
   if (std::abs(from - state_.time) > tolerance)
     refuse("the step begins at " + shown(from) + " s, but the present time is " + shown(state_.time) + " s");
   if (from + step > state_.stop_time + tolerance)

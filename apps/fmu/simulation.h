@@ -54,7 +54,7 @@ class Simulation {
                          std::span<double> values) const;
 
   /// Advances the states exactly, for inputs that follow their slopes from their present values.
-  /// @param from  the present time, up to rounding [s]  @param step  [s], > 0
+  /// @param from  the present time, to a thousandth of the step; the next one is from + step [s]  @param step  [s], > 0
   void advance(double from, double step);
   /// Number of matrix exponentials computed so far.
   [[nodiscard]] std::size_t exponentials() const { return steps_.computed(); }

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Functional mock-up units in FMPy: validation, co-simulation against `transient`, model exchange, two instances."""
 
-import ctypes
 import json
 
 import numpy as np
@@ -167,5 +166,27 @@ def test_names_units_and_directional_derivatives(driven, tmp_path):
     assert variables["pump 1.flange.z"].causality == "output"
     known, unknown = unit.references["state.raft.z"], unit.references["raft.z"]
     assert unit.slave.getDirectionalDerivative([unknown], [known], [2.0]) == pytest.approx([2.0], rel=1e-14)
-    assert ctypes.sizeof(ctypes.c_double) == 8
+    # Rotation and translation of a rigid body: a force along z through a point off the centre of mass.
+    [along] = unit.slave.getDirectionalDerivative(
+        [unit.references["der(state.pump 1.z.velocity)"]], [unit.references["push.force.z"]], [1.0]
+    )
+    assert along == pytest.approx(1 / 180, rel=1e-9)  # the mass; z of the origin, which is the centre of mass
     unit.slave.freeInstance()
+
+
+def test_an_excitation_may_be_called_like_a_body(program, with_text, tmp_path):
+    """Its inputs get a prefix: "raft.z" is the output."""
+    head, rest = program.path.read_text().split("[excitations.shaft]")
+    base = """[excitations.raft]
+type = "base"
+translation = [0, 0, 1e-3]
+[analyses]"""
+    shaken = with_text(
+        (head + base + rest.split("[analyses]")[1]).replace("proportional = 5e-7", "proportional = 2e-4")
+    )
+    notes = shaken.export("fmu", tmp_path / "machine.fmu")
+    assert 'prefix of "input.raft.z"' in notes
+    variables = {v.name: v for v in read_model_description(str(tmp_path / "machine.fmu")).modelVariables}
+    assert variables["raft.z"].causality == "output"
+    assert variables["input.raft.z"].causality == "input"
+    assert not validate_fmu(str(tmp_path / "machine.fmu"))

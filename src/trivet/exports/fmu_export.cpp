@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <utility>
+
 #include "trivet/exports/fmu_binaries.h"
 #include "trivet/exports/format_table.h"
 #include "trivet/exports/functional_mockup_unit.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/question.h"
 #include "trivet/study/linear_system.h"
 
@@ -18,10 +22,27 @@ project::AnswerSelection outputs(const project::Analyses& asked) {
   return asked.response ? asked.response->selection : project::AnswerSelection();
 }
 
-/// States have names of their own: "state.machine.x" beside the output "machine.x".
-LinearSystem with_names(LinearSystem system, const Content& content) {
+bool share_a_name(const std::vector<Signal>& some, const std::vector<Signal>& others) {
+  return std::any_of(some.begin(), some.end(), [&](const Signal& one) {
+    return std::any_of(others.begin(), others.end(), [&](const Signal& other) { return other.name == one.name; });
+  });
+}
+
+void add_prefix(const std::string& prefix, std::vector<Signal>& signals) {
+  for (Signal& signal : signals) signal.name = prefix + signal.name;
+}
+
+/// States have names of their own: "state.machine.x" beside the output "machine.x". So have inputs if one would have
+/// the name of an output: "input.machine.x" of an excitation that is called like a body.
+LinearSystem with_names(LinearSystem system, const Content& content, std::vector<std::string>& notes) {
   system.title = content.project.title.empty() ? content.words() : content.project.title;
-  for (Signal& state : system.states) state.name = "state." + state.name;
+  do add_prefix("state.", system.states);
+  while (share_a_name(system.states, system.outputs));
+  if (!share_a_name(system.inputs, system.outputs) && !share_a_name(system.inputs, system.states)) return system;
+  do add_prefix("input.", system.inputs);
+  while (share_a_name(system.inputs, system.outputs) || share_a_name(system.inputs, system.states));
+  notes.push_back("an excitation has the name of a body or a result: the inputs have the prefix of " +
+                  foundation::quoted(system.inputs.front().name));
   return system;
 }
 
@@ -35,7 +56,7 @@ std::string unit_of_case(const Content& content, FmiVersion version, std::vector
   const FmuBinaries binaries = built_fmu_binaries();
   if (binaries.windows_x86_64.empty())
     notes.emplace_back("the unit runs on Linux x86-64 only: no library for Windows was built");
-  return functional_mockup_unit(with_names(system, content), version, binaries);
+  return functional_mockup_unit(with_names(std::move(system), content, notes), version, binaries);
 }
 
 std::vector<std::string> write_fmi2(const Content& content, const Target& target, const foundation::Progress&) {

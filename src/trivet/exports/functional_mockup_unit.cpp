@@ -3,15 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "trivet/exports/model_description.h"
 #include "trivet/exports/system_text.h"
 #include "trivet/exports/zip_archive.h"
-#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/text/source_file.h"
-#include "trivet/results/whole_file.h"
 
 namespace trivet::exports {
 namespace {
@@ -24,19 +20,6 @@ std::string content_token(const LinearSystem& system, FmiVersion version) {
 }
 
 constexpr const char* description_name = "modelDescription.xml";
-
-/// Why an earlier file must not be replaced; empty if it is empty or a unit that was written here.
-std::string refusal(const std::filesystem::path& earlier) {
-  constexpr std::size_t name_position = 30;  // after the header of the first file of an archive
-  const std::string name = description_name;
-  std::ifstream stream(earlier, std::ios::binary);
-  std::string head(name_position + name.size(), '\0');
-  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(to_size(stream.gcount()));
-  const bool is_empty = head.empty() && stream.eof();
-  const bool is_unit = head.starts_with("PK") && head.ends_with(name);
-  return is_empty || is_unit ? "" : "it exists and is not a functional mock-up unit of Trivet; choose another name";
-}
 
 }  // namespace
 
@@ -55,12 +38,6 @@ std::string functional_mockup_unit(const LinearSystem& system, FmiVersion versio
   archive.add("resources/system.txt", system_text(system, token));
   if (!binaries.licence.empty()) archive.add("documentation/licenses/license.txt", binaries.licence);
   return archive.bytes();
-}
-
-void write_fmu(const LinearSystem& system, FmiVersion version, const FmuBinaries& binaries,
-               const std::filesystem::path& target) {
-  const results::WholeFile file(target, refusal);
-  file.publish(functional_mockup_unit(system, version, binaries));
 }
 
 }  // namespace trivet::exports

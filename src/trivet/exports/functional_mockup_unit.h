@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "trivet/exports/fmi_version.h"
@@ -14,12 +13,5 @@ namespace trivet::exports {
 /// @throws foundation::InvalidInput if the system is wrong (see model_description) or there is no binary
 [[nodiscard]] std::string functional_mockup_unit(const LinearSystem& system, FmiVersion version,
                                                  const FmuBinaries& binaries);
-
-/// Writes it to a file, as a whole or not at all. An earlier file is replaced if it is empty or begins like a ZIP
-/// archive.
-/// @throws foundation::InvalidInput as above, or if the target must not be replaced or its folder is not writable
-/// @throws std::runtime_error if it cannot be written
-void write_fmu(const LinearSystem& system, FmiVersion version, const FmuBinaries& binaries,
-               const std::filesystem::path& target);
 
 }  // namespace trivet::exports

@@ -49,6 +49,18 @@ TEST(FmuSimulation, KeepsTheTimeOfTheImporterIfStepsDifferByRounding) {
   EXPECT_NEAR(simulation.state().states[0], 1 + steps * step + step + more, 3e-12);
 }
 
+TEST(FmuSimulation, BeginsAStepAtThePresentTimeToAThousandth) {
+  Simulation simulation(first_order(0));
+  simulation.set_experiment(0, 2.5);
+  simulation.advance(0, 1);
+  EXPECT_THROW(simulation.advance(1.0011, 1), std::runtime_error);
+  EXPECT_THROW(simulation.advance(0.9989, 1), std::runtime_error);
+  simulation.advance(1.0009, 1);
+  EXPECT_DOUBLE_EQ(simulation.state().time, 2.0009);
+  EXPECT_THROW(simulation.advance(2.0009, 0.5), std::runtime_error);  // beyond the stop time by 0.0009 of 0.5
+  simulation.advance(2.0009, 0.4995);
+}
+
 TEST(FmuSimulation, RejectsAStepThatOverflowsAndStaysAsItWas) {
   Simulation simulation(first_order(500));
   simulation.advance(0, 1);
