@@ -125,6 +125,23 @@ void check_spacing(const GroundMobility& mobility, foundation::Problems& found) 
       .origin = origin(mobility, at);
 }
 
+/// Dynamic stiffness of all directions. The elements of a foundation need it one after another at each frequency; so
+/// the last one of a thread is kept, with its mobility.
+const Eigen::MatrixXcd& dynamic_stiffness_of_all(const std::shared_ptr<const GroundMobility>& mobility,
+                                                 std::complex<double> omega, double near) {
+  struct Last {
+    std::weak_ptr<const GroundMobility> mobility;  // a later mobility at the same address is another one
+    std::complex<double> omega;
+    double near = 0;
+    Eigen::MatrixXcd value;
+  };
+  thread_local Last last;
+  const bool same = !last.mobility.owner_before(mobility) && !mobility.owner_before(last.mobility);
+  if (!same || last.omega != omega || last.near != near)
+    last = {mobility, omega, near, mobility->dynamic_stiffness(omega, near)};
+  return last.value;
+}
+
 /// A table whose dynamic stiffness is taken from that of all directions.
 elements::FrequencyDependence table(
     const std::shared_ptr<const GroundMobility>& mobility,
@@ -136,7 +153,7 @@ elements::FrequencyDependence table(
   result.knots = mobility->knots;
   result.stiffness = [mobility, fill](std::complex<double> omega, double near) {
     elements::Matrix12c full = elements::Matrix12c::Zero();
-    fill(mobility->dynamic_stiffness(omega, near), full);
+    fill(dynamic_stiffness_of_all(mobility, omega, near), full);
     return full;
   };
   return result;
