@@ -6,11 +6,10 @@ import json
 import numpy as np
 import pytest
 
-fmpy = pytest.importorskip("fmpy")
-from fmpy import extract, read_model_description, simulate_fmu  # noqa: E402
-from fmpy.fmi2 import FMU2Slave  # noqa: E402
-from fmpy.fmi3 import FMU3Slave  # noqa: E402
-from fmpy.validation import validate_fmu  # noqa: E402
+from fmpy import extract, read_model_description, simulate_fmu
+from fmpy.fmi2 import FMU2Slave
+from fmpy.fmi3 import FMU3Slave
+from fmpy.validation import validate_fmu
 
 TIMES, FORCE, FLOOR = [0, 0.02, 0.05, 0.1, 1], [0, 50, -20, 0, 0], [0, 1e-3, 1e-3, 0, 0]
 DRIVEN = f"""
