@@ -9,6 +9,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/peaks/axis_panels.h"
 #include "trivet/response/steady/frequency_grid.h"
+#include "trivet/response/steady/peaks.h"
 
 namespace {
 
@@ -166,6 +167,15 @@ TEST(Limits, AreJudgedAtTheExactPeakWithinTheBand) {
   ASSERT_EQ(limits.size(), 1u);
   EXPECT_TRUE(limits[0].met);
   EXPECT_GT(limits[0].anywhere, limits[0].in_band);
+}
+
+TEST(RelativeProminence, IsInfiniteOverAMinimumThatIsRoundOff) {
+  response::Peak peak{.amplitude = 3, .prominence = 2};
+  EXPECT_EQ(response::relative_prominence(peak), 2);
+  peak.prominence = 3 - 1e-9;
+  EXPECT_NEAR(response::relative_prominence(peak), 3e9, 3e9 * 1e-6);
+  peak.prominence = 3 * (1 - 4e-16);
+  EXPECT_TRUE(std::isinf(response::relative_prominence(peak)));
 }
 
 }  // namespace

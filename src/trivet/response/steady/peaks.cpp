@@ -166,8 +166,9 @@ Peaks searched(const assembly::Assembled& assembled, const std::vector<assembly:
 }  // namespace
 
 double relative_prominence(const Peak& peak) {
+  constexpr double round_off = 1e-13;  // a difference this small has no digits, and is a minimum of 0
   const double minimum = peak.amplitude - peak.prominence;
-  return std::isinf(peak.amplitude) || !(minimum > 0) ? infinity : peak.prominence / minimum;
+  return std::isinf(peak.amplitude) || !(minimum > round_off * peak.amplitude) ? infinity : peak.prominence / minimum;
 }
 
 Peaks peaks(const assembly::Assembled& assembled, const std::vector<assembly::Channel>& channels,

@@ -30,7 +30,7 @@ struct Peak {
   bool refined = true;  ///< false: Newton did not converge (a very flat maximum); values are those of the series
 };
 
-/// Prominence / higher neighbouring minimum (infinite if that is 0): the measure of the design rule.
+/// Prominence / higher neighbouring minimum (infinite if that is 0 or round-off): the measure of the design rule.
 [[nodiscard]] double relative_prominence(const Peak& peak);
 
 /// Summary of a whole curve on 0 ≤ ω < ∞.
