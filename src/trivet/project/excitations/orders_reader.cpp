@@ -6,6 +6,7 @@
 
 #include "trivet/excitation/balance.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/excitations/excitation_table_readers.h"
 #include "trivet/project/text/pairs_reader.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -15,6 +16,17 @@ namespace {
 
 constexpr double perpendicular_within = 1e-6;
 constexpr std::size_t most_orders = 200;  // an engine has some tens; each is a response over the whole run-up
+
+/// Balance quality grade G; as a text such as "G 6.3" or "6.3 mm/s", as standards and drawings write it, an error that
+/// says how to write it here.
+double read_grade(TableReader& reader) {
+  const Node* node = reader.has("grade") ? reader.node("grade") : nullptr;
+  if (!node || node->kind != Node::Kind::text || to_si(node->text, Quantity::pure))
+    return reader.required_number("grade", Quantity::pure);
+  reader.error("grade", foundation::quoted(node->text), "a balance quality grade is its number alone, in mm/s",
+               "write grade = 6.3 for G 6.3");
+  return 0;
+}
 
 /// Columns: crank axis x, y and up z of the engine in body axes.
 std::optional<Eigen::Matrix3d> read_engine_axes(TableReader& engine) {
@@ -230,8 +242,7 @@ void read_unbalance(TableReader& reader, model::Action& action) {
   const bool part_of_grade = reader.has("rotor_mass") || reader.has("service_speed");
   if (reader.has("grade") || (part_of_grade && !reader.has("mass_eccentricity"))) {
     const std::size_t before = reader.errors();
-    const double grade = reader.required_number("grade", Quantity::pure),
-                 mass = reader.required_number("rotor_mass", Quantity::mass),
+    const double grade = read_grade(reader), mass = reader.required_number("rotor_mass", Quantity::mass),
                  speed = reader.required_number("service_speed", Quantity::angular_frequency);
     if (reader.has("mass_eccentricity"))
       reader.error("mass_eccentricity", "together with a grade", "only one of them sets the unbalance", "remove one");
