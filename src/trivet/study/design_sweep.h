@@ -28,11 +28,13 @@ struct SweepRequest {
 /// Largest amplitudes over all combinations of values.
 struct DesignSweep {
   std::vector<std::string> results, units;
-  /// Combinations × results, the last number fastest; infinite at an undamped resonance, NaN without a valid model.
+  /// Combinations × results, the last number fastest; infinite at an undamped resonance, NaN if it has no valid model
+  /// or cannot be computed.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> highest;
-  std::size_t in_kernels = 0, one_by_one = 0, without_model = 0;  ///< combinations
-  std::string no_kernels;                                         ///< why all were computed one by one; else empty
-  std::string first_failure;                                      ///< of those without a valid model
+  std::size_t in_kernels = 0, one_by_one = 0;  ///< combinations
+  std::size_t without_model = 0;  ///< combinations with NaN: without a valid model, or that cannot be computed
+  std::string no_kernels;         ///< why all were computed one by one; else empty
+  std::string first_failure;      ///< reason of the first combination with NaN
 };
 
 /// Combinations that a sweep may have, times its results.
