@@ -86,14 +86,19 @@ void bind_answer(nb::module_& module) {
             return display && answer.text_in ? answer.text_in(*display) : answer.text();
           },
           nb::arg("display") = nb::none(), "The text of the command line, perhaps in other units.")
-      .def_prop_ro("tables", [](const Answer& answer) { return names_of(answer.tables); }, "names of the CSV tables")
-      .def("table", [](const Answer& answer, const std::string& name) { return text_of(answer.tables, name); },
-           nb::arg("name"), "One table as CSV, SI.")
-      .def_prop_ro("figures", [](const Answer& answer) { return names_of(answer.figures); }, "names of the pictures")
-      .def("figure", [](const Answer& answer, const std::string& name) { return text_of(answer.figures, name); },
-           nb::arg("name"), "One picture as SVG.")
-      .def("arrays", [](const Answer& answer) { return python_arrays(answer.arrays, answer.held); },
-           "(name, unit, axes, values) of each array; values are read-only views without a copy.");
+      .def_prop_ro(
+          "tables", [](const Answer& answer) { return names_of(answer.tables); }, "names of the CSV tables")
+      .def(
+          "table", [](const Answer& answer, const std::string& name) { return text_of(answer.tables, name); },
+          nb::arg("name"), "One table as CSV, SI.")
+      .def_prop_ro(
+          "figures", [](const Answer& answer) { return names_of(answer.figures); }, "names of the pictures")
+      .def(
+          "figure", [](const Answer& answer, const std::string& name) { return text_of(answer.figures, name); },
+          nb::arg("name"), "One picture as SVG.")
+      .def(
+          "arrays", [](const Answer& answer) { return python_arrays(answer.arrays, answer.held); },
+          "(name, unit, axes, values) of each array; values are read-only views without a copy.");
 }
 
 }  // namespace trivet::python

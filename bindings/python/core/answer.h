@@ -27,7 +27,7 @@ struct Answer {
   std::function<std::string()> json, text;
   /// The text with the units of another [display]; empty: it has no units that can change.
   std::function<std::string(const project::ShownUnits& display)> text_in;
-  std::vector<std::pair<std::string, std::function<std::string()>>> tables = {};  ///< "random.csv", CSV
+  std::vector<std::pair<std::string, std::function<std::string()>>> tables = {};   ///< "random.csv", CSV
   std::vector<std::pair<std::string, std::function<std::string()>>> figures = {};  ///< "front.svg", SVG
   results::LabelledArrays arrays = {};
   std::shared_ptr<const void> held = {};  ///< what the arrays refer to
@@ -41,7 +41,6 @@ using ArrayList = nanobind::typed<
                     nanobind::typed<nanobind::tuple, nanobind::str, nanobind::ellipsis>, nanobind::any>>;
 
 /// (name, unit, axes, numbers or texts) of each array; numbers are read-only views that keep `held` alive.
-[[nodiscard]] ArrayList python_arrays(const results::LabelledArrays& arrays,
-                                           const std::shared_ptr<const void>& held);
+[[nodiscard]] ArrayList python_arrays(const results::LabelledArrays& arrays, const std::shared_ptr<const void>& held);
 
 }  // namespace trivet::python

@@ -31,9 +31,10 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "ask",
       [](const OpenProject& open, const std::string& question, const std::string& name, int count,
          const nb::object& shown) {
-        return done<Answer>(count, shown, open, [question, name](const ProjectPointer& project, const Progress& report) {
-          return asked(project, question, name, report);
-        });
+        return done<Answer>(count, shown, open,
+                            [question, name](const ProjectPointer& project, const Progress& report) {
+                              return asked(project, question, name, report);
+                            });
       },
       nb::arg("question"), of_case, threads, progress, "The answer to a question of the table of questions.");
   of.def(
@@ -54,11 +55,15 @@ void bind_commands(nb::class_<OpenProject>& of) {
       nb::arg("most") = 10, threads, progress);
   of.def(
       "optimize",
-      [](const OpenProject& open, int count, const nb::object& shown) { return done<Answer>(count, shown, open, optimized); },
+      [](const OpenProject& open, int count, const nb::object& shown) {
+        return done<Answer>(count, shown, open, optimized);
+      },
       threads, progress);
   of.def(
       "verdict",
-      [](const OpenProject& open, int count, const nb::object& shown) { return done<Answer>(count, shown, open, judged); },
+      [](const OpenProject& open, int count, const nb::object& shown) {
+        return done<Answer>(count, shown, open, judged);
+      },
       threads, progress);
   of.def(
       "check",
@@ -100,10 +105,9 @@ void bind_commands(nb::class_<OpenProject>& of) {
   of.def(
       "run",
       [](const OpenProject& open, const std::string& folder, int count, const nb::object& shown) {
-        return done<std::vector<Answer>>(count, shown, open,
-                                         [folder](const ProjectPointer& project, const Progress& report) {
-                                           return ran(project, folder, report);
-                                         });
+        return done<std::vector<Answer>>(
+            count, shown, open,
+            [folder](const ProjectPointer& project, const Progress& report) { return ran(project, folder, report); });
       },
       nb::arg("folder"), threads, progress);
   of.def(

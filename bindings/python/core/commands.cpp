@@ -63,9 +63,9 @@ std::size_t element_of(const project::Case& variant, const std::string& name) {
   for (std::size_t i = 0; i < names.size(); ++i)
     if (names[i] == name) return i;
   const std::string guess = foundation::nearest_name(name, names);
-  throw foundation::InvalidInput(
-      fmt::format("\"{}\": no element has this name; {}", name,
-                  guess.empty() ? fmt::format("they are {}", fmt::join(names, ", ")) : "did you mean \"" + guess + "\"?"));
+  throw foundation::InvalidInput(fmt::format(
+      "\"{}\": no element has this name; {}", name,
+      guess.empty() ? fmt::format("they are {}", fmt::join(names, ", ")) : "did you mean \"" + guess + "\"?"));
 }
 
 }  // namespace
@@ -161,7 +161,8 @@ Answer suspended(const ProjectPointer& project, const std::string& case_name,
   answer.text_in = [held, &variant](const project::ShownUnits& display) {
     return results::suspension_text(with_display(variant, display), held->found);
   };
-  answer.tables.emplace_back("suspension.csv", [held, &variant] { return results::suspension_csv(variant, held->found); });
+  answer.tables.emplace_back("suspension.csv",
+                             [held, &variant] { return results::suspension_csv(variant, held->found); });
   return answer;
 }
 
@@ -195,7 +196,9 @@ Answer element(const ProjectPointer& project, const std::string& name, const std
         (held->found.simple ? "\n" + results::simplification_text(*held->found.simple) : "");
   };
   answer.text = [text, &variant] { return text(variant); };
-  answer.text_in = [text, &variant](const project::ShownUnits& display) { return text(with_display(variant, display)); };
+  answer.text_in = [text, &variant](const project::ShownUnits& display) {
+    return text(with_display(variant, display));
+  };
   answer.figures.emplace_back("element.svg",
                               [held, &variant, number] { return report::element_picture(variant, number); });
   return answer;

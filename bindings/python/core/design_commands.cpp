@@ -47,8 +47,8 @@ void require_points(int nx, int ny) {
   if (nx < 2 || ny < 2)
     throw foundation::InvalidInput(fmt::format("points: {} × {}; a map has 2 or more along each axis", nx, ny));
   if (static_cast<double>(nx) * ny > project::most_designs)
-    throw foundation::InvalidInput(fmt::format("points: {} × {}; a map has at most {:.0e} designs; take fewer points", nx,
-                                               ny, project::most_designs));
+    throw foundation::InvalidInput(fmt::format("points: {} × {}; a map has at most {:.0e} designs; take fewer points",
+                                               nx, ny, project::most_designs));
 }
 
 Answer mapped(const ProjectPointer& project, const std::string& case_name, int nx, int ny, const Progress& progress) {
@@ -78,7 +78,8 @@ Answer mapped(const ProjectPointer& project, const std::string& case_name, int n
   if (!answers.map) answer.warnings.sort_by_origin();
   answer.json = [held, warnings = answer.warnings] { return map_as_json(held->answers, warnings); };
   answer.text = [held, &variant] { return results::answer_text("map", variant, held->answers); };
-  answer.tables.emplace_back("map.csv", [held, &variant] { return results::answer_csv("map", variant, held->answers); });
+  answer.tables.emplace_back("map.csv",
+                             [held, &variant] { return results::answer_csv("map", variant, held->answers); });
   answer.figures.emplace_back("map.svg", [held] { return map_picture(held->answers, held->project->title); });
   answer.arrays = results::answer_arrays("map", variant, answers);
   answer.held = held;

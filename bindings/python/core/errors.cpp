@@ -48,8 +48,8 @@ void translate(const std::exception_ptr& thrown, void*) {
   } catch (const foundation::Interrupted&) {
     PyErr_SetNone(PyExc_KeyboardInterrupt);
   } catch (const std::filesystem::filesystem_error& of_file) {
-    PyErr_SetObject(PyExc_OSError, nb::make_tuple(of_file.code().value(), of_file.code().message(),
-                                                  of_file.path1().string()).ptr());
+    PyErr_SetObject(PyExc_OSError,
+                    nb::make_tuple(of_file.code().value(), of_file.code().message(), of_file.path1().string()).ptr());
   } catch (const std::system_error& of_system) {
     PyErr_SetObject(PyExc_OSError, nb::make_tuple(of_system.code().value(), of_system.what()).ptr());
   }
@@ -69,11 +69,12 @@ void bind_errors(nb::module_& module) {
           },
           nb::arg("subject"), nb::arg("finding"), nb::arg("rule"), nb::arg("remedy"))
       .def_prop_ro(
-          "severity",
-          [](const Problem& p) { return p.severity == foundation::Severity::error ? "error" : "warning"; },
+          "severity", [](const Problem& p) { return p.severity == foundation::Severity::error ? "error" : "warning"; },
           "\"error\" or \"warning\"")
-      .def_prop_ro("place", [](const Problem& p) { return foundation::place(p.origin); }, "\"machine.toml:12\"")
-      .def_prop_ro("line", [](const Problem& p) { return p.origin.line; }, "line of the file, 0 if unknown")
+      .def_prop_ro(
+          "place", [](const Problem& p) { return foundation::place(p.origin); }, "\"machine.toml:12\"")
+      .def_prop_ro(
+          "line", [](const Problem& p) { return p.origin.line; }, "line of the file, 0 if unknown")
       .def_ro("subject", &Problem::subject, "the item as a path: \"elements.mount.stiffness\"")
       .def_ro("finding", &Problem::finding, "the value found")
       .def_ro("rule", &Problem::rule, "the rule that it violates")

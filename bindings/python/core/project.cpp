@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/project.h"
 
-#include <nanobind/stl/string.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
@@ -16,9 +16,9 @@
 #include "trivet/project/rewritten_project.h"
 #include "trivet/project/schema.h"
 #include "trivet/project/text/embedded_text.h"
-#include "trivet/project/text/source_file.h"
 #include "trivet/project/text/model_path.h"
 #include "trivet/project/text/shown_units.h"
+#include "trivet/project/text/source_file.h"
 #include "trivet/project/text/units.h"
 #include "trivet/study/asked_questions.h"
 
@@ -51,7 +51,8 @@ std::string unit_words(const std::string& from, const std::string& to) {
 
 std::vector<std::pair<std::string, std::string>> questions() {
   std::vector<std::pair<std::string, std::string>> list;
-  for (const study::AskedQuestion& question : study::asked_questions()) list.emplace_back(question.name, question.about);
+  for (const study::AskedQuestion& question : study::asked_questions())
+    list.emplace_back(question.name, question.about);
   return list;
 }
 
@@ -63,8 +64,8 @@ void bind_project(nb::module_& module) {
       .def_ro("source", &OpenProject::source)
       .def_ro("settings", &OpenProject::settings)
       .def_prop_ro("title", [](const OpenProject& open) { return open.project->title; })
-      .def_prop_ro("content", [](const OpenProject& open) { return content(*open.project); },
-                   "a hash, equal for equal projects")
+      .def_prop_ro(
+          "content", [](const OpenProject& open) { return content(*open.project); }, "a hash, equal for equal projects")
       .def_prop_ro("cases",
                    [](const OpenProject& open) {
                      std::vector<std::string> names;
@@ -72,25 +73,27 @@ void bind_project(nb::module_& module) {
                        if (!variant.name.empty()) names.push_back(variant.name);
                      return names;
                    })
-      .def_prop_ro("parts",
-                   [](const OpenProject& open) {
-                     const model::Description& parts = open.project->base().system.description();
-                     const auto names = [](const auto& list) {
-                       std::vector<std::string> all;
-                       for (const auto& one : list) all.push_back(one.name);
-                       return all;
-                     };
-                     return std::tuple(names(parts.bodies), names(parts.elements), names(parts.excitations));
-                   },
-                   "names of bodies, elements and excitations of the base model")
+      .def_prop_ro(
+          "parts",
+          [](const OpenProject& open) {
+            const model::Description& parts = open.project->base().system.description();
+            const auto names = [](const auto& list) {
+              std::vector<std::string> all;
+              for (const auto& one : list) all.push_back(one.name);
+              return all;
+            };
+            return std::tuple(names(parts.bodies), names(parts.elements), names(parts.excitations));
+          },
+          "names of bodies, elements and excitations of the base model")
       .def("to_toml", [](const OpenProject& open) {
         if (open.settings.empty()) return open.text;
         return value_or_throw(project::text_with_settings(open.text, *open.project, open.settings));
       });
   bind_commands(of);
   bind_studies(module, of);
-  module.def("read_text", [](const std::string& file) { return value_or_throw(project::read_source(file)); },
-             nb::arg("file"), "Text of a project file.");
+  module.def(
+      "read_text", [](const std::string& file) { return value_or_throw(project::read_source(file)); }, nb::arg("file"),
+      "Text of a project file.");
   module.def("read", read, nb::arg("text"), nb::arg("source"), nb::arg("settings"), "Reads and checks a project.");
   module.def("questions", questions, "(name, what it answers) of every row of the table of questions");
   module.def("schema", &project::project_schema, "The JSON Schema of the project file.");
@@ -118,14 +121,14 @@ void bind_project(nb::module_& module) {
           nb::arg("changes"))
       .def_ro("frequency", &project::ShownUnits::frequency)
       .def_prop_ro("level", [](const project::ShownUnits& units) { return project::level_name(units.level); })
-      .def_prop_ro("level_factor",
-                   [](const project::ShownUnits& units) { return project::level_factor(units.level); })
-      .def("unit",
-           [](const project::ShownUnits& units, const std::string& si_unit) {
-             const project::ShownUnit shown = project::shown_unit(units, si_unit);
-             return std::pair(shown.unit, shown.factor);
-           },
-           nb::arg("si_unit"), "(unit, factor) in place of an SI unit")
+      .def_prop_ro("level_factor", [](const project::ShownUnits& units) { return project::level_factor(units.level); })
+      .def(
+          "unit",
+          [](const project::ShownUnits& units, const std::string& si_unit) {
+            const project::ShownUnit shown = project::shown_unit(units, si_unit);
+            return std::pair(shown.unit, shown.factor);
+          },
+          nb::arg("si_unit"), "(unit, factor) in place of an SI unit")
       .def("axis", [](const project::ShownUnits& units) {
         const project::ShownUnit shown = project::shown_frequency(units);
         return std::pair(shown.unit, shown.factor);

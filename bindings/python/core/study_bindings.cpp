@@ -19,7 +19,8 @@ assembly::MotionQuantity quantity_of(const std::string& name) {
   if (name == "displacement") return MotionQuantity::displacement;
   if (name == "velocity") return MotionQuantity::velocity;
   if (name == "acceleration") return MotionQuantity::acceleration;
-  throw foundation::InvalidInput("quantity: \"" + name + "\"; it is \"displacement\", \"velocity\" or \"acceleration\"");
+  throw foundation::InvalidInput("quantity: \"" + name +
+                                 "\"; it is \"displacement\", \"velocity\" or \"acceleration\"");
 }
 
 /// Arrays of something computed, which they keep alive.
@@ -35,16 +36,16 @@ ArrayList matrices(const OpenProject& open, const std::string& case_name) {
 }
 
 ArrayList state_space(const OpenProject& open, const std::vector<std::string>& of, const std::string& quantity,
-                     bool nearest, const std::string& case_name) {
+                      bool nearest, const std::string& case_name) {
   const auto found = std::make_shared<const study::LinearSystem>(
       study::linear_system(case_of(*open.project, case_name), of, quantity_of(quantity), nearest));
   return held_arrays(found, results::linear_system_arrays);
 }
 
 ArrayList sweep(const OpenProject& open, const std::vector<std::string>& paths,
-               const std::vector<std::vector<double>>& values, const std::vector<std::string>& of,
-               const std::vector<double>& band, const std::string& quantity, const std::string& case_name, int threads,
-               const nb::object& progress) {
+                const std::vector<std::vector<double>>& values, const std::vector<std::string>& of,
+                const std::vector<double>& band, const std::string& quantity, const std::string& case_name, int threads,
+                const nb::object& progress) {
   struct Found {
     study::SweepRequest request;
     study::DesignSweep sweep;

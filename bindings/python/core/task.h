@@ -11,8 +11,8 @@
 namespace trivet::python {
 
 struct TaskOptions {
-  int threads = 0;                                 ///< 0: as many as the machine has
-  nanobind::object progress = nanobind::none();    ///< called with (done, total, task)
+  int threads = 0;                               ///< 0: as many as the machine has
+  nanobind::object progress = nanobind::none();  ///< called with (done, total, task)
 };
 
 /// Does the work on another thread, without Python's lock. Meanwhile this thread shows the progress and looks for

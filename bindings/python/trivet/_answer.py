@@ -172,9 +172,7 @@ class Answer:
             return {}
         rows, places = self._arrays[axes[0]][2], self._arrays[axes[1]][2]
         names = [f"{name} {row}" for row in rows]
-        return {
-            one: Curve(one, unit, values[i], axes[1], places, self._shown) for i, one in enumerate(names)
-        }
+        return {one: Curve(one, unit, values[i], axes[1], places, self._shown) for i, one in enumerate(names)}
 
     @property
     def angular_frequency(self) -> Numbers:
@@ -280,7 +278,9 @@ class Answer:
         """A picture of the report, if the command has one: a map, a front, an element."""
         figures = self._core.figures
         if not figures:
-            raise InputError([problem(self.question, "no picture", "map, optimize and element have one", "use .plot()")])
+            raise InputError(
+                [problem(self.question, "no picture", "map, optimize and element have one", "use .plot()")]
+            )
         return self._core.figure(figure or figures[0])
 
     def __str__(self) -> str:
@@ -323,7 +323,9 @@ class Answer:
         for name in tables:
             if table in (name, name.removesuffix(".csv")):
                 return name
-        raise InputError([problem(self.question, f'"{table}"', "there is no such table", "known: " + ", ".join(tables))])
+        raise InputError(
+            [problem(self.question, f'"{table}"', "there is no such table", "known: " + ", ".join(tables))]
+        )
 
 
 #: Axes over which results are curves; other axes number the rows of a table.

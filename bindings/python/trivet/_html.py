@@ -47,7 +47,10 @@ def table(columns: list[_tables.Column]) -> str:
     left_out = len(columns) - _most_columns
     rows = max((len(column.values) for column in columns), default=0)
     shown = columns[:_most_columns]
-    head = "".join(f"<th>{escape(column.name)}{'<br>[' + escape(column.unit) + ']' if column.unit else ''}</th>" for column in shown)
+    head = "".join(
+        f"<th>{escape(column.name)}{'<br>[' + escape(column.unit) + ']' if column.unit else ''}</th>"
+        for column in shown
+    )
     body = "".join(
         "<tr>" + "".join(f"<td>{_cell(column.values[i])}</td>" for column in shown) + "</tr>"
         for i in range(min(rows, _most_rows))

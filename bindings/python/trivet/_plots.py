@@ -87,7 +87,10 @@ def _curve_panels(curves: list[Curve], shown: _core.ShownUnits) -> list[Panel]:
 
 
 def _phase_panel(above: Panel, curves: list[Curve]) -> Panel:
-    lines = [_without_jumps(Line(line.name, line.x, np.degrees(curve.phase))) for line, curve in zip(above.lines, curves, strict=True)]
+    lines = [
+        _without_jumps(Line(line.name, line.x, np.degrees(curve.phase)))
+        for line, curve in zip(above.lines, curves, strict=True)
+    ]
     return Panel(above.x_label, "phase [°]", lines, above.log_x, phase=True)
 
 
@@ -147,12 +150,20 @@ def _peak_panels(answer: Answer, names: tuple[str, ...]) -> list[Panel]:
     for unit in dict.fromkeys(table["unit"]):
         lines = []
         for name in dict.fromkeys(table["name"]):
-            rows = [i for i, (one, of) in enumerate(zip(table["name"], table["unit"], strict=True)) if (one, of) == (name, unit)]
+            rows = [
+                i
+                for i, (one, of) in enumerate(zip(table["name"], table["unit"], strict=True))
+                if (one, of) == (name, unit)
+            ]
             if rows and (not names or name in names):
-                lines.append(Line(str(name), places[rows], np.array([table["amplitude"][i] for i in rows], dtype=float)))
+                lines.append(
+                    Line(str(name), places[rows], np.array([table["amplitude"][i] for i in rows], dtype=float))
+                )
         if lines:
             plain = str(unit).removesuffix(" p-p").removesuffix(" rms")
-            panels.append(Panel(x_label, _label(_level_words[answer._shown.level], plain), lines, log_y=True, marks=True))
+            panels.append(
+                Panel(x_label, _label(_level_words[answer._shown.level], plain), lines, log_y=True, marks=True)
+            )
     return panels
 
 
@@ -234,8 +245,12 @@ def _with_plotly(panels: list[Panel], title: str) -> Any:
                 marker={"color": _colours[i % len(_colours)]},
                 row=row, col=1,
             )  # fmt: skip
-        figure.update_xaxes(title=None if with_phase else panel.x_label, type="log" if panel.log_x else "linear", row=row, col=1)
-        figure.update_yaxes(title=panel.y_label, type="log" if panel.log_y else "linear", exponentformat="power", row=row, col=1)
+        figure.update_xaxes(
+            title=None if with_phase else panel.x_label, type="log" if panel.log_x else "linear", row=row, col=1
+        )
+        figure.update_yaxes(
+            title=panel.y_label, type="log" if panel.log_y else "linear", exponentformat="power", row=row, col=1
+        )
         low, high = _log_range(panel) if panel.log_y and not panel.marks else (None, None)
         if low is not None and high is not None:
             figure.update_yaxes(range=[np.log10(low), np.log10(high)], row=row, col=1)

@@ -25,8 +25,14 @@ def shown(progress: Progress | bool | None) -> Iterator[Progress | None]:
         yield progress
     else:
         raise InputError(
-            [problem("progress", type(progress).__name__, "progress is a function of (done, total, task), or True",
-                     "write progress=True for a bar")]
+            [
+                problem(
+                    "progress",
+                    type(progress).__name__,
+                    "progress is a function of (done, total, task), or True",
+                    "write progress=True for a bar",
+                )
+            ]
         )
 
 

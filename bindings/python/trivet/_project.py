@@ -188,9 +188,7 @@ class Project(Questions):
         with shown(progress) as callback:
             return self._answer(self._inner.element(name, all, case, threads, callback))
 
-    def run(
-        self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None
-    ) -> Run:
+    def run(self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None) -> Run:
         """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
         with shown(progress) as callback:
             answers = self._inner.run(os.fspath(folder), threads, callback)

@@ -92,7 +92,14 @@ def _shown_column(
 def _is_of_row(column: Column) -> bool:
     """Columns whose unit is that of their row."""
     return not column.unit and column.name in (
-        "amplitude", "prominence", "value", "rms", "three_sigma", "limit", "largest", "amplitude_uncertainty"
+        "amplitude",
+        "prominence",
+        "value",
+        "rms",
+        "three_sigma",
+        "limit",
+        "largest",
+        "amplitude_uncertainty",
     )
 
 

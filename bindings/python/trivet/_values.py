@@ -121,14 +121,22 @@ def settings_of(changes: Mapping[str, Any]) -> list[tuple[str, str]]:
     """(path, value as TOML) of each change; a table is changed key by key."""
     if not isinstance(changes, Mapping):
         raise InputError(
-            [problem("changes", type(changes).__name__, "changes are a dict from paths to values",
-                     'write {"elements.mount.scale": 1.5}')]
+            [
+                problem(
+                    "changes",
+                    type(changes).__name__,
+                    "changes are a dict from paths to values",
+                    'write {"elements.mount.scale": 1.5}',
+                )
+            ]
         )
     wrong: list[_core.Problem] = []
     settings = []
     for path, value in changes.items():
         if not isinstance(path, str) or not _path.fullmatch(path.strip()):
-            remedy = 'write it as in "elements.mount.scale", and names with blanks in quotes: elements."front left".scale'
+            remedy = (
+                'write it as in "elements.mount.scale", and names with blanks in quotes: elements."front left".scale'
+            )
             wrong.append(problem("changes", path, "a path is a text: keys with points between them", remedy))
             continue
         settings.append((path.strip(), toml_value(plain(value, path, wrong))))
