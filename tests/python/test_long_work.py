@@ -28,12 +28,22 @@ def test_progress(machine):
     assert seen
     assert all(total == 1 and task == "designs" for _, total, task in seen)
     assert [done for done, _, _ in seen] == sorted(done for done, _, _ in seen)
+    assert seen[-1][0] == 1
+
+
+def test_every_question_shows_that_it_ends(machine):
+    seen = []
+    machine.modes(progress=lambda *call: seen.append(call))
+    assert seen == [(1, 1, "modes")]
 
 
 def test_bar(machine, capsys):
-    machine.sweep({"elements.a.scale": SCALES}, progress=True)
+    long_sweep(machine, progress=True)
+    assert "designs: 100%" in capsys.readouterr().err
     with pytest.raises(trivet.InputError, match="progress"):
         machine.sweep({"elements.a.scale": [1.0]}, progress=3)
+    with pytest.raises(trivet.InputError, match="threads"):
+        machine.sweep({"elements.a.scale": [1.0]}, threads=-1)
 
 
 def test_error_of_the_callback_stops_the_work(machine):
@@ -42,6 +52,25 @@ def test_error_of_the_callback_stops_the_work(machine):
 
     with pytest.raises(LookupError, match="designs"):
         long_sweep(machine, progress=fail)
+
+
+def test_error_of_the_callback_after_the_end_of_the_work():
+    """The work ends while the callback runs, and then the callback fails: nothing is left to wait for."""
+    program = f"""
+import numpy as np, sys, time, trivet
+sys.path.insert(0, {str(ROOT / "tests" / "python")!r})
+from conftest import MACHINE
+def fail(done, total, task):
+    time.sleep(4)
+    raise LookupError(task)
+scales = np.geomspace(0.2, 5, 700)
+try:
+    trivet.Project(**MACHINE).sweep({{"elements.a.scale": scales, "elements.b.scale": scales}}, progress=fail)
+except LookupError:
+    print("raised")
+"""
+    ended = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=ROOT, timeout=120)
+    assert (ended.stdout.strip(), ended.returncode) == ("raised", 0), ended.stderr
 
 
 def test_interrupt_stops_within_a_fifth_of_a_second(machine):
@@ -105,7 +134,7 @@ def test_threads_give_the_same_numbers(machine):
     values = {"elements.a.scale": SCALES[:50], "bodies.machine.mass": [100.0, 120.0]}
     one = machine.sweep(values, threads=1).amplitude
     np.testing.assert_array_equal(machine.sweep(values, threads=2).amplitude, one)
-    with pytest.raises(ValueError, match="threads"):
+    with pytest.raises(trivet.InputError, match="threads"):
         machine.modes(threads=-1)
 
 

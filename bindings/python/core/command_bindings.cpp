@@ -12,10 +12,9 @@ namespace nb = nanobind;
 
 /// The result of work on another thread (core/task.h).
 template <typename Result, typename Work>
-Result done(int threads, const nb::object& progress, const OpenProject& open, Work work) {
-  if (threads < 0) throw nb::value_error("threads: a number ≥ 1, or 0 for all of the machine");
+Result done(const std::string& task, int threads, const nb::object& progress, const OpenProject& open, Work work) {
   const auto result = std::make_shared<Result>();
-  run_task({threads, progress}, [result, project = open.project, work = std::move(work)](const Progress& report) {
+  run_task({threads, progress, task}, [result, project = open.project, work = std::move(work)](const Progress& report) {
     *result = work(project, report);
   });
   return std::move(*result);
@@ -31,7 +30,7 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "ask",
       [](const OpenProject& open, const std::string& question, const std::string& name, int count,
          const nb::object& shown) {
-        return done<Answer>(count, shown, open,
+        return done<Answer>(question, count, shown, open,
                             [question, name](const ProjectPointer& project, const Progress& report) {
                               return asked(project, question, name, report);
                             });
@@ -40,35 +39,36 @@ void bind_commands(nb::class_<OpenProject>& of) {
   of.def(
       "map",
       [](const OpenProject& open, const std::string& name, int nx, int ny, int count, const nb::object& shown) {
-        return done<Answer>(count, shown, open, [name, nx, ny](const ProjectPointer& project, const Progress& report) {
-          return mapped(project, name, nx, ny, report);
-        });
+        return done<Answer>("map", count, shown, open,
+                            [name, nx, ny](const ProjectPointer& project, const Progress& report) {
+                              return mapped(project, name, nx, ny, report);
+                            });
       },
       of_case, nb::arg("nx") = 0, nb::arg("ny") = 0, threads, progress);
   of.def(
       "select",
       [](const OpenProject& open, int most, int count, const nb::object& shown) {
-        return done<Answer>(count, shown, open, [most](const ProjectPointer& project, const Progress& report) {
-          return selected(project, most, report);
-        });
+        return done<Answer>(
+            "select", count, shown, open,
+            [most](const ProjectPointer& project, const Progress& report) { return selected(project, most, report); });
       },
       nb::arg("most") = 10, threads, progress);
   of.def(
       "optimize",
       [](const OpenProject& open, int count, const nb::object& shown) {
-        return done<Answer>(count, shown, open, optimized);
+        return done<Answer>("optimize", count, shown, open, optimized);
       },
       threads, progress);
   of.def(
       "verdict",
       [](const OpenProject& open, int count, const nb::object& shown) {
-        return done<Answer>(count, shown, open, judged);
+        return done<Answer>("verdict", count, shown, open, judged);
       },
       threads, progress);
   of.def(
       "check",
       [](const OpenProject& open, bool deep, int count) {
-        return done<Answer>(count, nb::none(), open,
+        return done<Answer>("check", count, nb::none(), open,
                             [deep](const ProjectPointer& project, const Progress&) { return checked(project, deep); });
       },
       nb::arg("deep") = false, threads);
@@ -76,7 +76,7 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "explain",
       [](const OpenProject& open, const std::vector<std::string>& results, int most, const std::string& name, int count,
          const nb::object& shown) {
-        return done<Answer>(count, shown, open,
+        return done<Answer>("explain", count, shown, open,
                             [results, most, name](const ProjectPointer& project, const Progress& report) {
                               return explained(project, name, results, most, report);
                             });
@@ -86,7 +86,7 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "suspension",
       [](const OpenProject& open, const std::vector<std::vector<double>>& torques,
          const std::vector<double>& excitations, const std::string& name) {
-        return done<Answer>(0, nb::none(), open,
+        return done<Answer>("suspension", 0, nb::none(), open,
                             [torques, excitations, name](const ProjectPointer& project, const Progress&) {
                               return suspended(project, name, torques, excitations);
                             });
@@ -96,7 +96,7 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "element",
       [](const OpenProject& open, const std::string& element_name, bool all, const std::string& name, int count,
          const nb::object& shown) {
-        return done<Answer>(count, shown, open,
+        return done<Answer>("element", count, shown, open,
                             [element_name, all, name](const ProjectPointer& project, const Progress& report) {
                               return element(project, element_name, name, all, report);
                             });
@@ -106,7 +106,7 @@ void bind_commands(nb::class_<OpenProject>& of) {
       "run",
       [](const OpenProject& open, const std::string& folder, int count, const nb::object& shown) {
         return done<std::vector<Answer>>(
-            count, shown, open,
+            "run", count, shown, open,
             [folder](const ProjectPointer& project, const Progress& report) { return ran(project, folder, report); });
       },
       nb::arg("folder"), threads, progress);
@@ -115,7 +115,8 @@ void bind_commands(nb::class_<OpenProject>& of) {
       [](const OpenProject& open, const std::string& format, const std::string& target,
          const std::vector<std::string>& what, const std::string& name, int count, const nb::object& shown) {
         return done<std::vector<std::string>>(
-            count, shown, open, [format, target, what, name](const ProjectPointer& project, const Progress& report) {
+            "export", count, shown, open,
+            [format, target, what, name](const ProjectPointer& project, const Progress& report) {
               return exported(project, format, target, what, name, report);
             });
       },

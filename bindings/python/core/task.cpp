@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/task.h"
 
+#include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
 #include <atomic>
@@ -13,6 +14,7 @@
 #include <system_error>
 #include <thread>
 
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/parallel_for.h"
 
 namespace trivet::python {
@@ -23,15 +25,17 @@ using namespace std::chrono_literals;
 
 constexpr auto between_looks = 50ms;  // at signals and at the progress
 
-/// What the two threads of a task share.
+/// What the two threads of a task share. Of `ended` and `abandoned` the first that is set under the lock decides
+/// whether the result is taken.
 struct Course {
   std::mutex lock;
   std::condition_variable changed;
-  bool done = false;
+  bool ended = false;      ///< set by the worker, when it needs nothing any more
+  bool abandoned = false;  ///< set by the caller, who then does not wait
   std::exception_ptr failure;
   std::string task;
   double fraction = 0;
-  std::atomic<bool> stopped = false;
+  std::atomic<bool> stopped = false;  ///< the next report ends the work
 
   void report(std::string_view now, double share) {
     if (stopped) throw foundation::Interrupted();
@@ -69,7 +73,9 @@ InterruptedTasks& interrupted_tasks() {
   return *tasks;
 }
 
-void work_through(Course& course, int threads, const std::function<void(const foundation::Progress&)>& work) {
+using Work = std::function<void(const foundation::Progress&)>;
+
+void work_through(Course& course, int threads, Work work) {
   std::exception_ptr failure;
   try {
     const foundation::ThreadLimit limit(threads);
@@ -77,12 +83,24 @@ void work_through(Course& course, int threads, const std::function<void(const fo
   } catch (...) {
     failure = std::current_exception();
   }
+  work = nullptr;  // what it owns is destroyed before the end is announced
   {
     const std::lock_guard guard(course.lock);
-    course.failure = failure;
-    course.done = true;
+    course.failure = std::move(failure);
+    course.ended = true;
+    if (course.abandoned) interrupted_tasks().end();
   }
   course.changed.notify_all();
+}
+
+/// Leaves the work to itself, unless it has ended. @returns whether it had not
+bool abandon(Course& course) {
+  const std::lock_guard guard(course.lock);
+  if (course.ended) return false;
+  interrupted_tasks().begin();
+  course.abandoned = true;
+  course.stopped = true;
+  return true;
 }
 
 /// Shows the progress if it has changed. Needs Python's lock. @throws nb::python_error of the callback
@@ -94,19 +112,24 @@ void show(Course& course, const nb::object& progress, double& shown) {
     task = course.task;
     fraction = course.fraction;
   }
-  if (progress.is_none() || task.empty() || fraction == shown) return;
+  if (progress.is_none() || task.empty() || fraction == shown || fraction >= 1) return;  // show_the_end shows 1
   shown = fraction;
   progress(fraction, 1.0, task);
 }
 
-/// Waits until the work is done, a signal arrives, or the callback raises an error.
+/// The end of work without a failure is shown too.
+void show_the_end(const Course& course, const TaskOptions& options) {
+  if (!options.progress.is_none()) options.progress(1.0, 1.0, course.task.empty() ? options.name : course.task);
+}
+
+/// Waits until the work has ended, a signal arrives, or the callback raises an error.
 void look_on(Course& course, const nb::object& progress) {
   double shown = -1;
   for (;;) {
     {
       const nb::gil_scoped_release released;
       std::unique_lock guard(course.lock);
-      if (course.changed.wait_for(guard, between_looks, [&] { return course.done; })) return;
+      if (course.changed.wait_for(guard, between_looks, [&] { return course.ended; })) return;
     }
     if (PyErr_CheckSignals() != 0) throw nb::python_error();
     show(course, progress, shown);
@@ -115,15 +138,16 @@ void look_on(Course& course, const nb::object& progress) {
 
 }  // namespace
 
-void run_task(const TaskOptions& options, std::function<void(const foundation::Progress&)> work) {
+void run_task(const TaskOptions& options, Work work) {
+  if (options.threads < 0)
+    throw foundation::InvalidInput(
+        fmt::format("threads: {}; a number ≥ 1, or 0 for all of the machine", options.threads));
   const auto course = std::make_shared<Course>();
   interrupted_tasks();
   std::thread thread;
   try {
     thread = std::thread([course, threads = options.threads, own = std::move(work)]() mutable {
-      work_through(*course, threads, own);
-      own = nullptr;  // what it owns is destroyed before the end is announced
-      if (course->stopped) interrupted_tasks().end();
+      work_through(*course, threads, std::move(own));
     });
   } catch (const std::system_error&) {
     throw std::runtime_error("no thread can be started for the computation; end other programs or raise the limit");
@@ -131,9 +155,8 @@ void run_task(const TaskOptions& options, std::function<void(const foundation::P
   try {
     look_on(*course, options.progress);
   } catch (...) {
-    interrupted_tasks().begin();
-    course->stopped = true;
-    thread.detach();
+    if (abandon(*course)) thread.detach();
+    else thread.join();
     throw;
   }
   {
@@ -141,6 +164,7 @@ void run_task(const TaskOptions& options, std::function<void(const foundation::P
     thread.join();
   }
   if (course->failure) std::rethrow_exception(course->failure);
+  show_the_end(*course, options);
 }
 
 bool wait_for_interrupted_work(double seconds) {

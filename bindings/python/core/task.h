@@ -4,6 +4,7 @@
 #include <nanobind/nanobind.h>
 
 #include <functional>
+#include <string>
 
 #include "trivet/foundation/interruption.h"
 
@@ -12,7 +13,8 @@ namespace trivet::python {
 
 struct TaskOptions {
   int threads = 0;                               ///< 0: as many as the machine has
-  nanobind::object progress = nanobind::none();  ///< called with (done, total, task)
+  nanobind::object progress = nanobind::none();  ///< called with (done, total, task), at the end with done == total
+  std::string name = "";                         ///< the task, until the work names one
 };
 
 /// Does the work on another thread, without Python's lock. Meanwhile this thread shows the progress and looks for
