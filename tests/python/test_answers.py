@@ -131,3 +131,44 @@ def test_json_is_that_of_the_documents(machine):
     found = machine.modes().to_dict()
     assert found == json.loads(machine.modes().to_json())
     assert len(found["modes"]) == 6
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+@pytest.mark.parametrize(
+    ("path", "question", "words"),
+    [
+        ("genset/load_cases.toml", "verdict", "in"),
+        ("genset/load_cases.toml", "check", "lbf"),
+        ("track/bogie.toml", "random", "in/s²"),
+        ("genset/genset.toml", "orders", "in/s p-p"),
+    ],
+)
+def test_print_follows_the_units(path, question, words):
+    answer = getattr(trivet.open(example(path)), question)()
+    shown = answer.to(length="in", force="lbf", level="peak_to_peak")
+    assert f" {words}" in str(shown).replace("|", " ").replace("[", " ")
+    assert str(shown) != str(answer)
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+@pytest.mark.parametrize(
+    ("path", "question"),
+    [
+        ("paper/map.toml", "map"),
+        ("powertrain/decoupled.toml", "optimize"),
+        ("genset/mounts.toml", "select"),
+        ("two_stage/pump_on_raft.toml", "explain"),
+    ],
+)
+def test_print_that_does_not_convert_says_so(path, question):
+    answer = getattr(trivet.open(example(path)), question)().to(length="in")
+    with pytest.raises(trivet.InputError, match="its text is not converted"):
+        str(answer)
+    assert answer._repr_html_()
+
+
+def test_curves_do_not_change(machine):
+    curve = machine.response()["machine.z"]
+    for name in ("name", "unit"):
+        with pytest.raises(AttributeError):
+            setattr(curve, name, "x")

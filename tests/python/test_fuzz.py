@@ -88,8 +88,8 @@ def test_core_refuses_wrong_types():
         for call in (
             lambda odd=odd: core.ask(odd),
             lambda odd=odd: core.ask("response", odd),
-            lambda odd=odd: core.sweep(odd, odd, odd, odd, odd, odd),
-            lambda odd=odd: core.sweep(["bodies.machine.mass"], [[1.0]], [], odd, "displacement", ""),
+            lambda odd=odd: core.sweep(odd, odd, odd, odd, odd, odd, odd),
+            lambda odd=odd: core.sweep(["bodies.machine.mass"], [[1.0]], [], [], odd, "displacement", ""),
             lambda odd=odd: trivet._core.read(odd, "x", []),
             lambda odd=odd: trivet._core.read("", "x", odd),
             lambda odd=odd: trivet._core.in_unit(1.0, "m", odd),
@@ -103,7 +103,7 @@ def test_core_refuses_wrong_types():
 def test_sweep_with_paths_without_values():
     core = trivet.Project(**MACHINE)._inner
     with pytest.raises((trivet.InputError, IndexError)):
-        core.sweep(["bodies.machine.mass", "elements.a.scale"], [[1.0]], [], [], "displacement", "")
+        core.sweep(["bodies.machine.mass", "elements.a.scale"], [[1.0]], [], [], [], "displacement", "")
 
 
 def test_deleted_owners():

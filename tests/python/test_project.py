@@ -136,6 +136,73 @@ def test_save(machine, tmp_path):
     assert trivet.open(tmp_path / "machine.toml") == machine
 
 
+def with_table(folder) -> trivet.Project:
+    """A project whose mount has its stiffness in a file of the folder."""
+    (folder / "force.csv").write_text("time,value\n0,0\n0.1,50\n1,0\n")
+    push = {"type": "time", "on": "machine", "at": [0.05, 0, 0], "force": [0, 0, 1.0]}
+    push["history"] = {"file": "force.csv"}
+    return trivet.Project(**MACHINE | {"excitations": {"push": push}})
+
+
+def test_tables_keep_their_folder(tmp_path, monkeypatch):
+    (tmp_path / "a").mkdir()
+    monkeypatch.chdir(tmp_path / "a")
+    project = with_table(tmp_path / "a")
+    pickled = pickle.dumps(project)
+    monkeypatch.chdir(tmp_path)
+    again = pickle.loads(pickled)
+    assert again == project
+    assert again.source == ""
+    assert project.changed({"elements.a.scale": 2.0}) == again.changed({"elements.a.scale": 2.0})
+
+
+def test_files_belong_to_the_content(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    project = with_table(tmp_path)
+    assert with_table(tmp_path) == project
+    pickled = pickle.dumps(project)
+    (tmp_path / "force.csv").write_text("time,value\n0,0\n0.1,60\n1,0\n")
+    assert pickle.loads(pickled) != project
+    assert hash(pickle.loads(pickled)) != hash(project)
+
+
+def test_save_does_not_lose_files(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    project = with_table(tmp_path)
+    (tmp_path / "other").mkdir()
+    with pytest.raises(trivet.InputError, match="write it to a file in the folder of the project"):
+        project.save(tmp_path / "other" / "machine.toml")
+    monkeypatch.chdir(tmp_path / "other")
+    with pytest.raises(trivet.InputError, match=f"write it to a file in {tmp_path}"):
+        project.save("machine.toml")
+    assert list((tmp_path / "other").iterdir()) == []
+    project.save(tmp_path / "machine.toml")
+    assert trivet.open(tmp_path / "machine.toml") == project
+
+
+def test_save_replaces_the_whole_file(machine, tmp_path, monkeypatch):
+    target = tmp_path / "machine.toml"
+    target.write_text("before")
+
+    def full(*_: object) -> None:
+        raise OSError("no space")
+
+    with monkeypatch.context() as patched:
+        patched.setattr(os, "replace", full)
+        with pytest.raises(OSError, match="no space"):
+            machine.save(target)
+    assert [file.name for file in tmp_path.iterdir()] == ["machine.toml"]
+    assert target.read_text() == "before"
+    target.chmod(0o640)
+    machine.save(target)
+    assert target.stat().st_mode & 0o777 == 0o640
+
+
+def test_quotes_of_paths_do_not_matter(machine):
+    twice = machine.changed({'elements."a".scale': 2.0}).changed({"elements.a.scale": 3.0})
+    assert twice == machine.changed({"elements . 'a' . scale": 3.0})
+
+
 def test_memory_of_open_and_close_is_flat():
     import gc
 

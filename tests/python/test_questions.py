@@ -158,3 +158,18 @@ def _nothing():
     import contextlib
 
     return contextlib.nullcontext()
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_run_has_the_json_of_each_case(tmp_path):
+    run = trivet.open(example("genset/load_cases.toml")).run(tmp_path / "run")
+    whole = json.loads((tmp_path / "run" / "results.json").read_text(encoding="utf-8"))
+    assert len(run.cases) == len(whole["cases"]) > 1
+    for answer, case in zip(run.cases.values(), whole["cases"], strict=True):
+        assert answer.to_dict()["cases"] == [case]
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_points_of_numpy():
+    project = trivet.open(example("paper/map.toml"))
+    assert project.map(points=np.int64(5)).array("margin").shape == (5, 5)

@@ -4,6 +4,7 @@
 import pickle
 
 import numpy as np
+import pint
 import pytest
 import scipy.integrate
 import scipy.linalg
@@ -130,7 +131,9 @@ def largest(project, name, band):
 
 
 def test_sweep_of_designs_without_a_model(machine):
-    sweep = machine.sweep({"bodies.machine.mass": [120.0, -1.0]}, of="machine.z")
+    with pytest.warns(trivet.ModelWarning, match="a mass must be > 0") as caught:
+        sweep = machine.sweep({"bodies.machine.mass": [120.0, -1.0]}, of="machine.z")
+    assert [str(one.message) for one in caught] == [str(one) for one in sweep.warnings]
     assert np.isnan(sweep.amplitude[1, 0])
     assert sweep.exactly["without_model"] == 1
     assert sweep["machine.z"][0] > 0
@@ -145,7 +148,13 @@ def test_sweep_of_designs_without_a_model(machine):
         ({"elements.a.scale": []}, "no values"),
         ({"elements.a.scale": [np.nan]}, "not a number"),
         ({"elements.a.scale": [[1.0]]}, "1-D"),
-        ({"elements.a.scale": ["x"]}, "1-D"),
+        ({"elements.a.scale": ["x"]}, "no number with a unit"),
+        ({"elements.a.scale": ["2"]}, "no number with a unit"),
+        ({"bodies.machine.mass": ["100 Hz"]}, "100 Hz"),
+        ({"elements.a.scale": ["2 kg"]}, "2 kg"),
+        ({"bodies.machine.mass": [True]}, "list of numbers"),
+        (3, "dict from paths"),
+        ({"elements.a.scale": 3}, "1-D"),
         ({"elements.a.scale": np.ones(100000), "elements.b.scale": np.ones(100000)}, "at most"),
     ],
 )
@@ -154,3 +163,64 @@ def test_wrong_sweeps(machine, values, words):
         machine.sweep(values)
     with pytest.raises(trivet.InputError, match="band"):
         machine.sweep({"elements.a.scale": [1.0]}, band=(3.0, 1.0))
+
+
+def test_sweep_takes_units(machine):
+    """The same as in the project file: texts, and quantities of pint."""
+    path, pound = "bodies.machine.mass", 0.45359237
+    wanted = machine.sweep({path: [250 * pound, 300 * pound]})
+    units = pint.UnitRegistry()
+    for values in (["250 lb", "300 lb"], units.Quantity(np.array([250.0, 300.0]), "lb"), [250 * pound, "300 lb"]):
+        sweep = machine.sweep({path: values})
+        np.testing.assert_allclose(sweep.array(path), wanted.array(path), rtol=1e-14)
+        np.testing.assert_allclose(sweep.amplitude, wanted.amplitude, rtol=1e-9)
+    assert wanted.unit(path) == "kg"
+    assert wanted.to_xarray()[path].attrs["units"] == "kg"
+
+
+def test_sweep_with_chosen_excitations(machine):
+    two = trivet.Project(
+        **MACHINE
+        | {
+            "excitations": {
+                **MACHINE["excitations"],
+                "other": {**MACHINE["excitations"]["force"], "force": [0, 0, 90.0]},
+            }
+        }
+    )
+    values = {"elements.a.scale": [0.5, 1.0]}
+    one = two.sweep(values, excitations="force", of="machine.z").amplitude
+    np.testing.assert_allclose(one, machine.sweep(values, of="machine.z").amplitude, rtol=1e-9)
+    np.testing.assert_allclose(two.sweep(values, of="machine.z").amplitude, 10 * one, rtol=1e-9)
+    with pytest.raises(trivet.InputError, match="absent"):
+        two.sweep(values, excitations=["absent"])
+
+
+def test_sweeps_and_matrices_show_themselves(machine):
+    sweep = machine.sweep(
+        {"elements.a.scale": [0.5, 1.0], "bodies.machine.mass": [100.0, 120.0, 140.0]}, of="machine.z"
+    )
+    table = sweep.to_dataframe()
+    assert list(table.columns) == ["elements.a.scale", "bodies.machine.mass [kg]", "machine.z [m]"]
+    np.testing.assert_array_equal(table["machine.z [m]"].to_numpy().reshape(2, 3), sweep["machine.z"])
+    assert table["bodies.machine.mass [kg]"].tolist() == [100, 120, 140] * 2
+    assert "bodies.machine.mass [kg]: 3 values" in sweep._repr_html_()
+    m = machine.matrices()
+    assert m.to_dataframe("A").loc["machine.z", "machine.z"] == m.A[2, 2]
+    assert "6 coordinates" in m._repr_html_()
+    np.testing.assert_array_equal(m.load("5 Hz"), m.load(10 * np.pi))
+
+
+@pytest.mark.parametrize("study", ["matrices", "state_space", "sweep", "modes"])
+def test_studies_warn_of_the_model_but_not_of_unasked_excitations(study):
+    heavy = {"machine": {**MACHINE["bodies"]["machine"], "mass": 1.2e7}}
+    excitations = {**MACHINE["excitations"], "other": MACHINE["excitations"]["force"]}
+    analyses = {"response": {"excitations": ["force"], "at": [10.0]}}
+    project = trivet.Project(**MACHINE | {"bodies": heavy, "excitations": excitations, "analyses": analyses})
+    arguments = [{"elements.a.scale": [1.0]}] if study == "sweep" else []
+    with pytest.warns(trivet.ModelWarning, match="mass") as caught:
+        getattr(project, study)(*arguments)
+    assert not any("no analysis of this file uses it" in str(one.message) for one in caught)
+    with pytest.warns(trivet.ModelWarning) as caught:
+        project.check()
+    assert any("no analysis of this file uses it" in str(one.message) for one in caught)

@@ -87,6 +87,9 @@ void bind_answer(nb::module_& module) {
           },
           nb::arg("display") = nb::none(), "The text of the command line, perhaps in other units.")
       .def_prop_ro(
+          "text_converts", [](const Answer& answer) { return static_cast<bool>(answer.text_in); },
+          "does the text have other units with another display?")
+      .def_prop_ro(
           "tables", [](const Answer& answer) { return names_of(answer.tables); }, "names of the CSV tables")
       .def(
           "table", [](const Answer& answer, const std::string& name) { return text_of(answer.tables, name); },

@@ -67,11 +67,11 @@ void bind_commands(nb::class_<OpenProject>& of) {
       threads, progress);
   of.def(
       "check",
-      [](const OpenProject& open, bool deep, int count) {
-        return done<Answer>("check", count, nb::none(), open,
+      [](const OpenProject& open, bool deep, int count, const nb::object& shown) {
+        return done<Answer>("check", count, shown, open,
                             [deep](const ProjectPointer& project, const Progress&) { return checked(project, deep); });
       },
-      nb::arg("deep") = false, threads);
+      nb::arg("deep") = false, threads, progress);
   of.def(
       "explain",
       [](const OpenProject& open, const std::vector<std::string>& results, int most, const std::string& name, int count,
@@ -85,13 +85,14 @@ void bind_commands(nb::class_<OpenProject>& of) {
   of.def(
       "suspension",
       [](const OpenProject& open, const std::vector<std::vector<double>>& torques,
-         const std::vector<double>& excitations, const std::string& name) {
-        return done<Answer>("suspension", 0, nb::none(), open,
+         const std::vector<double>& excitations, const std::string& name, const nb::object& shown) {
+        return done<Answer>("suspension", 0, shown, open,
                             [torques, excitations, name](const ProjectPointer& project, const Progress&) {
                               return suspended(project, name, torques, excitations);
                             });
       },
-      nb::arg("torques") = std::vector<std::vector<double>>(), nb::arg("excitations") = std::vector<double>(), of_case);
+      nb::arg("torques") = std::vector<std::vector<double>>(), nb::arg("excitations") = std::vector<double>(), of_case,
+      progress);
   of.def(
       "element",
       [](const OpenProject& open, const std::string& element_name, bool all, const std::string& name, int count,

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numeric>
+#include <set>
 
 #include "core/errors.h"
 #include "trivet/exports/format.h"
@@ -79,11 +81,22 @@ const project::Case& case_of(const project::Project& project, const std::string&
                                              guess.empty() ? case_list(project) : "did you mean \"" + guess + "\"?"));
 }
 
+foundation::Problems without_unused(const project::Project& project, const foundation::Problems& warnings) {
+  std::set<std::string> unused;
+  for (const foundation::Problem& one : project.unused_parts.list()) unused.insert(foundation::message(one));
+  foundation::Problems kept;
+  for (const foundation::Problem& one : warnings.list())
+    if (!unused.contains(foundation::message(one))) kept.add(one);
+  return kept;
+}
+
 Answer asked(const ProjectPointer& project, const std::string& question, const std::string& case_name,
              const Progress& progress) {
   const study::AskedQuestion& row = study::asked_question(question);
   const project::Case& variant = case_of(*project, case_name);
-  const auto held = hold(project, study::answers(variant, row.asked(variant), progress));
+  study::Answers found = study::answers(variant, row.asked(variant), progress);
+  found.warnings = without_unused(*project, found.warnings);
+  const auto held = hold(project, std::move(found));
   const study::Answers& answers = held->found;
   const bool only_beside = question == "response" && answers.response;  // then only a limit or a limit line failed
   if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
@@ -95,7 +108,9 @@ Answer asked(const ProjectPointer& project, const std::string& question, const s
   answer.json = [held, question, &variant] { return results::answer_json(question, variant, held->found); };
   answer.text = [held, question, &variant] { return results::answer_text(question, variant, held->found); };
   answer.text_in = [held, question, &variant](const project::ShownUnits& display) {
-    return results::answer_text(question, with_display(variant, display), held->found);
+    study::Answers shown = held->found;
+    shown.display = display;
+    return results::answer_text(question, with_display(variant, display), shown);
   };
   for (const results::AnswerTable& table : results::answer_tables(question))
     answer.tables.emplace_back(table.file, [held, &variant, table] { return table.csv(variant, held->found); });
@@ -111,6 +126,12 @@ Answer judged(const ProjectPointer& project, const Progress& progress) {
   answer.warnings.sort_by_origin();
   answer.json = [held] { return results::verdict_json(held->found); };
   answer.text = [held] { return results::verdict_text(held->found); };
+  answer.text_in = [held](const project::ShownUnits& display) {
+    study::Verdict shown = held->found;
+    for (study::CaseVerdict& one : shown.cases) one.display = display;
+    shown.envelope.display = display;
+    return results::verdict_text(shown);
+  };
   answer.tables.emplace_back("verdict.csv", [held] { return results::verdict_csv(held->found); });
   return answer;
 }
@@ -123,10 +144,16 @@ Answer checked(const ProjectPointer& project, bool deep) {
   answer.json = [held, warnings = answer.warnings] {
     return results::problems_json(warnings, held->found.front().free_motions, held->found);
   };
-  answer.text = [held] {
-    std::string text;
-    for (const study::CaseCheck& one : held->found) text += results::case_check_text(one);
-    return text;
+  const auto text = [](const std::vector<study::CaseCheck>& cases) {
+    std::string all;
+    for (const study::CaseCheck& one : cases) all += results::case_check_text(one);
+    return all;
+  };
+  answer.text = [held, text] { return text(held->found); };
+  answer.text_in = [held, text](const project::ShownUnits& display) {
+    std::vector<study::CaseCheck> shown = held->found;
+    for (study::CaseCheck& one : shown) one.display = display;
+    return text(shown);
   };
   return answer;
 }
@@ -134,7 +161,9 @@ Answer checked(const ProjectPointer& project, bool deep) {
 Answer explained(const ProjectPointer& project, const std::string& case_name, const std::vector<std::string>& of,
                  int most, const Progress& progress) {
   const project::Case& variant = case_of(*project, case_name);
-  const auto held = hold(project, study::explanation(variant, {of, most}, progress));
+  study::Explanation found = study::explanation(variant, {of, most}, progress);
+  found.warnings = without_unused(*project, found.warnings);
+  const auto held = hold(project, std::move(found));
   Answer answer = new_answer(project, "explain", case_name);
   answer.warnings = held->found.warnings;
   answer.json = [held, &variant] { return results::explain_json(variant, held->found); };
@@ -153,7 +182,13 @@ Answer suspended(const ProjectPointer& project, const std::string& case_name,
     if (!axes.back().allFinite() || axes.back().isZero(0))
       throw foundation::InvalidInput("torques: a moment needs a direction of finite numbers");
   }
-  const auto held = hold(project, study::suspension(variant, axes, excitations));
+  for (const double omega : excitations)
+    if (!(omega > 0) || !std::isfinite(omega))
+      throw foundation::InvalidInput(
+          fmt::format("excitations: {} rad/s; a frequency of excitation is > 0 and finite", omega));
+  study::SuspensionAnswer found = study::suspension(variant, axes, excitations);
+  found.warnings = without_unused(*project, found.warnings);
+  const auto held = hold(project, std::move(found));
   Answer answer = new_answer(project, "suspension", case_name);
   answer.warnings = held->found.warnings;
   answer.json = [held, &variant] { return results::suspension_json(variant, held->found); };
@@ -185,6 +220,7 @@ Answer element(const ProjectPointer& project, const std::string& name, const std
   } catch (const foundation::NotComputable& reason) {
     found.summary.warnings.warning("comparison with three springs", "not computed", reason.what(), "");
   }
+  found.summary.warnings = without_unused(*project, found.summary.warnings);
   const auto held = hold(project, std::move(found));
   Answer answer = new_answer(project, "element", case_name);
   answer.warnings = held->found.summary.warnings;
@@ -215,7 +251,9 @@ std::vector<Answer> ran(const ProjectPointer& project, const std::string& folder
     answer.failures = answers.failures;
     answer.notes = i == 0 ? held->found.notes : std::vector<std::string>();
     answer.text = [held, &variant, &answers] { return results::answers_summary(variant, answers); };
-    answer.json = [held, project] { return results::results_json(*project, held->found.answers); };
+    answer.json = [held, project, &variant, &answers] {
+      return results::case_results_json(*project, variant, answers);
+    };
     all.push_back(std::move(answer));
   }
   return all;

@@ -30,6 +30,9 @@ using foundation::Progress;
 [[nodiscard]] Answer optimized(const ProjectPointer& project, const Progress& progress);
 [[nodiscard]] Answer judged(const ProjectPointer& project, const Progress& progress);
 [[nodiscard]] Answer checked(const ProjectPointer& project, bool deep);
+/// Warnings of a case, without those about the analyses of the file: these concern no single question.
+[[nodiscard]] foundation::Problems without_unused(const project::Project& project,
+                                                  const foundation::Problems& warnings);
 [[nodiscard]] Answer explained(const ProjectPointer& project, const std::string& case_name,
                                const std::vector<std::string>& of, int most, const Progress& progress);
 /// @param excitations  [rad/s]

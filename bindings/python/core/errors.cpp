@@ -2,10 +2,12 @@
 #include "core/errors.h"
 
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <filesystem>
 #include <system_error>
+#include <tuple>
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/foundation/invalid_input.h"
@@ -79,6 +81,23 @@ void bind_errors(nb::module_& module) {
       .def_ro("finding", &Problem::finding, "the value found")
       .def_ro("rule", &Problem::rule, "the rule that it violates")
       .def_ro("remedy", &Problem::remedy, "what to do")
+      .def("__getstate__",
+           [](const Problem& p) {
+             return std::tuple(p.severity == foundation::Severity::error, p.origin.source, p.origin.line,
+                               p.origin.column, p.subject, p.finding, p.rule, p.remedy);
+           })
+      .def(
+          "__setstate__",
+          [](Problem& self,
+             const std::tuple<bool, std::string, int, int, std::string, std::string, std::string, std::string>& state) {
+            const auto& [error, source, line, column, subject, finding, rule, remedy] = state;
+            new (&self) Problem{.severity = error ? foundation::Severity::error : foundation::Severity::warning,
+                                .origin = {source, line, column},
+                                .subject = subject,
+                                .finding = finding,
+                                .rule = rule,
+                                .remedy = remedy};
+          })
       .def("__str__", [](const Problem& p) { return foundation::message(p); })
       .def("__repr__", [](const Problem& p) { return "<trivet.Problem " + foundation::message(p) + ">"; });
   module.def(

@@ -28,19 +28,19 @@ namespace {
 namespace nb = nanobind;
 
 /// Reads a project on another thread: finite elements may take a while.
-OpenProject read(const std::string& text, const std::string& source, const std::vector<std::string>& settings) {
-  const auto read = std::make_shared<foundation::Expected<project::Project>>();
-  run_task({}, [read, text, source, settings](const Progress&) {
-    *read = project::project_from_text(text, source, settings);
+OpenProject read(const std::string& text, const std::string& source, const std::vector<std::string>& settings,
+                 const std::string& folder, const nb::object& progress) {
+  struct Read {
+    foundation::Expected<project::Project> project;
+    std::string content;
+  };
+  const auto read = std::make_shared<Read>();
+  run_task({0, progress, "open"}, [read, text, source, settings, folder](const Progress&) {
+    read->project = project::project_from_text(text, source, settings, folder);
+    if (read->project) read->content = project::content_hash(*read->project);
   });
-  return {std::make_shared<const project::Project>(value_or_throw(std::move(*read))), text, source, settings};
-}
-
-/// Content that two equal projects share, whatever their text looks like.
-std::string content(const project::Project& project) {
-  std::string all;
-  for (const project::Case& variant : project.cases) all += variant.name + "\n" + canonical(variant.written) + "\n";
-  return project::sha256(all);
+  return {std::make_shared<const project::Project>(value_or_throw(std::move(read->project))), text, source, settings,
+          read->content};
 }
 
 std::string unit_words(const std::string& from, const std::string& to) {
@@ -64,8 +64,7 @@ void bind_project(nb::module_& module) {
       .def_ro("source", &OpenProject::source)
       .def_ro("settings", &OpenProject::settings)
       .def_prop_ro("title", [](const OpenProject& open) { return open.project->title; })
-      .def_prop_ro(
-          "content", [](const OpenProject& open) { return content(*open.project); }, "a hash, equal for equal projects")
+      .def_ro("content", &OpenProject::content, "a hash, equal for equal projects")
       .def_prop_ro("cases",
                    [](const OpenProject& open) {
                      std::vector<std::string> names;
@@ -85,16 +84,21 @@ void bind_project(nb::module_& module) {
             return std::tuple(names(parts.bodies), names(parts.elements), names(parts.excitations));
           },
           "names of bodies, elements and excitations of the base model")
-      .def("to_toml", [](const OpenProject& open) {
-        if (open.settings.empty()) return open.text;
-        return value_or_throw(project::text_with_settings(open.text, *open.project, open.settings));
-      });
+      .def(
+          "to_toml",
+          [](const OpenProject& open, const std::string& target) {
+            const nb::gil_scoped_release released;
+            return value_or_throw(project::text_with_settings(open.text, *open.project, open.settings, target));
+          },
+          nb::arg("target") = "", "The text with the settings, for a file.");
   bind_commands(of);
   bind_studies(module, of);
   module.def(
       "read_text", [](const std::string& file) { return value_or_throw(project::read_source(file)); }, nb::arg("file"),
       "Text of a project file.");
-  module.def("read", read, nb::arg("text"), nb::arg("source"), nb::arg("settings"), "Reads and checks a project.");
+  module.def("read", read, nb::arg("text"), nb::arg("source"), nb::arg("settings"), nb::arg("folder") = "",
+             nb::arg("progress") = nb::none(), "Reads and checks a project. Files are relative to `folder`.");
+  module.def("path_keys", &project::path_keys, nb::arg("path"), "Keys of a path; empty if it is none.");
   module.def("questions", questions, "(name, what it answers) of every row of the table of questions");
   module.def("schema", &project::project_schema, "The JSON Schema of the project file.");
   module.def("starter", [] { return std::string(project::starter_text); }, "A commented project file to begin with.");

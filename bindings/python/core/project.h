@@ -14,8 +14,9 @@ namespace trivet::python {
 struct OpenProject {
   ProjectPointer project;
   std::string text;                   ///< of the project file
-  std::string source;                 ///< its name; files are relative to its folder
+  std::string source;                 ///< its name
   std::vector<std::string> settings;  ///< "elements.mount.scale = 1.5"
+  std::string content;                ///< a hash, equal for equal projects
 };
 
 void bind_project(nanobind::module_& module);

@@ -38,15 +38,25 @@ class Curve:
         shown: _core.ShownUnits,
         phase: Numbers | None = None,
     ) -> None:
-        self.name = name
+        self._name = name
         self._phase = phase
         self.axis = axis  #: name of the axis: "angular_frequency" [rad/s], "time" [s], …
         self._si = unit, values, places
         self._shown = shown
-        self.unit, self._factor = shown.unit(unit)
+        self._unit, self._factor = shown.unit(unit)
         if np.iscomplexobj(values):
-            self.unit, level = _tables.with_level(self.unit, unit, shown)
+            self._unit, level = _tables.with_level(self._unit, unit, shown)
             self._factor *= level
+
+    @property
+    def name(self) -> str:
+        """Name of the result."""
+        return self._name
+
+    @property
+    def unit(self) -> str:
+        """Unit of the values."""
+        return self._unit
 
     @property
     def values(self) -> Numbers:
@@ -64,7 +74,7 @@ class Curve:
         """Complex amplitudes: the result is Re(value · e^{iωt}). With a level that `Answer.to` chose, the magnitude is
         peak-to-peak or rms instead, as the unit says."""
         if not np.iscomplexobj(self._si[1]):
-            raise InputError([problem(self.name, "real numbers", "only harmonic results are complex", "take .values")])
+            raise InputError([problem(self._name, "real numbers", "only harmonic results are complex", "take .values")])
         return self.values
 
     @property
@@ -97,7 +107,7 @@ class Curve:
 
     def _along(self, axis: str) -> Numbers:
         if self.axis != axis:
-            raise InputError([problem(self.name, f"a curve over {self.axis}", f"it has no {axis}", "take .places")])
+            raise InputError([problem(self._name, f"a curve over {self.axis}", f"it has no {axis}", "take .places")])
         return self.places
 
     def __len__(self) -> int:
@@ -281,9 +291,15 @@ class Answer:
             raise InputError(
                 [problem(self.question, "no picture", "map, optimize and element have one", "use .plot()")]
             )
+        if figure is not None and figure not in figures:
+            rule, known = "there is no such picture", "known: " + ", ".join(figures)
+            raise InputError([problem(self.question, f'"{figure}"', rule, known)])
         return self._core.figure(figure or figures[0])
 
     def __str__(self) -> str:
+        if self._converted is not None and not self._core.text_converts:
+            rule = "its text is not converted to other units"
+            raise InputError([problem(self.question, "print", rule, "print the answer without .to(…)")])
         return self._core.text(self._converted)
 
     def __repr__(self) -> str:

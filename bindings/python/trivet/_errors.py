@@ -20,8 +20,8 @@ class InputError(ValueError):
         self.problems = tuple(problems)
         super().__init__(_core.message_list(list(self.problems)).strip())
 
-    def __reduce__(self) -> tuple[type[InputError], tuple[str]]:
-        return InputError, (str(self).removeprefix("error: "),)
+    def __reduce__(self) -> tuple[type[InputError], tuple[list[_core.Problem]]]:
+        return InputError, (list(self.problems),)
 
 
 class NotComputable(RuntimeError):

@@ -22,7 +22,7 @@ def answer(of: Answer) -> str:
     head = f"<p><b>{escape(of.question)}</b>{case} · {escape(of.project.title)}</p>"
     notices = notice(of.warnings, "#b00020") + notice(of.failures, "#b00020") + notice(of.notes, "#0072b2")
     if not of.tables:
-        return head + notices + f"<pre>{escape(str(of))}</pre>"
+        return head + notices + f"<pre>{escape(of._core.text(of._converted))}</pre>"
     return head + notices + table(_tables.shown(_tables.columns(of.to_csv()), of._shown))
 
 

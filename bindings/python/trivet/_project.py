@@ -15,7 +15,17 @@ from trivet._errors import InputError, problem
 from trivet._progress import Progress, shown
 from trivet._questions import Questions
 from trivet._study import Matrices, Run, StateSpace, Sweep
+from trivet._arguments import (
+    frequency,
+    items,
+    require_case_and_threads,
+    require_text,
+    swept_values,
+    text_list,
+    whole_number,
+)
 from trivet._values import key_text, plain, settings_of, toml_text
+from trivet._whole_file import replace_file
 
 
 class Project(Questions):
@@ -26,24 +36,33 @@ class Project(Questions):
     """
 
     _inner: _core.Project
+    _folder: str  # absolute; names of files are relative to it
 
     def __init__(self, /, **tables: Any) -> None:
         wrong: list[_core.Problem] = []
         document = plain({"trivet": 1, **tables}, "", wrong)
         if wrong:
             raise InputError(wrong)
+        self._folder = _folder_of("")
         self._inner = _core.read(toml_text(document), "", [])  # lines of this text would mean nothing to its reader
 
     @classmethod
     def from_toml(cls, text: str, source: str = "project") -> Project:
         """The project of a text. Files that it names are relative to the folder of `source`."""
-        _require_text("text", text)
-        return cls._read(text, source, [])
+        require_text("text", text)
+        require_text("source", source)
+        return cls._read(text, source, [], _folder_of(source))
 
     @classmethod
-    def _read(cls, text: str, source: str, settings: list[str]) -> Project:
+    def _read(
+        cls, text: str, source: str, settings: list[str], folder: str, progress: Progress | bool | None = None
+    ) -> Project:
+        """folder: to which names of files are relative, whatever the current folder is."""
         self = cls.__new__(cls)
-        self._inner = _core.read(text, source, settings)
+        self._folder = folder
+        with shown(progress) as callback:
+            elsewhere = "" if folder == _folder_of(source) else folder
+            self._inner = _core.read(text, source, settings, elsewhere, callback)
         return self
 
     @property
@@ -81,10 +100,10 @@ class Project(Questions):
         text, settings = self._inner.text, dict(setting.split(" = ", 1) for setting in self._inner.settings)
         for path, value in new:
             if any(path.startswith(earlier + ".") for earlier in settings):
-                text, settings = Project._read(text, self.source, _lines(settings)).to_toml(), {}
+                text, settings = Project._read(text, self.source, _lines(settings), self._folder).to_toml(), {}
             settings = {one: old for one, old in settings.items() if one != path and not one.startswith(path + ".")}
             settings[path] = value
-        return Project._read(text, self.source, _lines(settings))
+        return Project._read(text, self.source, _lines(settings), self._folder)
 
     def to_toml(self) -> str:
         """The project file again, with the changes; its comments, order and format stay. Raises InputError for a change
@@ -92,12 +111,17 @@ class Project(Questions):
         return self._inner.to_toml()
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the project file."""
-        pathlib.Path(path).write_text(self.to_toml(), encoding="utf-8")
+        """Writes the project file, the whole or nothing. Raises InputError if the project names files relative to
+        another folder."""
+        target, here = os.path.abspath(path), self
+        if _folder_of(self.source) != self._folder:  # the current folder has changed since the project was read
+            here = Project._read(self._inner.text, self.source, self._inner.settings, self._folder)
+        replace_file(target, here._inner.to_toml(target))
 
     def _ask(
         self, question: str, keys: dict[str, Any], case: str, threads: int, progress: Progress | bool | None
     ) -> Answer:
+        require_case_and_threads(case, threads)
         asked = self._with_keys(question, keys)
         with shown(progress) as callback:
             return asked._answer(asked._inner.ask(question, case, threads, callback))
@@ -123,31 +147,38 @@ class Project(Questions):
     ) -> Answer:
         """Map of the requirements over two parameters: [analyses.map]. points: designs along both axes instead of those
         of the file. Other keywords replace its keys."""
-        nx, ny = (points, points) if isinstance(points, int) else points or (0, 0)
+        require_case_and_threads(case, threads)
+        nx, ny = _points(points)
         asked = self._with_keys("map", keys)
         with shown(progress) as callback:
             return asked._answer(asked._inner.map(case, nx, ny, threads, callback))
 
     def select(self, *, most: int = 10, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
         """The mounts of a catalogue with the largest least margin; `best` is the project with them."""
+        require_case_and_threads("", threads)
+        most = whole_number("most", most)
         with shown(progress) as callback:
             return self._answer(self._inner.select(most, threads, callback))
 
     def optimize(self, *, threads: int = 0, progress: Progress | bool | None = None, **keys: Any) -> Answer:
         """The values of [parameters] with the largest least margin, or the smallest amplitudes: [analyses.optimize].
         `best` is the project with them."""
+        require_case_and_threads("", threads)
         asked = self._with_keys("optimize", keys)
         with shown(progress) as callback:
             return asked._answer(asked._inner.optimize(threads, callback))
 
     def verdict(self, *, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
         """Is every requirement met in every case, which one governs, and by what margin?"""
+        require_case_and_threads("", threads)
         with shown(progress) as callback:
             return self._answer(self._inner.verdict(threads, callback))
 
-    def check(self, *, deep: bool = False, threads: int = 0) -> Answer:
+    def check(self, *, deep: bool = False, threads: int = 0, progress: Progress | bool | None = None) -> Answer:
         """All checks of the data; with `deep` two independent solvers are compared."""
-        return self._answer(self._inner.check(deep, threads))
+        require_case_and_threads("", threads)
+        with shown(progress) as callback:
+            return self._answer(self._inner.check(bool(deep), threads, callback))
 
     def explain(
         self,
@@ -159,7 +190,8 @@ class Project(Questions):
         progress: Progress | bool | None = None,
     ) -> Answer:
         """Causes of each resonance peak, and the parameters that change it. of: results; by default those of `peaks`."""
-        names = [of] if isinstance(of, str) else list(of)
+        require_case_and_threads(case, threads)
+        names, most = text_list("of", of), whole_number("most", most)
         with shown(progress) as callback:
             return self._answer(self._inner.explain(names, most, case, threads, callback))
 
@@ -169,11 +201,15 @@ class Project(Questions):
         torques: Iterable[Iterable[float]] = (),
         excitations: Iterable[float | str] = (),
         case: str = "",
+        progress: Progress | bool | None = None,
     ) -> Answer:
         """Elastic centre, roll axes, decoupling and frequency separation. torques: moments, body axes. excitations:
         frequencies to compare with the natural ones, in rad/s or with units."""
-        axes = [[float(x) for x in torque] for torque in torques]
-        return self._answer(self._inner.suspension(axes, [_frequency(f) for f in excitations], case))
+        require_case_and_threads(case, 0)
+        axes = _torques(torques)
+        frequencies = [frequency(f) for f in items("excitations", excitations)]
+        with shown(progress) as callback:
+            return self._answer(self._inner.suspension(axes, frequencies, case, callback))
 
     def element(
         self,
@@ -185,11 +221,14 @@ class Project(Questions):
         progress: Progress | bool | None = None,
     ) -> Answer:
         """One element: its 12×12, checks, energy, and a comparison with three springs in its place."""
+        require_case_and_threads(case, threads)
+        require_text("name", name)
         with shown(progress) as callback:
-            return self._answer(self._inner.element(name, all, case, threads, callback))
+            return self._answer(self._inner.element(name, bool(all), case, threads, callback))
 
     def run(self, folder: str | os.PathLike[str], *, threads: int = 0, progress: Progress | bool | None = None) -> Run:
         """All analyses of the file in all cases: tables, pictures, results.json and report.html in a folder."""
+        require_case_and_threads("", threads)
         with shown(progress) as callback:
             answers = self._inner.run(os.fspath(folder), threads, callback)
         return Run(pathlib.Path(folder), {core.case: self._answer(core) for core in answers})
@@ -214,13 +253,18 @@ class Project(Questions):
         if not format_name:
             known = ", ".join(name for name, _ in _core.formats())
             raise InputError([problem("to", target, "no format has this ending", f"name one: {known}")])
-        wanted = [what] if isinstance(what, str) else list(what)
+        require_case_and_threads(case, threads)
+        wanted = text_list("what", what)
         with shown(progress) as callback:
             return self._inner.export(format_name, target, wanted, case, threads, callback)
 
-    def matrices(self, *, case: str = "") -> Matrices:
+    def matrices(self, *, case: str = "", progress: Progress | bool | None = None) -> Matrices:
         """A, B, K, the loads, and the names of the rows."""
-        return Matrices(self._inner.matrices(case))
+        require_case_and_threads(case, 0)
+        with shown(progress) as callback:
+            arrays, warnings = self._inner.matrices(case, callback)
+        _errors.warn(warnings)
+        return Matrices(arrays, warnings)
 
     def state_space(
         self,
@@ -229,20 +273,26 @@ class Project(Questions):
         quantity: str = "displacement",
         nearest: bool = False,
         case: str = "",
+        progress: Progress | bool | None = None,
     ) -> StateSpace:
         """x' = A x + B u, y = C x + D u with inputs at the excitations and the results `of` as outputs.
 
         Inputs are forces and moments in the directions of the excitations [N, N m], and motions of the ground with
         their derivatives. Loss factors and frequency-dependent elements raise NotComputable; with `nearest` the nearest
         linear system takes the place of the latter."""
-        results = [of] if isinstance(of, str) else list(of)
-        return StateSpace(self._inner.state_space(results, quantity, nearest, case))
+        require_case_and_threads(case, 0)
+        require_text("quantity", quantity)
+        with shown(progress) as callback:
+            arrays, warnings = self._inner.state_space(text_list("of", of), quantity, bool(nearest), case, callback)
+        _errors.warn(warnings)
+        return StateSpace(arrays, warnings)
 
     def sweep(
         self,
-        values: Mapping[str, Iterable[float]],
+        values: Mapping[str, Any],
         *,
         of: str | Iterable[str] = (),
+        excitations: str | Iterable[str] = (),
         band: tuple[float | str, float | str] | None = None,
         quantity: str = "displacement",
         case: str = "",
@@ -251,15 +301,20 @@ class Project(Questions):
     ) -> Sweep:
         """Largest amplitudes over all combinations of values of some numbers, without a loop in Python.
 
-        values: {"elements.mount.scale": array, …}, SI. of: results; by default those of `peaks`.
-        band: frequencies in which amplitudes are sought, by default all."""
-        names, arrays = _sweep_values(values)
-        results = [of] if isinstance(of, str) else list(of)
-        limits = None if band is None else [_frequency(f) for f in band]
+        values: {"elements.mount.scale": array, …}: numbers in SI, texts with units, or quantities of pint. of:
+        results, excitations: those that act; by default those of `peaks`. band: frequencies in which amplitudes are
+        sought, by default all."""
+        require_case_and_threads(case, threads)
+        require_text("quantity", quantity)
+        names, arrays = swept_values(values)
+        limits = [] if band is None else [frequency(f) for f in items("band", band)]
+        acting = text_list("excitations", excitations)
         with shown(progress) as callback:
-            return Sweep(
-                self._inner.sweep(names, arrays, results, limits or [], quantity, case, threads, callback), self.title
+            found, warnings = self._inner.sweep(
+                names, arrays, text_list("of", of), acting, limits, quantity, case, threads, callback
             )
+        _errors.warn(warnings)
+        return Sweep(found, warnings, self.title)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Project) and self._inner.content == other._inner.content
@@ -267,8 +322,8 @@ class Project(Questions):
     def __hash__(self) -> int:
         return hash(self._inner.content)
 
-    def __reduce__(self) -> tuple[Any, tuple[str, str, list[str]]]:
-        return _unpickled, (self._inner.text, _absolute(self.source), self._inner.settings)
+    def __reduce__(self) -> tuple[Any, tuple[str, str, list[str], str]]:
+        return _unpickled, (self._inner.text, self.source, self._inner.settings, self._folder)
 
     def __copy__(self) -> Project:
         return self
@@ -290,17 +345,22 @@ _formats_by_ending = {
 }  # fmt: skip
 
 
-def open(path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> Project:
+def open(
+    path: str | os.PathLike[str],
+    changes: Mapping[str, Any] | None = None,
+    *,
+    progress: Progress | bool | None = None,
+) -> Project:
     """Reads and checks a project file. changes: as `Project.changed`. Raises InputError with all problems, OSError."""
     source = os.fspath(path)
     if isinstance(source, bytes):
         source = os.fsdecode(source)
-    project = Project._read(_core.read_text(source), source, [])
+    project = Project._read(_core.read_text(source), source, [], _folder_of(source), progress)
     return project.changed(changes) if changes else project
 
 
-def _unpickled(text: str, source: str, settings: list[str]) -> Project:
-    return Project._read(text, source, settings)
+def _unpickled(text: str, source: str, settings: list[str], folder: str) -> Project:
+    return Project._read(text, source, settings, folder)
 
 
 def _key(word: str) -> str:
@@ -312,36 +372,26 @@ def _lines(settings: Mapping[str, str]) -> list[str]:
     return [f"{path} = {value}" for path, value in settings.items()]
 
 
-def _absolute(source: str) -> str:
-    return source if source == "project" else os.path.abspath(source)
+def _folder_of(source: str) -> str:
+    """The absolute folder of a file; empty if the current folder does not exist any more."""
+    try:
+        return os.path.abspath(os.path.dirname(source))
+    except OSError:
+        return ""
 
 
-def _require_text(name: str, value: object) -> None:
-    if not isinstance(value, str):
-        raise InputError([problem(name, type(value).__name__, "it must be a text", "read the file first")])
+def _points(points: int | tuple[int, int] | None) -> tuple[int, int]:
+    if points is None:
+        return 0, 0
+    pair = items("points", points) if isinstance(points, (tuple, list)) else [points, points]
+    if len(pair) != 2:
+        raise InputError([problem("points", points, "a map has two axes", "give one number, or two: (60, 40)")])
+    return whole_number("points", pair[0]), whole_number("points", pair[1])
 
 
-def _frequency(value: float | str) -> float:
-    """[rad/s]"""
-    wrong: list[_core.Problem] = []
-    given = plain(value, "frequency", wrong)
-    if wrong or not isinstance(given, (int, float, str)):
-        raise InputError(wrong or [problem("frequency", value, "it is a number in rad/s, or a text", 'write "25 Hz"')])
-    return _core.angular_frequency(given) if isinstance(given, str) else float(given)
-
-
-def _sweep_values(values: Mapping[str, Iterable[float]]) -> tuple[list[str], list[list[float]]]:
-    import numpy as np
-
-    wrong, arrays = [], []
-    for path, numbers in values.items():
-        try:
-            array = np.asarray(numbers)
-            if array.dtype.kind not in "iuf" or array.ndim != 1:
-                raise TypeError
-            arrays.append([float(x) for x in array])
-        except (TypeError, ValueError):
-            wrong.append(problem(path, type(numbers).__name__, "a list of numbers is wanted", "give a 1-D array"))
-    if wrong:
-        raise InputError(wrong)
-    return list(values), arrays
+def _torques(torques: Iterable[Iterable[float]]) -> list[list[float]]:
+    try:
+        return [[float(x) for x in torque] for torque in torques]
+    except (TypeError, ValueError) as wrong:
+        rule = "torques are moments of three numbers each"
+        raise InputError([problem("torques", type(torques).__name__, rule, "write [(0.9, 0, 0.1)]")]) from wrong

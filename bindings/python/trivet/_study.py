@@ -5,15 +5,18 @@ from __future__ import annotations
 
 import dataclasses
 import pathlib
+from html import escape
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from trivet import _core, _html
+from trivet._arguments import frequency
 from trivet._errors import InputError, problem
 
 if TYPE_CHECKING:
+    import pandas
     import xarray
 
     from trivet._answer import Answer
@@ -44,13 +47,23 @@ class Run:
 
 
 class _Arrays:
-    """Named arrays of the core."""
+    """Named arrays of the core, and warnings about them."""
 
-    def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]]) -> None:
-        self.given = arrays
+    def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]], warnings: list[_core.Problem]) -> None:
+        self._given = arrays
+        self._warnings = warnings
         self._arrays = {name: values for name, _, _, values in arrays}
         self._units = {name: unit for name, unit, _, _ in arrays}
         self._axes = {name: axes for name, _, axes, _ in arrays}
+
+    @property
+    def warnings(self) -> list[_core.Problem]:
+        return list(self._warnings)
+
+    def unit(self, name: str) -> str:
+        """Unit of an array."""
+        self.array(name)
+        return self._units[name]
 
     def array(self, name: str) -> npt.NDArray[Any]:
         """An array by its name; read-only."""
@@ -106,9 +119,10 @@ class Matrices(_Arrays):
         """False if elements depend on frequency: then B and K are of their nearest linear system."""
         return bool(self.array("exact"))
 
-    def load(self, angular_frequency: float) -> npt.NDArray[np.complex128]:
-        """Right side h of all harmonic excitations together at ω > 0 [rad/s], motions of the ground included."""
-        s = 1j * float(angular_frequency)
+    def load(self, angular_frequency: float | str) -> npt.NDArray[np.complex128]:
+        """Right side h of all harmonic excitations together at ω > 0 [rad/s, or a text with a unit], motions of
+        the ground included."""
+        s = 1j * frequency(angular_frequency)
         powers, delays = self.array("load_power"), self.array("load_delay")
         terms = self.array("load")
         total = np.zeros(len(self.coordinates), dtype=np.complex128)
@@ -116,11 +130,23 @@ class Matrices(_Arrays):
             total += s**power * np.exp(-s * delay) * term
         return total
 
-    def dynamic_stiffness(self, angular_frequency: float) -> npt.NDArray[np.complex128]:
+    def dynamic_stiffness(self, angular_frequency: float | str) -> npt.NDArray[np.complex128]:
         """K + i K_loss + iωB − ω²A."""
-        w = float(angular_frequency)
+        w = frequency(angular_frequency)
         stiffness: npt.NDArray[np.complex128] = self.K + 1j * self.K_loss + 1j * w * self.B - w * w * self.A
         return stiffness
+
+    def to_dataframe(self, name: str = "K") -> pandas.DataFrame:
+        """One matrix (A, B, K or K_loss) with the names of its rows and columns, SI."""
+        import pandas
+
+        if name not in ("A", "B", "K", "K_loss"):
+            raise InputError([problem("Matrices", f"{name!r}", "there is no such matrix", "known: A, B, K, K_loss")])
+        return pandas.DataFrame(self.array(name), index=self.coordinates, columns=self.coordinates)
+
+    def _repr_html_(self) -> str:
+        names = escape(", ".join(self.coordinates[:12])) + (" …" if len(self.coordinates) > 12 else "")
+        return f"<p>{escape(repr(self).strip('<>'))}: {names}</p>{_html.notice(self.warnings, '#b00020')}"
 
     def __repr__(self) -> str:
         return f"<trivet.Matrices of {len(self.coordinates)} coordinates>"
@@ -131,14 +157,18 @@ class StateSpace(tuple[Real, Real, Real, Real]):
 
     _named: _Arrays
 
-    def __new__(cls, arrays: list[tuple[str, str, tuple[str, ...], Any]]) -> StateSpace:
-        named = _Arrays(arrays)
+    def __new__(cls, arrays: list[tuple[str, str, tuple[str, ...], Any]], warnings: list[_core.Problem]) -> StateSpace:
+        named = _Arrays(arrays, warnings)
         self = super().__new__(cls, (named.array("A"), named.array("B"), named.array("C"), named.array("D")))
         self._named = named
         return self
 
-    def __getnewargs__(self) -> tuple[list[tuple[str, str, tuple[str, ...], Any]]]:
-        return (self._named.given,)
+    def __getnewargs__(self) -> tuple[list[tuple[str, str, tuple[str, ...], Any]], list[_core.Problem]]:
+        return self._named._given, self._named._warnings
+
+    @property
+    def warnings(self) -> list[_core.Problem]:
+        return self._named.warnings
 
     @property
     def A(self) -> Real:
@@ -184,8 +214,10 @@ class StateSpace(tuple[Real, Real, Real, Real]):
 class Sweep(_Arrays):
     """Largest amplitudes of results over all combinations of some numbers."""
 
-    def __init__(self, arrays: list[tuple[str, str, tuple[str, ...], Any]], title: str) -> None:
-        super().__init__(arrays)
+    def __init__(
+        self, arrays: list[tuple[str, str, tuple[str, ...], Any]], warnings: list[_core.Problem], title: str
+    ) -> None:
+        super().__init__(arrays, warnings)
         self._title = title
 
     @property
@@ -212,7 +244,9 @@ class Sweep(_Arrays):
         import xarray
 
         axes = self._axes["amplitude"]
-        coordinates: dict[str, Any] = {name: (name, self._arrays[name]) for name in axes}
+        coordinates: dict[str, Any] = {
+            name: (name, self._arrays[name], _attributes(self._units[name])) for name in axes
+        }
         coordinates["unit"] = ("result", self._arrays["unit"])
         return xarray.DataArray(self.amplitude, coordinates, axes, "amplitude", {"title": self._title})
 
@@ -225,6 +259,34 @@ class Sweep(_Arrays):
         amplitudes: Real = self.amplitude[..., self.results.index(result)]
         return amplitudes
 
+    def to_dataframe(self) -> pandas.DataFrame:
+        """A row for each design: its numbers, then the amplitudes of the results."""
+        import pandas
+
+        axes = [self.array(name) for name in self.parameters]
+        grids = np.meshgrid(*axes, indexing="ij")
+        columns = {
+            _heading(name, self._units[name]): grid.ravel() for name, grid in zip(self.parameters, grids, strict=True)
+        }
+        for i, (result, unit) in enumerate(zip(self.results, self._texts("unit"), strict=True)):
+            columns[_heading(result, unit)] = self.amplitude[..., i].ravel()
+        return pandas.DataFrame(columns)
+
+    def _repr_html_(self) -> str:
+        ranges = "".join(
+            f"<li>{escape(_heading(name, self._units[name]))}: {len(axis)} values, {axis.min():.6g} to {axis.max():.6g}</li>"
+            for name, axis in ((name, self.array(name)) for name in self.parameters)
+        )
+        return f"<p>{escape(repr(self).strip('<>'))}</p><ul>{ranges}</ul>{_html.notice(self.warnings, '#b00020')}"
+
     def __repr__(self) -> str:
         shape = " × ".join(str(n) for n in self.amplitude.shape[:-1])
         return f"<trivet.Sweep: {shape} designs, {len(self.results)} results>"
+
+
+def _heading(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit not in ("", "1") else name
+
+
+def _attributes(unit: str) -> dict[str, str]:
+    return {"units": unit} if unit else {}

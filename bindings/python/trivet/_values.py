@@ -139,7 +139,8 @@ def settings_of(changes: Mapping[str, Any]) -> list[tuple[str, str]]:
             )
             wrong.append(problem("changes", path, "a path is a text: keys with points between them", remedy))
             continue
-        settings.append((path.strip(), toml_value(plain(value, path, wrong))))
+        one_form = ".".join(key_text(key) for key in _core.path_keys(path.strip())) or path.strip()
+        settings.append((one_form, toml_value(plain(value, path, wrong))))
     if wrong:
         raise InputError(wrong)
     return settings

@@ -199,6 +199,12 @@ std::size_t parts_of_cases(const Node& document) {
 
 }  // namespace
 
+std::filesystem::path folder_of_files(const Project& project) {
+  if (!project.folder.empty()) return project.folder;
+  const std::filesystem::path folder = std::filesystem::path(project.source).parent_path();
+  return folder.empty() ? "." : folder;
+}
+
 const Case* Project::find(const std::string& name) const {
   const auto found = std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; });
   return found == cases.end() ? nullptr : &*found;
@@ -296,23 +302,26 @@ void read_cases(const Node& document, const Node& written, const Settings& setti
 }
 
 foundation::Expected<Project> project_for(const Questions& questions, const std::string& text,
-                                          const std::string& source, const std::vector<std::string>& given) {
+                                          const std::string& source, const std::vector<std::string>& given,
+                                          const std::string& folder = "") {
   foundation::Expected<Node> parsed = parse_toml(text, source);
   if (!parsed) return tl::make_unexpected(parsed.error());
   Node document = std::move(*parsed);
   foundation::Problems problems;
   std::string hashed = text;
   for (const std::string& setting : given) hashed += "\n" + setting;
-  const Settings settings = read_settings(given, source, problems);
+  Project project;
+  project.source = source;
+  project.folder = folder;
+  project.sha256 = sha256(hashed);
+  if (!folder.empty()) set_folder(document, folder);
+  const Settings settings = read_settings(given, folder_of_files(project), problems);
   put_tables_in_place(document, problems);
   foundation::Problems of_settings;
   const Node as_written = document;
   for (const Node& change : settings.changes) apply_changes(document, change, "", of_settings);
   problems.add(of_settings);
 
-  Project project;
-  project.source = source;
-  project.sha256 = sha256(hashed);
   foundation::Problems of_base;
   AcceptanceBook book;
   auto base = read_case(document, "", project.title, of_base, questions);
@@ -324,9 +333,9 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
   read_cases(document, as_written, settings, questions, of_base, book, project, problems);
   if (!questions.requested && !problems.has_errors()) {
     problems.add(book.unused_acceptances(!settings.changes.empty()));
-    const foundation::Problems unused = unused_parts(project.cases);
-    problems.add(unused);
-    project.cases.front().warnings.add(unused);
+    project.unused_parts = unused_parts(project.cases);
+    problems.add(project.unused_parts);
+    project.cases.front().warnings.add(project.unused_parts);
     project.cases.front().warnings.sort_by_origin();
   }
   problems.sort_by_origin();
@@ -337,8 +346,8 @@ foundation::Expected<Project> project_for(const Questions& questions, const std:
 }  // namespace
 
 foundation::Expected<Project> project_from_text(const std::string& text, const std::string& source,
-                                                const std::vector<std::string>& settings) {
-  return project_for({}, text, source, settings);
+                                                const std::vector<std::string>& settings, const std::string& folder) {
+  return project_for({}, text, source, settings, folder);
 }
 
 foundation::Expected<Project> read_project_for(const Questions& questions, const std::filesystem::path& path,

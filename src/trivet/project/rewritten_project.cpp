@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/settings.h"
@@ -51,19 +53,18 @@ void refuse_lost_files(const Node& node, const std::string& path, const fs::path
     if (table && item.kind == Node::Kind::text && is_file_key(node.keys[i]) && name.is_relative() &&
         fs::is_regular_file(folder / name, error))
       problems
-          .error(
-              here, foundation::quoted(item.text),
-              "names of files are relative to the folder of the project file, and the file to write is in another",
-              fmt::format("write it to a file in {}", folder.empty() ? "the folder of the project" : folder.string()))
+          .error(here, foundation::quoted(item.text),
+                 "names of files are relative to the folder of the project file, and the file to write is in another",
+                 fmt::format("write it to a file in {}", folder == "." ? "the folder of the project" : folder.string()))
           .origin = item.origin;
     refuse_lost_files(item, here, folder, problems);
   }
 }
 
-bool in_one_folder(const fs::path& a, const fs::path& b) {
+/// Is the file in this folder?
+bool is_in(const fs::path& folder, const fs::path& file) {
   std::error_code error;
-  const auto folder = [](const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); };
-  return fs::equivalent(folder(a), folder(b), error) && !error;
+  return fs::equivalent(folder, file.has_parent_path() ? file.parent_path() : fs::path("."), error) && !error;
 }
 
 /// The base model of a text, with its tables.
@@ -104,7 +105,7 @@ struct WrittenChanges {
 
 WrittenChanges written_changes(const Project& project, const std::vector<std::string>& settings,
                                const std::vector<Node>& changes, foundation::Problems& problems) {
-  WrittenChanges written{read_settings(settings, project.source, problems).changes, {}};
+  WrittenChanges written{read_settings(settings, folder_of_files(project), problems).changes, {}};
   written.all = written.settings;
   written.all.insert(written.all.end(), changes.begin(), changes.end());
   for (const Node& change : written.all)
@@ -138,11 +139,45 @@ foundation::Expected<std::string> changed_text(const std::string& text, const Pr
 }  // namespace
 
 foundation::Expected<std::string> text_with_settings(const std::string& text, const Project& project,
-                                                     const std::vector<std::string>& settings) {
+                                                     const std::vector<std::string>& settings, const fs::path& target) {
   foundation::Problems problems;
-  const WrittenChanges written = written_changes(project, settings, {}, problems);
+  foundation::Expected<std::string> result = text;
+  if (!settings.empty()) {
+    const WrittenChanges written = written_changes(project, settings, {}, problems);
+    if (!problems.has_errors()) result = changed_text(text, project, written, {});
+  }
+  const fs::path folder = folder_of_files(project);
+  if (const auto given = result ? parse_toml(*result, project.source) : tl::make_unexpected(foundation::Problems());
+      given && !target.empty() && !is_in(folder, target))
+    refuse_lost_files(*given, "", folder, problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
-  return changed_text(text, project, written, {});
+  return result;
+}
+
+namespace {
+
+/// Hashes of the files that a node names, one per line.
+void add_files(const Node& node, std::string& hashes) {
+  for (std::size_t i = 0; i < node.items.size(); ++i) {
+    const Node& item = node.items[i];
+    if (node.kind == Node::Kind::table && item.kind == Node::Kind::text && is_file_key(node.keys[i])) {
+      std::ifstream file(named_file(item), std::ios::binary);
+      const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+      if (file) hashes += sha256(bytes) + "\n";
+    }
+    add_files(item, hashes);
+  }
+}
+
+}  // namespace
+
+std::string content_hash(const Project& project) {
+  std::string all;
+  for (const Case& variant : project.cases) {
+    all += variant.name + "\n" + canonical(variant.written) + "\n";
+    add_files(variant.written, all);
+  }
+  return sha256(all);
 }
 
 bool is_project_file(const fs::path& path) {
@@ -164,8 +199,8 @@ foundation::Expected<std::string> rewritten_project(const Project& project, cons
                                 .remedy = "start again"});
   foundation::Problems problems;
   const WrittenChanges written = written_changes(project, settings, changes, problems);
-  if (const auto given = parse_toml(*text, project.source); given && !in_one_folder(project.source, target))
-    refuse_lost_files(*given, "", fs::path(project.source).parent_path(), problems);
+  if (const auto given = parse_toml(*text, project.source); given && !is_in(folder_of_files(project), target))
+    refuse_lost_files(*given, "", folder_of_files(project), problems);
   if (problems.has_errors()) return tl::make_unexpected(std::move(problems));
 
   return changed_text(*text, project, written, changes);

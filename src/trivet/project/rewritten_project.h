@@ -22,8 +22,14 @@ namespace trivet::project {
                                                                   const std::filesystem::path& target);
 
 /// The text of a project that was read from `text` with `settings`, with these settings written in, as above.
+/// @param target  the file that the text is for; empty: names of files are not checked
 [[nodiscard]] foundation::Expected<std::string> text_with_settings(const std::string& text, const Project& project,
-                                                                   const std::vector<std::string>& settings);
+                                                                   const std::vector<std::string>& settings,
+                                                                   const std::filesystem::path& target = {});
+
+/// Hash of all numbers and texts of a project in all its cases, and of the files that these name: equal for equal
+/// projects, whatever their texts look like.
+[[nodiscard]] std::string content_hash(const Project& project);
 
 /// True for a readable TOML file with the key `trivet`.
 [[nodiscard]] bool is_project_file(const std::filesystem::path& path);

@@ -32,11 +32,6 @@ void list_changes(const Node& node, const std::string& path, std::vector<Changed
   }
 }
 
-void set_folder(Node& node, const std::string& folder) {
-  if (node.kind == Node::Kind::text) node.folder = folder;
-  for (Node& item : node.items) set_folder(item, folder);
-}
-
 bool is_part_of(const std::string& path, const std::string& whole) {
   return path == whole || path.starts_with(whole + ".");
 }
@@ -50,10 +45,14 @@ bool holds(const Node& document, const ChangedNumber& number) {
 
 }  // namespace
 
-Settings read_settings(const std::vector<std::string>& settings, const std::string& project,
+void set_folder(Node& node, const std::string& folder) {
+  if (node.kind == Node::Kind::text) node.folder = folder;
+  for (Node& item : node.items) set_folder(item, folder);
+}
+
+Settings read_settings(const std::vector<std::string>& settings, const std::filesystem::path& folder,
                        foundation::Problems& problems) {
   Settings result;
-  const std::filesystem::path folder = std::filesystem::path(project).parent_path();
   for (const std::string& setting : settings) {
     foundation::Expected<Node> change = parse_setting(setting);
     if (!change) {
@@ -74,7 +73,7 @@ Settings read_settings(const std::vector<std::string>& settings, const std::stri
             .origin = change->origin;
     }
     result.numbers.insert(result.numbers.end(), numbers.begin(), numbers.end());
-    set_folder(*change, folder.empty() ? "." : folder.string());
+    set_folder(*change, folder.string());
     result.changes.push_back(std::move(*change));
   }
   return result;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,12 @@ struct Settings {
   std::vector<ChangedNumber> numbers;
 };
 
-/// @param project  the project file: names of files in settings are relative to its folder
-[[nodiscard]] Settings read_settings(const std::vector<std::string>& settings, const std::string& project,
+/// @param folder  to which names of files in settings are relative
+[[nodiscard]] Settings read_settings(const std::vector<std::string>& settings, const std::filesystem::path& folder,
                                      foundation::Problems& problems);
+
+/// Makes names of files in all texts of a node relative to this folder.
+void set_folder(Node& node, const std::string& folder);
 
 /// Changes of a case that the command line does not override, then those of the command line.
 [[nodiscard]] std::vector<std::string> change_lines(const Node* of_case, const Settings& settings,

@@ -189,14 +189,29 @@ Json drawn_case(const project::Case& variant, const study::Answers& answers) {
 
 }  // namespace
 
-std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
-  Json result{
+namespace {
+
+Json head_of_results(const project::Project& project) {
+  return Json{
       {"format", "trivet-results"},
       {"format_version", 1},
       {"program", {{"name", "trivet"}, {"version", foundation::version()}}},
       {"input", {{"file", std::filesystem::path(project.source).filename().string()}, {"sha256", project.sha256}}},
       {"title", project.title},
       {"cases", Json::array()}};
+}
+
+}  // namespace
+
+std::string case_results_json(const project::Project& project, const project::Case& variant,
+                              const study::Answers& answers) {
+  Json result = head_of_results(project);
+  result["cases"].push_back(case_json(variant, answers));
+  return json::text(result) + "\n";
+}
+
+std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers) {
+  Json result = head_of_results(project);
   for (std::size_t i = 0; i < answers.size(); ++i) result["cases"].push_back(case_json(project.cases[i], answers[i]));
   if (const study::Envelope envelope = study::envelope_of(answers); !envelope.rows.empty())
     result["envelope"] = json::envelope(envelope);

@@ -11,6 +11,10 @@ namespace trivet::results {
 /// The whole result file of `trivet run`: program, input, model, checks, and all answers of all cases (docs/json.md).
 [[nodiscard]] std::string results_json(const project::Project& project, const std::vector<study::Answers>& answers);
 
+/// The same with one case only.
+[[nodiscard]] std::string case_results_json(const project::Project& project, const project::Case& variant,
+                                            const study::Answers& answers);
+
 /// What the charts of the report page draw: names, limits, modes, peaks, and models of the curves instead of long
 /// tables. Its tables and other figures are text of the page.
 [[nodiscard]] std::string page_json(const project::Project& project, const std::vector<study::Answers>& answers);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "trivet/design/driven_design.h"
 #include "trivet/design/plain_design.h"
@@ -18,6 +19,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/model_number.h"
+#include "trivet/project/text/model_path.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/asked_questions.h"
 
@@ -39,7 +41,7 @@ class Sweep {
     }
     const project::AnswerSelection own = asked_question("peaks").asked(variant).peaks->selection;
     of_ = request.of.empty() ? own.of : request.of;
-    excitations_ = own.excitations;
+    excitations_ = request.excitations.empty() ? own.excitations : request.excitations;
   }
 
   [[nodiscard]] std::size_t count() const { return count_; }
@@ -258,6 +260,46 @@ void require_size(const SweepRequest& request, std::size_t results) {
 }
 
 }  // namespace
+
+namespace {
+
+/// The reason why a number of the model cannot have this unit; empty if it can.
+std::string wrong_unit(const project::Case& variant, const std::string& path, const std::string& unit) {
+  const project::ModelNumber number(path, unit);
+  const auto value = number.read(variant);
+  if (!value) return "\"" + unit + "\" is not its unit";
+  const auto same = project::changed_system(variant, {{number, *value}});
+  return same ? "" : same.error().list().front().finding + ": " + same.error().list().front().rule;
+}
+
+}  // namespace
+
+SweptNumber swept_number(const project::Case& variant, const std::string& path,
+                         const std::vector<WrittenValue>& values) {
+  SweptNumber number{path, {}};
+  std::set<std::string> units;
+  std::string wrong;
+  for (const WrittenValue& value : values) {
+    if (const double* si = std::get_if<double>(&value)) {
+      number.values.push_back(*si);
+      continue;
+    }
+    project::Node text;
+    text.kind = project::Node::Kind::text;
+    text.text = std::get<std::string>(value);
+    const auto written = project::written_number(text);
+    const auto si = written && !written->unit.empty() ? project::in_unit(*written, "") : std::nullopt;
+    if (si && units.insert(written->unit).second) {
+      const std::string reason = wrong_unit(variant, path, written->unit);
+      if (!reason.empty()) wrong += fmt::format("{}\"{}\": {}", wrong.empty() ? "" : "; ", text.text, reason);
+    } else if (!si) {
+      wrong += fmt::format("{}\"{}\" is no number with a unit", wrong.empty() ? "" : "; ", text.text);
+    }
+    number.values.push_back(si.value_or(without_value));
+  }
+  if (!wrong.empty()) throw InvalidInput(fmt::format("sweep: {}: {}; write as in the project file", path, wrong));
+  return number;
+}
 
 DesignSweep design_sweep(const project::Case& variant, const SweepRequest& request,
                          const foundation::Progress& progress) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "trivet/assembly/channels.h"
@@ -18,9 +19,18 @@ struct SweptNumber {
   std::vector<double> values;  ///< as bare numbers of the file: SI
 };
 
+/// A value of the project file: a number in SI, or a text with a unit.
+using WrittenValue = std::variant<double, std::string>;
+
+/// The number with its values in SI. @throws foundation::InvalidInput for texts that are no numbers in a unit of this
+/// number, all of them at once
+[[nodiscard]] SweptNumber swept_number(const project::Case& variant, const std::string& path,
+                                       const std::vector<WrittenValue>& values);
+
 struct SweepRequest {
   std::vector<SweptNumber> numbers;
-  std::vector<std::string> of;  ///< results as in `peaks`; empty: those of the case's peaks
+  std::vector<std::string> of;           ///< results as in `peaks`; empty: those of the case's peaks
+  std::vector<std::string> excitations;  ///< harmonic ones that act; empty: those of the case's peaks
   response::Band band = {0, std::numeric_limits<double>::infinity()};  ///< [rad/s]
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
 };

@@ -18,7 +18,7 @@ struct Node {
   std::vector<std::string> keys;  ///< of a table, one per item
   std::vector<Node> items;        ///< of a table or array
   std::string text;
-  std::string folder;  ///< of a text from the command line: in which it may name a file; else that of its source
+  std::string folder;  ///< of a text: in which it may name a file; empty: that of its source
   double number = 0;   ///< of an integer or real
   bool boolean = false;
 

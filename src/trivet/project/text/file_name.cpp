@@ -12,15 +12,19 @@ bool is_file_key(const std::string& key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
+std::filesystem::path named_file(const Node& name) {
+  namespace fs = std::filesystem;
+  const fs::path folder = name.folder.empty() ? fs::path(name.origin.source).parent_path() : fs::path(name.folder);
+  return fs::path(name.text).is_absolute() ? fs::path(name.text) : folder / name.text;
+}
+
 std::optional<std::filesystem::path> read_file_name(TableReader& reader, const std::string& key) {
   assert(is_file_key(key));
   namespace fs = std::filesystem;
   if (!reader.has(key)) reader.missing(key, "name the file, relative to the project file: " + key + " = \"…\"");
   const auto name = reader.text(key);
   if (!name) return std::nullopt;
-  const Node& node = *reader.node(key);
-  const fs::path folder = node.folder.empty() ? fs::path(node.origin.source).parent_path() : fs::path(node.folder);
-  fs::path path = fs::path(*name).is_absolute() ? fs::path(*name) : folder / *name;
+  fs::path path = named_file(*reader.node(key));
   std::error_code unreadable;
   if (!fs::is_regular_file(path, unreadable)) {
     reader.error(key, "\"" + name->substr(0, 200) + "\"", "no file of this name can be read",
