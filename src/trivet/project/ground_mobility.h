@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "trivet/elements/law.h"
-#include "trivet/foundation/problems.h"
 #include "trivet/model/system.h"
 
 namespace trivet::project {
@@ -18,9 +17,10 @@ namespace trivet::project {
 struct GroundMobility {
   struct Direction {
     std::size_t point = 0;
-    int coordinate = 0;        ///< x, y, z, θx, θy, θz
-    std::string name;          ///< of its driving-point mobility in the file: "y_z_z", "12:+z"
-    double causality_rms = 0;  ///< distance from the nearest passive, causal mobility, found by `judge_mobility`
+    int coordinate = 0;  ///< x, y, z, θx, θy, θz
+    std::string name;    ///< of its driving-point mobility in the file: "y_z_z", "12:+z"
+    double causality_rms =
+        0;  ///< distance from the nearest passive, causal mobility, found by `judge_mobility` (mobility_checks.h)
   };
   std::vector<Direction> directions;
   std::vector<double> knots;           ///< [rad/s]
@@ -33,11 +33,6 @@ struct GroundMobility {
   /// Dynamic stiffness iω Y⁻¹ of all directions; for complex ω the piece of the table at `near` is continued.
   [[nodiscard]] Eigen::MatrixXcd dynamic_stiffness(std::complex<double> omega, double near) const;
 };
-
-/// Problems of a mobility, and how far each driving point is from causality: rows that feed energy (Re Y must be
-/// positive semidefinite), points that move as one rigid part (Y⁻¹ does not exist), driving points that no passive,
-/// causal ground has, rows too far apart.
-[[nodiscard]] foundation::Problems judge_mobility(GroundMobility& mobility);
 
 /// Gives the element from the ground (N) to a ground point (K) the dynamic stiffness of that point with all other
 /// points fixed.

@@ -6,6 +6,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/project/mobility_checks.h"
 #include "trivet/project/mobility_reader.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"

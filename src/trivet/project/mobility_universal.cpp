@@ -11,6 +11,7 @@
 #include "trivet/project/measured_abscissa.h"
 #include "trivet/project/measured_file.h"
 #include "trivet/project/measured_systems.h"
+#include "trivet/project/mobility_checks.h"
 #include "trivet/project/mobility_reader.h"
 #include "trivet/project/text/file_name.h"
 
