@@ -104,7 +104,8 @@ class LinkNames {
     std::string link = name;
     std::replace(link.begin(), link.end(), '/', '_');
     known->second = used_.unique(link);
-    if (known->second != name) lost_.push_back(fmt::format("\"{}\" is named \"{}\"", name, known->second));
+    if (known->second != name)
+      lost_.push_back(fmt::format("\"{}\" is named \"{}\": names of HDF5 have no slash", name, known->second));
     return known->second;
   }
 
