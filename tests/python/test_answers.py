@@ -122,6 +122,45 @@ def test_other_units(machine):
     assert len(wrong.value.problems) == 3
 
 
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_units_of_columns_that_name_no_unit_themselves():
+    verdict = trivet.open(example("genset/load_cases.toml")).verdict()
+    si, shown = verdict.to_dataframe(), verdict.to(length="in", force="lbf", level="peak_to_peak").to_dataframe()
+    factor = {"m": 1 / 0.0254, "m/s": 1 / 0.0254, "N": 1 / 4.4482216152605}
+    for unit, kind, allowed, value, new, new_allowed, new_value in zip(
+        si["unit"], si["kind"], si["allowed"], si["value"], shown["unit"], shown["allowed"], shown["value"], strict=True
+    ):
+        level = 2 if kind in ("amplitude", "mount_dynamic_deflection") else 1
+        assert new.endswith(" p-p") == (level == 2)
+        assert new_allowed == pytest.approx(level * factor.get(unit, 1) * allowed, rel=1e-12)
+        assert value is None or new_value == pytest.approx(level * factor.get(unit, 1) * value, rel=1e-12)
+    assert {"m", "N"} & set(si["unit"])
+    measured = trivet.open(example("measured_response/machine.toml")).measurements()
+    peaks, rpm = measured.to_dataframe("measured_peaks.csv"), measured.to(frequency="rpm", length="mm")
+    rpm = rpm.to_dataframe("measured_peaks.csv")
+    turns = 30 / np.pi
+    np.testing.assert_allclose(rpm["measured at [rpm]"], peaks["measured at [rad/s]"] * turns, rtol=1e-14)
+    assert list(rpm["unit"]) != list(peaks["unit"])
+    scale = rpm["measured amplitude"] / peaks["measured amplitude"]
+    np.testing.assert_allclose(scale, [1000 if unit.startswith("m") else 1 for unit in peaks["unit"]], rtol=1e-12)
+    np.testing.assert_allclose(rpm["computed amplitude"] / peaks["computed amplitude"], scale, rtol=1e-12)
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_frequencies_of_all_columns_have_the_unit_of_the_axis():
+    project = trivet.open(example("frame/frame.toml"))
+    roots, modes = project.roots().to(frequency="Hz"), project.modes().to(frequency="rpm")
+    table, si = roots.to_dataframe(), project.roots().to_dataframe()
+    np.testing.assert_allclose(table["imaginary [Hz]"], si["imaginary [rad/s]"] / (2 * np.pi), rtol=1e-14)
+    assert "frequency [rpm]" in modes.to_dataframe() and "frequency [Hz]" not in modes.to_dataframe()
+    np.testing.assert_allclose(
+        modes.to_dataframe()["frequency [rpm]"], project.modes().to_dataframe()["frequency [Hz]"] * 60, rtol=1e-14
+    )
+    random = trivet.open(example("track/bogie.toml")).random().to(length="in")
+    densities = random.to_dataframe("densities.csv")
+    assert "frame.x [(in/s²)²/Hz]" in densities
+
+
 def test_unknown_result_has_a_nearest_name(machine):
     with pytest.raises(trivet.InputError, match=r'did you mean "machine.z"'):
         _ = machine.response()["machine.zz"]

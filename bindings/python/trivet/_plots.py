@@ -103,10 +103,10 @@ def _without_jumps(line: Line) -> Line:
 def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
     x_label, factor = _axis(axis, shown)
     harmonic = any(np.iscomplexobj(curve.values) for curve in curves)
-    word = _level_words[shown.level] if harmonic else _quantity_words.get(unit, "value")
+    word = _level_words[shown.level] if harmonic and unit != "1" else _quantity_words.get(unit, "value")
     unit = unit.removesuffix(" p-p").removesuffix(" rms")  # the word says it
     per_axis, words = 1.0, unit
-    if unit.endswith("/(rad/s)") and not shown.frequency:  # a density over the axis, which is in Hz
+    if unit.endswith("/(rad/s)") and shown.frequency != "rad/s":  # a density is per hertz
         per_axis, word, words = 2 * np.pi, "density", unit.removesuffix("(rad/s)") + "Hz"
     positive = axis != "time" and all(np.all((y := _heights(curve))[np.isfinite(y)] >= 0) for curve in curves)
     lines = [Line(curve.name, curve.places * factor, _heights(curve) * per_axis) for curve in curves]

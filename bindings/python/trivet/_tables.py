@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import io
+import math
 import re
 
 from trivet import _core
@@ -52,9 +53,41 @@ def _typed(fields: list[str]) -> list[float | int | None] | list[str]:
 def shown(table: list[Column], units: _core.ShownUnits) -> list[Column]:
     """The same columns in the units and the level in which numbers are shown. Where units are in a column of their own,
     each row is converted."""
-    by_row = next((column.values for column in table if column.name == "unit"), None)
-    harmonic = any(column.name.endswith("amplitude") for column in table)
-    return [_shown_column(column, by_row, units, harmonic) for column in table]
+    by_name = {column.name: column.values for column in table}
+    if not any(_is_of_row(column) for column in table):
+        by_name.pop("unit", None)  # such as parameters, whose units are those of the file
+    units_of_rows = [str(unit) for unit in by_name.get("unit", [])]
+    if "allowed" in by_name:  # requirements
+        harmonic = [kind in _harmonic_kinds for kind in by_name["kind"]]
+    else:
+        harmonic = [_has_amplitudes(table)] * len(units_of_rows)
+    rows = [_Row(*row) for row in zip(units_of_rows, harmonic, strict=True)]
+    return [_shown_column(column, rows, units) for column in table]
+
+
+@dataclasses.dataclass(frozen=True)
+class _Row:
+    """Unit of the values of a row, and whether they are amplitudes of harmonic quantities."""
+
+    unit: str
+    harmonic: bool
+
+    def shown(self, units: _core.ShownUnits) -> tuple[str, float]:
+        if self.unit == "rad/s" and not self.harmonic:
+            return units.axis()
+        unit, factor = units.unit(self.unit)
+        if not self.harmonic:
+            return unit, factor
+        unit, level = with_level(unit, self.unit, units)
+        return unit, factor * level
+
+
+#: Requirements on amplitudes of harmonic quantities; values of the others have no level.
+_harmonic_kinds = ("amplitude", "mount_dynamic_deflection")
+
+
+def _has_amplitudes(table: list[Column]) -> bool:
+    return any(column.name.endswith(("amplitude", "measured re")) for column in table)
 
 
 def with_level(unit: str, si_unit: str, units: _core.ShownUnits) -> tuple[str, float]:
@@ -65,42 +98,41 @@ def with_level(unit: str, si_unit: str, units: _core.ShownUnits) -> tuple[str, f
     return unit + {"peak_to_peak": " p-p", "rms": " rms"}.get(units.level, ""), units.level_factor
 
 
-def _shown_column(
-    column: Column, by_row: list[float | int | None] | list[str] | None, units: _core.ShownUnits, harmonic: bool
-) -> Column:
-    if column.name == "unit" and not column.unit:
-        words = [(units.unit(str(unit))[0], str(unit)) for unit in column.values]
-        return Column("unit", "", [with_level(*unit, units)[0] if harmonic else unit[0] for unit in words])
+def _shown_column(column: Column, rows: list[_Row], units: _core.ShownUnits) -> Column:
+    if column.name == "unit" and rows:
+        return Column("unit", "", [row.shown(units)[0] for row in rows])
     if all(isinstance(value, str) for value in column.values):
         return column
-    unit, factor = column.unit, 1.0
-    if column.unit == "rad/s" and (column.name.startswith("angular_frequency") or column.name == "speed"):
-        unit, factor = units.axis()
-    elif column.unit:
-        unit, factor = units.unit(column.unit)
-    level = 1.0
+    if rows and _is_of_row(column):
+        factors = [row.shown(units)[1] for row in rows]
+        return Column(column.name, "", [_times(value, one) for value, one in zip(column.values, factors, strict=True)])
+    unit, factor = _unit_of_column(column, units)
     if column.unit and column.name.endswith((" re", " im", "amplitude")):
         unit, level = with_level(unit, column.unit, units)
-    factors = [factor * level] * len(column.values)
-    if by_row and _is_of_row(column):
-        of_rows = [str(one) for one in by_row]
-        factors = [units.unit(one)[1] * (with_level("", one, units)[1] if harmonic else 1.0) for one in of_rows]
-    values = [_times(value, one) for value, one in zip(column.values, factors, strict=True)]
-    return Column(column.name, unit, values)
+        factor *= level
+    return Column(column.name, unit, [_times(value, factor) for value in column.values])
+
+
+def _unit_of_column(column: Column, units: _core.ShownUnits) -> tuple[str, float]:
+    """Unit and factor. A number in rad/s is a frequency unless its column is a result, "machine.rx re"."""
+    if column.unit == "rad/s" and "." not in column.name:
+        return units.axis()
+    if column.unit == "Hz" and units.frequency:
+        unit, per_rad_s = units.axis()
+        return unit, 2 * math.pi * per_rad_s
+    return units.unit(column.unit) if column.unit else ("", 1.0)
+
+
+#: Columns whose unit is that of their row, if the table has a column "unit".
+_of_row = frozenset(
+    ("amplitude", "prominence", "value", "allowed", "limit", "largest", "smallest", "rms", "three_sigma",
+     "rms_of_derivative", "weighted_rms", "amplitude_uncertainty", "measured amplitude", "computed amplitude",
+     "measured re", "measured im", "computed re", "computed im")
+)  # fmt: skip
 
 
 def _is_of_row(column: Column) -> bool:
-    """Columns whose unit is that of their row."""
-    return not column.unit and column.name in (
-        "amplitude",
-        "prominence",
-        "value",
-        "rms",
-        "three_sigma",
-        "limit",
-        "largest",
-        "amplitude_uncertainty",
-    )
+    return not column.unit and column.name in _of_row
 
 
 def _times(value: float | int | str | None, factor: float) -> float | int | None:
