@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "trivet/project/text/shown_units.h"
@@ -24,6 +25,12 @@ TEST(ShownUnit, ReplacesEveryBaseUnitOfAProductOrQuotient) {
     EXPECT_NEAR(found.factor, factor, 1e-14 * factor);
   }
   EXPECT_EQ(project::shown_unit(units, "1").factor, 1);
+  const project::ShownUnit length = project::shown_unit(units, "m");
+  for (const auto& [si, words] : {std::pair{"m²/Hz", "{}²/Hz"}, std::pair{"(m/s²)²/(rad/s)", "({}/s²)²/(rad/s)"}}) {
+    const project::ShownUnit density = project::shown_unit(units, si);
+    EXPECT_EQ(density.unit, fmt::format(fmt::runtime(words), length.unit));
+    EXPECT_DOUBLE_EQ(density.factor, length.factor * length.factor);
+  }
   EXPECT_EQ(project::shown_unit({}, "m").unit, "m");
 }
 

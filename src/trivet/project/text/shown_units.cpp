@@ -31,9 +31,9 @@ constexpr std::array<Kind, 5> kinds = {{{"length", "m", "\"mm\", \"in\" or \"mil
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-/// "m/s²" → "m/s^2", which the unit database reads.
+/// "m/s²" → "m/s2", which the unit database reads.
 std::string with_plain_powers(std::string unit) {
-  for (const auto& [power, digit] : {std::pair{"²", "^2"}, std::pair{"³", "^3"}, std::pair{"·", " "}})
+  for (const auto& [power, digit] : {std::pair{"²", "2"}, std::pair{"³", "3"}, std::pair{"·", " "}})
     for (std::size_t at = unit.find(power); at != std::string::npos; at = unit.find(power))
       unit.replace(at, std::string(power).size(), digit);
   return unit;
@@ -64,6 +64,13 @@ std::string replaced(const ShownUnits& units, const std::string& si_unit) {
 }  // namespace
 
 ShownUnit shown_unit(const ShownUnits& units, const std::string& si_unit) {
+  for (const std::string& density : {std::string("²/Hz"), std::string("²/(rad/s)")}) {
+    if (!si_unit.ends_with(density)) continue;
+    const std::string of = si_unit.substr(0, si_unit.size() - density.size());
+    const bool in_parentheses = of.starts_with('(') && of.ends_with(')');
+    const ShownUnit one = shown_unit(units, in_parentheses ? of.substr(1, of.size() - 2) : of);
+    return {(in_parentheses ? "(" + one.unit + ")" : one.unit) + density, one.factor * one.factor};
+  }
   const std::string unit = replaced(units, si_unit);
   if (unit == si_unit) return {si_unit, 1};
   const auto factor = in_unit({1, with_plain_powers(si_unit)}, with_plain_powers(unit));
