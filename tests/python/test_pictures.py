@@ -33,6 +33,27 @@ def test_labels_tell_the_units(machine):
     assert labels(shown.plot("machine.z")) == ["peak to peak [mil]", "frequency [rpm]", "phase [°]"]
 
 
+def test_results_of_peaks_by_name(machine):
+    peaks = machine.peaks()
+    name = peaks.array("name")[0]
+    lines = [
+        line for axes in peaks.plot(str(name)).axes for line in axes.get_lines() if not line.get_label().startswith("_")
+    ]
+    assert [line.get_label() for line in lines] == [name]
+    with pytest.raises(trivet.InputError, match="no such result"):
+        peaks.plot("machine.zz")
+
+
+def test_a_continuous_phase_is_complete(machine):
+    from trivet._plots import Line, Panel, _angles
+
+    turns = Panel("x", "phase [°]", [Line("a", np.arange(3.0), np.array([0.0, -400.0, np.nan]))], phase=True)
+    low, high, ticks = _angles(turns)
+    assert low < -400 and high >= 180 and ticks[0] == -540 and 0 in ticks
+    within = Panel("x", "phase [°]", [Line("a", np.arange(2.0), np.array([-180.0, 180.0]))], phase=True)
+    assert _angles(within) == (-190, 190, [-180, -90, 0, 90, 180])
+
+
 @pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
 @pytest.mark.parametrize("backend", ["matplotlib", "plotly"])
 @pytest.mark.parametrize(

@@ -280,8 +280,10 @@ class Answer:
         """A picture of all curves, or of those named: with "matplotlib" a figure, with "plotly" a figure of Plotly."""
         from trivet import _plots
 
+        curves = self.curves
         for name in names:
-            self._found(name)
+            if name not in curves and name not in self._results():
+                self._found(name)
         return _plots.picture(self, names, backend)
 
     def svg(self, figure: str | None = None) -> str:
@@ -317,6 +319,11 @@ class Answer:
         if not self._arrays:
             remedy = "take .to_dict() or .to_dataframe()"
         raise InputError([problem(self.question, f'"{name}"', "the answer has no such result", remedy)])
+
+    def _results(self) -> list[str]:
+        """Names in the rows of the answer, such as those of peaks."""
+        names = self._arrays.get("name", ("", (), []))[2]
+        return names if isinstance(names, list) else []
 
     def _is_curve(self, name: str) -> bool:
         _, axes, values = self._arrays[name]

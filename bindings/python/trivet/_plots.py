@@ -100,6 +100,15 @@ def _without_jumps(line: Line) -> Line:
     return Line(line.name, np.insert(line.x, jumps, np.nan), np.insert(line.y, jumps, np.nan))
 
 
+def _angles(panel: Panel) -> tuple[float, float, list[int]]:
+    """Range of a phase axis and its ticks: ±180°, or as far as a continuous phase goes, in half turns."""
+    angles = np.concatenate([line.y[np.isfinite(line.y)] for line in panel.lines] or [np.zeros(1)])
+    low = min(-180, 180 * int(np.floor((angles.min(initial=0) + 1e-6) / 180)))
+    high = max(180, 180 * int(np.ceil((angles.max(initial=0) - 1e-6) / 180)))
+    step = 90 if high - low <= 720 else 180 * -((low - high) // 1440)
+    return low - 10, high + 10, list(range(low, high + 1, step))
+
+
 def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
     x_label, factor = _axis(axis, shown)
     harmonic = any(np.iscomplexobj(curve.values) for curve in curves)
@@ -205,8 +214,9 @@ def _with_matplotlib(panels: list[Panel], title: str) -> Any:
             if not panel.marks:
                 axes.set_ylim(*_log_range(panel))
         if panel.phase:
-            axes.set_ylim(-190, 190)
-            axes.set_yticks([-180, -90, 0, 90, 180])
+            low, high, ticks = _angles(panel)
+            axes.set_ylim(low, high)
+            axes.set_yticks(ticks)
         if panel.marks and panel.x_label == "mode":
             axes.set_xticks(panel.lines[0].x)
         axes.grid(True, color="#e4e4e4", linewidth=0.8)
@@ -255,6 +265,7 @@ def _with_plotly(panels: list[Panel], title: str) -> Any:
         if low is not None and high is not None:
             figure.update_yaxes(range=[np.log10(low), np.log10(high)], row=row, col=1)
         if panel.phase:
-            figure.update_yaxes(range=[-190, 190], tickvals=[-180, -90, 0, 90, 180], row=row, col=1)
+            low, high, ticks = _angles(panel)
+            figure.update_yaxes(range=[low, high], tickvals=ticks, row=row, col=1)
     figure.update_layout(title=title, template="plotly_white", height=240 * len(panels) + 160)
     return figure
