@@ -3,11 +3,15 @@
 
 import os
 import pathlib
+import signal
 import subprocess
 
 import pytest
 
 import trivet
+
+# A shell without job control starts programs in the background with interrupts ignored, and children inherit that.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EXAMPLES = ROOT / "examples"
