@@ -48,6 +48,13 @@ Matrix12 constant_along_line(double constant, const Eigen::Vector3d& axis, const
   return constant * stretch.transpose() * stretch;
 }
 
+Eigen::Matrix<double, 1, 12> deflection_row(int axis, const Eigen::Vector3d& arm, const Eigen::Matrix3d& n_from_k,
+                                            double centre) {
+  Eigen::Matrix<double, 1, 12> row = relative_motion(arm, centre).row(axis);
+  row.head<6>() = (row.head<6>() * spatial::both_blocks(n_from_k).transpose()).eval();
+  return row;
+}
+
 Matrix12 in_end_axes(const Matrix12& in_axes_of_k, const Eigen::Matrix3d& n_from_k) {
   Matrix12 turn = Matrix12::Identity();
   turn.topLeftCorner<6, 6>() = spatial::both_blocks(n_from_k);

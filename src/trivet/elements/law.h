@@ -98,6 +98,11 @@ struct Matrices {
 [[nodiscard]] Matrix12 constant_along_line(double constant, const Eigen::Vector3d& axis, const Eigen::Vector3d& arm,
                                            double centre);
 
+/// The deflection along or about one axis (0 … 2 translations, 3 … 5 rotations of K relative to N, axes of K) at the
+/// same point, as a row on the 12 end displacements.
+[[nodiscard]] Eigen::Matrix<double, 1, 12> deflection_row(int axis, const Eigen::Vector3d& arm,
+                                                          const Eigen::Matrix3d& n_from_k, double centre);
+
 /// The same element with separate axes for N: rows and columns of N rotated by `n_from_k`.
 [[nodiscard]] Matrix12 in_end_axes(const Matrix12& in_axes_of_k, const Eigen::Matrix3d& n_from_k);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "trivet/elements/law.h"
+#include "trivet/elements/scalar_law.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
 #include "trivet/model/observations.h"
@@ -118,12 +119,20 @@ struct Evidence {
   std::vector<Residual> residuals;
 };
 
+/// A force over the deflection of an element along or about one of its axes, in addition to its linear law.
+struct NonlinearPart {
+  int axis = 0;         ///< 0 … 2: translation, 3 … 5: rotation of K relative to N, axes of K
+  double centre = 0.5;  ///< point of the deflection: fraction of the arm from N
+  elements::ScalarLaw law;
+};
+
 struct Element {
   std::string name;
   std::string type;  ///< the law's name in the project file, for messages and reports
   End n;
   End k;
   elements::Law law;
+  std::vector<NonlinearPart> nonlinear_parts;
   bool symmetric = true;
   bool allow_residual = false;
   bool is_foundation = false;    ///< impedance of a ground point: elements on it count as "on the ground"
