@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/periodic/branch.h"
+
+#include <cmath>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::numerics {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// [∂r/∂u ∂r/∂λ; alongᵀ] with columns times the scale.
+MatrixXd bordered(const Equations& equations, const VectorXd& scale, const VectorXd& along) {
+  const Index n = equations.value.size();
+  MatrixXd matrix(n + 1, n + 1);
+  matrix.topLeftCorner(n, n) = equations.by_unknowns;
+  matrix.topRightCorner(n, 1) = equations.by_parameter;
+  matrix.topRows(n) *= scale.asDiagonal();
+  matrix.bottomRows<1>() = along.transpose();
+  return matrix;
+}
+
+}  // namespace
+
+Branch::Branch(EvaluateEquations evaluate, VectorXd smallest_scale, double parameter_scale, BranchOptions options)
+    : evaluate_(std::move(evaluate)),
+      smallest_scale_(std::move(smallest_scale)),
+      parameter_scale_(parameter_scale),
+      options_(options) {}
+
+/// All unknowns share the largest, unless they are smaller than their own smallest scale.
+VectorXd Branch::scale(const VectorXd& unknowns) const {
+  VectorXd result(unknowns.size() + 1);
+  const double largest = unknowns.size() > 0 ? unknowns.cwiseAbs().maxCoeff() : 0;
+  result << smallest_scale_.cwiseMax(largest), parameter_scale_;
+  return result;
+}
+
+bool Branch::set_direction(BranchPoint& point, const VectorXd& along, Equations& equations) const {
+  evaluate_(point.unknowns, point.parameter, equations);
+  VectorXd right = VectorXd::Zero(point.unknowns.size() + 1);
+  right(right.size() - 1) = 1;
+  const VectorXd tangent = PivotedLu<double>(bordered(equations, point.scale, along)).solve(right);
+  if (!tangent.allFinite()) return false;
+  point.tangent = tangent.normalized();
+  return true;
+}
+
+std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter, bool downwards) const {
+  BranchPoint point{guess, parameter, scale(guess), {}, 0};
+  Equations equations;
+  for (double last = 1; last > options_.tolerance; ++point.iterations) {
+    if (point.iterations == options_.most_iterations) return std::nullopt;
+    evaluate_(point.unknowns, parameter, equations);
+    const VectorXd change = PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+    if (!change.allFinite()) return std::nullopt;
+    point.unknowns -= change;
+    point.scale = scale(point.unknowns);
+    last = change.cwiseQuotient(point.scale.head(change.size())).norm();
+  }
+  VectorXd along = VectorXd::Zero(guess.size() + 1);
+  along(guess.size()) = downwards ? -1 : 1;
+  if (!set_direction(point, along, equations)) return std::nullopt;
+  return point;
+}
+
+std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) const {
+  const Index n = from.unknowns.size();
+  VectorXd place(n + 1);
+  place << from.unknowns, from.parameter;
+  place += step * from.tangent.cwiseProduct(from.scale);
+  Equations equations;
+  BranchPoint point;
+  for (double last = 1; last > options_.tolerance; ++point.iterations) {
+    if (point.iterations == options_.most_iterations) return std::nullopt;
+    evaluate_(place.head(n), place(n), equations);
+    VectorXd right = VectorXd::Zero(n + 1);
+    right.head(n) = equations.value;  // the predictor already has the length `step` along the tangent
+    const VectorXd change = PivotedLu<double>(bordered(equations, from.scale, from.tangent)).solve(right);
+    if (!change.allFinite() || change.norm() > 10) return std::nullopt;
+    place -= change.cwiseProduct(from.scale);
+    last = change.norm();
+  }
+  point.unknowns = place.head(n);
+  point.parameter = place(n);
+  point.scale = scale(point.unknowns);
+  const VectorXd along = from.tangent.cwiseProduct(from.scale).cwiseQuotient(point.scale);
+  if (!set_direction(point, along, equations)) return std::nullopt;
+  return point;
+}
+
+std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
+  double low = 0, high = step, at_low = from.parameter_direction();
+  std::optional<BranchPoint> end = after(from, step);
+  if (!end) return std::nullopt;
+  double at_high = end->parameter_direction();
+  if (at_low * at_high > 0) return std::nullopt;
+  constexpr int most = 60;
+  constexpr double flat = 1e-12;  // λ then differs from the fold by less than 1e-24 of its curvature's scale
+  std::optional<BranchPoint> middle = end;
+  for (int i = 0; i < most && std::abs(high - low) > 1e-14 * std::abs(step); ++i) {  // regula falsi (Illinois)
+    const double place = (low * at_high - high * at_low) / (at_high - at_low);
+    middle = after(from, place);
+    if (!middle) return std::nullopt;
+    const double direction = middle->parameter_direction();
+    if (std::abs(direction) < flat) break;
+    if (direction * at_high > 0) {
+      high = place;
+      at_high = direction;
+      at_low /= 2;
+    } else {
+      low = high;
+      at_low = at_high;
+      high = place;
+      at_high = direction;
+    }
+  }
+  return middle;
+}
+
+}  // namespace trivet::numerics

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+
+namespace trivet::numerics {
+
+/// r(u, λ) = 0: as many equations as unknowns u, and one parameter λ.
+struct Equations {
+  Eigen::VectorXd value;         ///< r
+  Eigen::MatrixXd by_unknowns;   ///< ∂r/∂u
+  Eigen::VectorXd by_parameter;  ///< ∂r/∂λ
+};
+using EvaluateEquations = std::function<void(const Eigen::VectorXd& unknowns, double parameter, Equations& equations)>;
+
+/// A solution on a branch, with the direction of the branch there.
+struct BranchPoint {
+  Eigen::VectorXd unknowns;
+  double parameter = 0;
+  Eigen::VectorXd scale;    ///< of the unknowns and, last, of the parameter: lengths on the branch are without unit
+  Eigen::VectorXd tangent;  ///< d(u, λ)/ds divided by `scale`, of unit length
+  int iterations = 0;       ///< of Newton's method
+
+  [[nodiscard]] double parameter_direction() const { return tangent(tangent.size() - 1); }
+};
+
+struct BranchOptions {
+  double tolerance = 1e-11;  ///< of the last Newton step, relative to `scale`
+  int most_iterations = 12;
+};
+
+/// Solutions of r(u, λ) = 0 along their branch by pseudo arc length: the predictor follows the tangent, and Newton's
+/// method corrects in the plane across it, so that turning points of λ (folds) are ordinary points.
+/// [Keller 1977; Allgower, Georg, Numerical Continuation Methods, 1990]
+class Branch {
+ public:
+  /// @param smallest_scale   of each unknown, for those that are almost zero
+  /// @param parameter_scale  a typical change of λ along the branch
+  Branch(EvaluateEquations evaluate, Eigen::VectorXd smallest_scale, double parameter_scale,
+         BranchOptions options = {});
+
+  /// The solution at a fixed λ near a guess, with its direction towards larger λ (or smaller, if `downwards`). Empty if
+  /// Newton's method does not converge.
+  [[nodiscard]] std::optional<BranchPoint> start(const Eigen::VectorXd& guess, double parameter,
+                                                 bool downwards = false) const;
+
+  /// The solution at the length `step` (negative: backwards) from a point. Empty if Newton's method does not converge.
+  [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step) const;
+
+  /// The fold between a point and the one at `step` from it, where the parameter direction has the other sign.
+  [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double step) const;
+
+ private:
+  [[nodiscard]] bool set_direction(BranchPoint& point, const Eigen::VectorXd& along, Equations& equations) const;
+
+  [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
+
+  EvaluateEquations evaluate_;
+  Eigen::VectorXd smallest_scale_;
+  double parameter_scale_;
+  BranchOptions options_;
+};
+
+}  // namespace trivet::numerics

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/periodic/branch.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace trivet;
+using numerics::Branch;
+using numerics::BranchPoint;
+
+/// u³ − 3u = λ: folds at u = ±1, λ = ∓2.
+void cubic(const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
+  equations.value = Eigen::VectorXd::Constant(1, u(0) * u(0) * u(0) - 3 * u(0) - parameter);
+  equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, 3 * u(0) * u(0) - 3);
+  equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
+}
+
+TEST(Branch, PassesBothFoldsOfACubic) {
+  const Branch branch(cubic, Eigen::VectorXd::Constant(1, 1), 1);
+  std::optional<BranchPoint> now = branch.start(Eigen::VectorXd::Constant(1, -3), -5);
+  ASSERT_TRUE(now);
+  std::vector<BranchPoint> folds;
+  while (now->parameter < 5) {
+    const std::optional<BranchPoint> next = branch.after(*now, 0.1);
+    ASSERT_TRUE(next);
+    EXPECT_NEAR(std::pow(next->unknowns(0), 3) - 3 * next->unknowns(0), next->parameter, 1e-12);
+    if (next->parameter_direction() * now->parameter_direction() < 0) {
+      const std::optional<BranchPoint> fold = branch.fold(*now, 0.1);
+      ASSERT_TRUE(fold);
+      folds.push_back(*fold);
+    }
+    now = next;
+  }
+  ASSERT_EQ(folds.size(), 2u);
+  EXPECT_NEAR(folds[0].parameter, 2, 1e-13);
+  EXPECT_NEAR(folds[0].unknowns(0), -1, 1e-7);
+  EXPECT_NEAR(folds[1].parameter, -2, 1e-13);
+  EXPECT_NEAR(folds[1].unknowns(0), 1, 1e-7);
+}
+
+TEST(Branch, HasNoPointWhereThereIsNoSolution) {
+  const Branch branch(
+      [](const Eigen::VectorXd& u, double, numerics::Equations& equations) {
+        equations.value = Eigen::VectorXd::Constant(1, u(0) * u(0) + 1);
+        equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, 2 * u(0));
+        equations.by_parameter = Eigen::VectorXd::Zero(1);
+      },
+      Eigen::VectorXd::Constant(1, 1), 1);
+  EXPECT_FALSE(branch.start(Eigen::VectorXd::Constant(1, 0.7), 0));
+}
+
+}  // namespace
