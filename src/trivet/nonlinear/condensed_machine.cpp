@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/condensed_machine.h"
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::nonlinear {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled) {
+  std::vector<Deflection> found;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const assembly::ElementMap& map = assembled.elements[e];
+    const model::Span span = model::span(system.bodies(), element.n, element.k);
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      const Eigen::Matrix<double, 1, 12> row =
+          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
+      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)],
+                            Eigen::VectorXd::Zero(assembled.matrices.size()),
+                            Eigen::VectorXd::Zero(assembled.ground.size()), part.law};
+      const Eigen::RowVectorXd on_free = row * map.ends.topRows<12>(), on_ground = row * map.ground_ends.topRows<12>();
+      for (Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
+      for (Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+      found.push_back(std::move(deflection));
+    }
+  }
+  return found;
+}
+
+CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
+                                   const assembly::Loading& loading)
+    : ground_(to_index(deflections.size())) {
+  if (assembled.frequency_dependent())
+    throw foundation::NotComputable(
+        "nonlinear motion with elements whose stiffness is a function of frequency is not computed yet; give them "
+        "constant matrices or a Maxwell model");
+  const Index count = to_index(deflections.size()), n = assembled.matrices.size();
+  MatrixXd rows(n, count), ground_rows(assembled.ground.size(), count);
+  for (Index j = 0; j < count; ++j) {
+    rows.col(j) = deflections[to_size(j)].on_coordinates;
+    ground_rows.col(j) = deflections[to_size(j)].on_ground;
+  }
+  const numerics::Load right = assembly::right_side(assembled, loading);
+  MatrixXcd right_sides(n, count + to_index(right.terms().size()));
+  right_sides.leftCols(count) = rows.cast<Complex>();
+  for (std::size_t t = 0; t < right.terms().size(); ++t) {
+    terms_.push_back({right.terms()[t].power, right.terms()[t].delay, count + to_index(t)});
+    right_sides.col(terms_.back().column) = right.terms()[t].value;
+  }
+  for (const numerics::LoadTerm& term : loading.motion.terms())
+    ground_.add({term.power, term.delay, ground_rows.transpose().cast<Complex>() * term.value});
+  const numerics::PoleResidueForm form = numerics::pole_residue_form(assembled.matrices, right_sides);
+  const MatrixXcd across = rows.transpose().cast<Complex>();
+  const double free = form.free_motion.size() > 0 ? form.free_motion.cwiseAbs().maxCoeff() : 0;
+  if (free > 0)
+    throw foundation::NotComputable(
+        "the machine is free to move when its nonlinear parts are removed; add a soft linear stiffness");
+  poles_ = form.poles;
+  shapes_ = across * form.shapes;
+  participation_ = form.participation;
+  static_part_ = across * form.static_part;
+  static_receptance_ = rows.transpose() * numerics::PivotedLu<double>(assembled.matrices.K).solve(rows);
+}
+
+MatrixXcd CondensedMachine::at(Complex s, Index first, Index columns, MatrixXcd& slope) const {
+  const VectorXcd inverse = (s - poles_.array()).inverse().matrix();
+  MatrixXcd weighted = inverse.asDiagonal() * participation_.middleCols(first, columns);
+  MatrixXcd value = shapes_ * weighted + static_part_.middleCols(first, columns);
+  weighted = inverse.asDiagonal() * weighted;
+  slope = Complex(0, -1) * (shapes_ * weighted);
+  return value;
+}
+
+Receptance CondensedMachine::receptance(double omega) const {
+  Receptance found;
+  found.receptance = at({0, omega}, 0, size(), found.slope);
+  return found;
+}
+
+LinearMotion CondensedMachine::linear_motion(double omega) const {
+  const Complex s(0, omega), i(0, 1);
+  LinearMotion found{VectorXcd::Zero(size()), VectorXcd::Zero(size())};
+  const auto add = [&](int power, double delay, const VectorXcd& value, const VectorXcd& slope) {
+    const Complex factor = numerics::integer_power(s, power) * std::exp(-s * delay);
+    found.motion += factor * value;
+    found.slope += factor * (slope + i * (static_cast<double>(power) / s - delay) * value);
+  };
+  for (const Term& term : terms_) {
+    MatrixXcd slope;
+    const MatrixXcd value = at(s, term.column, 1, slope);
+    add(term.power, term.delay, value, slope);
+  }
+  for (const numerics::LoadTerm& term : ground_.terms())
+    add(term.power, term.delay, term.value, VectorXcd::Zero(size()));
+  return found;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/harmonic_balance.h"
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Of the complex product G f: real coefficients a, b with amplitude a − i b. G = g_r + i g_i acts on (a, b) as
+/// [g_r g_i; −g_i g_r].
+Eigen::Matrix2d on_pair(std::complex<double> g) {
+  Eigen::Matrix2d matrix;
+  matrix << g.real(), g.imag(), -g.imag(), g.real();
+  return matrix;
+}
+
+}  // namespace
+
+HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
+                                 Index harmonics)
+    : machine_(machine), harmonics_(harmonics) {
+  for (const Deflection& deflection : deflections) laws_.emplace_back(deflection.law, harmonics);
+}
+
+Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
+
+VectorXd HarmonicBalance::linear_motion(double omega) const {
+  const Eigen::VectorXcd motion = machine_.linear_motion(omega).motion;
+  VectorXd unknowns = VectorXd::Zero(size());
+  for (Index j = 0; j < motion.size(); ++j) {
+    unknowns(j * coefficients() + 1) = motion(j).real();
+    unknowns(j * coefficients() + 2) = -motion(j).imag();
+  }
+  return unknowns;
+}
+
+void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
+  const Index C = coefficients(), m = machine_.size();
+  equations.value = unknowns;
+  equations.by_unknowns = MatrixXd::Identity(size(), size());
+  equations.by_parameter = VectorXd::Zero(size());
+  std::vector<ForceHarmonics> forces;
+  for (Index j = 0; j < m; ++j) forces.push_back(laws_[to_size(j)].at(unknowns.segment(j * C, C)));
+  const MatrixXd& at_rest = machine_.static_receptance();
+  for (Index i = 0; i < m; ++i)
+    for (Index j = 0; j < m; ++j) {
+      equations.value(i * C) += at_rest(i, j) * forces[to_size(j)].force(0);
+      equations.by_unknowns.block(i * C, j * C, 1, C) += at_rest(i, j) * forces[to_size(j)].tangent.topRows<1>();
+    }
+  for (Index k = 1; k <= harmonics_; ++k) {
+    const Receptance linear = machine_.receptance(static_cast<double>(k) * omega);
+    for (Index i = 0; i < m; ++i)
+      for (Index j = 0; j < m; ++j) {
+        const Eigen::Matrix2d G = on_pair(linear.receptance(i, j));
+        const Eigen::Matrix2d slope = static_cast<double>(k) * on_pair(linear.slope(i, j));
+        const Eigen::Vector2d force = forces[to_size(j)].force.segment<2>(2 * k - 1);
+        equations.value.segment<2>(i * C + 2 * k - 1) += G * force;
+        equations.by_parameter.segment<2>(i * C + 2 * k - 1) += slope * force;
+        equations.by_unknowns.block(i * C + 2 * k - 1, j * C, 2, C) +=
+            G * forces[to_size(j)].tangent.middleRows<2>(2 * k - 1);
+      }
+  }
+  const LinearMotion motion = machine_.linear_motion(omega);
+  for (Index i = 0; i < m; ++i) {
+    equations.value(i * C + 1) -= motion.motion(i).real();
+    equations.value(i * C + 2) += motion.motion(i).imag();
+    equations.by_parameter(i * C + 1) -= motion.slope(i).real();
+    equations.by_parameter(i * C + 2) += motion.slope(i).imag();
+  }
+}
+
+double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
+  const Index C = coefficients(), m = machine_.size();
+  Eigen::MatrixXcd beyond(harmonics_, m);
+  for (Index j = 0; j < m; ++j) beyond.col(j) = laws_[to_size(j)].beyond(unknowns.segment(j * C, C));
+  double sum = 0;
+  for (Index k = 0; k < harmonics_; ++k) {
+    const Receptance linear = machine_.receptance(static_cast<double>(harmonics_ + 1 + k) * omega);
+    sum += (linear.receptance * beyond.row(k).transpose()).cwiseAbs().maxCoeff();
+  }
+  return sum / unknowns.cwiseAbs().maxCoeff();
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/nonlinear/condensed_machine.h"
+#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/numerics/periodic/branch.h"
+
+namespace trivet::nonlinear {
+
+/// Harmonic balance in the nonlinear deflections alone: δ_k − motion_k + G(kω) f_k(δ) = 0 for k = 0 … H. The linear
+/// machine enters by its receptance G only. Unknowns: the Fourier coefficients of one deflection after another
+/// (numerics/periodic/fourier_basis.h); parameter: ω of the excitation [rad/s].
+class HarmonicBalance {
+ public:
+  /// The machine must outlive the balance.
+  HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections, Eigen::Index harmonics);
+
+  [[nodiscard]] Eigen::Index harmonics() const { return harmonics_; }
+  [[nodiscard]] Eigen::Index coefficients() const;  ///< of one deflection
+  [[nodiscard]] Eigen::Index size() const { return coefficients() * machine_.size(); }
+  void evaluate(const Eigen::VectorXd& unknowns, double omega, numerics::Equations& equations) const;
+  /// Coefficients of the linear motion, without the nonlinear forces.
+  [[nodiscard]] Eigen::VectorXd linear_motion(double omega) const;
+  [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
+  /// Largest deflection that the harmonics from H + 1 to 2H add, as a share of the largest coefficient: what the
+  /// truncation leaves out, to first order.
+  [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;
+
+ private:
+  const CondensedMachine& machine_;
+  Eigen::Index harmonics_;
+  std::vector<LawHarmonics> laws_;
+};
+
+}  // namespace trivet::nonlinear

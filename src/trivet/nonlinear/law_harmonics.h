@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/elements/scalar_law.h"
+
+namespace trivet::nonlinear {
+
+/// Fourier coefficients of the force of a law over a periodic deflection, and their derivatives by the coefficients of
+/// the deflection (numerics/periodic/fourier_basis.h).
+struct ForceHarmonics {
+  Eigen::VectorXd force;    ///< coefficients × 1
+  Eigen::MatrixXd tangent;  ///< coefficients × coefficients
+};
+
+/// Computes them. Smooth forces are sampled evenly, which is exact for polynomials with enough samples. Where the
+/// deflection passes a kink of the force, the instants are found, and the smooth pieces between them integrated by
+/// Gauss's rule: the error then falls exponentially too, and not like that of samples across the kink.
+class LawHarmonics {
+ public:
+  LawHarmonics(elements::ScalarLaw law, Eigen::Index harmonics);
+
+  [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection) const;
+
+  /// Phases at which the deflection passes a kink of the law, ascending in [0, 2π).
+  [[nodiscard]] std::vector<double> kink_phases(const Eigen::VectorXd& deflection) const;
+
+  [[nodiscard]] const elements::ScalarLaw& law() const { return law_; }
+  /// Coefficients of the force beyond the harmonics of the deflection, up to twice as many, as complex amplitudes:
+  /// what the truncation leaves out.
+  [[nodiscard]] Eigen::VectorXcd beyond(const Eigen::VectorXd& deflection) const;
+
+ private:
+  [[nodiscard]] ForceHarmonics sampled(const Eigen::VectorXd& deflection) const;
+  [[nodiscard]] ForceHarmonics between(const std::vector<double>& phases, const Eigen::VectorXd& deflection) const;
+
+  elements::ScalarLaw law_;
+  std::vector<double> kinks_;
+  Eigen::Index harmonics_;
+  Eigen::MatrixXd values_;    ///< samples × coefficients
+  Eigen::MatrixXd analysis_;  ///< coefficients × samples
+};
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/model/system.h"
+
+namespace trivet::nonlinear {
+
+struct SteadyOptions {
+  double from = 0, to = 0;  ///< band of the angular frequency [rad/s], 0 < from < to
+  Eigen::Index harmonics = 9;
+  std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones
+  std::vector<double> at;                ///< also exactly at these [rad/s], wherever the branch passes them
+  int most_points = 20000;
+};
+
+/// A periodic motion on the branch.
+struct SteadyPoint {
+  double angular_frequency = 0;  ///< of the excitation [rad/s]
+  Eigen::MatrixXd deflections;   ///< Fourier coefficients × nonlinear deflections
+  Eigen::VectorXcd multipliers;
+  bool stable = true;
+};
+
+struct SteadyBranch {
+  std::vector<std::string> deflections;  ///< names
+  std::vector<SteadyPoint> points;       ///< along the branch, from `from`
+  std::vector<SteadyPoint> at;           ///< at the frequencies asked for, in the order of the branch
+  std::vector<SteadyPoint> folds;        ///< where ω turns, in the order of the branch
+  double left_out = 0;                   ///< largest share of the deflections beyond the harmonics, at any point
+  std::string ended;                     ///< why the branch ends before the end of the band; empty: it does not
+};
+
+/// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.
+/// @throws foundation::NotComputable if there is no motion at the lower end, or for what CondensedMachine and
+/// PeriodicStability cannot represent
+[[nodiscard]] SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
+                                         const foundation::Progress& progress = {});
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/law_harmonics.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace {
+
+using namespace trivet;
+using Eigen::Index;
+using Eigen::VectorXd;
+using nonlinear::LawHarmonics;
+
+constexpr double pi = std::numbers::pi;
+
+TEST(LawHarmonics, CubeOfACosineHasAThirdHarmonic) {
+  VectorXd motion = VectorXd::Zero(7);
+  motion(1) = 2;  // (2 cos φ)³ = 6 cos φ + 2 cos 3φ
+  VectorXd force = VectorXd::Zero(7);
+  force(1) = 6;
+  force(5) = 2;
+  EXPECT_LT((LawHarmonics(elements::PolynomialForce{{0, 0, 1}}, 3).at(motion).force - force).norm(), 1e-14);
+}
+
+TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
+  // Force k (a cos φ − g) for |φ| < φ0 = acos(g/a).
+  constexpr double k = 3, a = 2, g = 1.2;
+  const double contact = std::acos(g / a);
+  constexpr Index harmonics = 12;
+  VectorXd motion = VectorXd::Zero(numerics::coefficient_count(harmonics));
+  motion(1) = a;
+  const LawHarmonics law(elements::GapStop{.gap_above = g, .stiffness = k}, harmonics);
+  const nonlinear::ForceHarmonics found = law.at(motion);
+  EXPECT_NEAR(found.force(0), k / pi * (a * std::sin(contact) - g * contact), 1e-13);
+  for (Index n = 2; n <= harmonics; ++n) {
+    const auto m = static_cast<double>(n);
+    const double together = std::sin((m - 1) * contact) / (m - 1) + std::sin((m + 1) * contact) / (m + 1);
+    EXPECT_NEAR(found.force(2 * n - 1), k / pi * (a * together - 2 * g * std::sin(m * contact) / m),
+                1e-9);  // of 8 points
+    EXPECT_NEAR(found.force(2 * n), 0, 1e-12);
+  }
+  const std::vector<double> phases = law.kink_phases(motion);
+  ASSERT_EQ(phases.size(), 2u);
+  EXPECT_NEAR(phases[0], contact, 1e-14);
+  EXPECT_NEAR(phases[1], 2 * pi - contact, 1e-14);
+}
+
+TEST(LawHarmonics, TangentIsTheDerivativeByTheCoefficients) {
+  VectorXd motion(9);
+  motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
+  for (const elements::ScalarLaw& one :
+       {elements::ScalarLaw(elements::PolynomialForce{{1, 2, -3}}),
+        elements::ScalarLaw(elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2})}) {
+    const LawHarmonics law(one, 4);
+    const Eigen::MatrixXd tangent = law.at(motion).tangent;
+    constexpr double step = 1e-6, truncation = 1e-7;
+    for (Index j = 0; j < motion.size(); ++j) {
+      const VectorXd change = step * VectorXd::Unit(motion.size(), j);
+      const VectorXd slope = (law.at(motion + change).force - law.at(motion - change).force) / (2 * step);
+      EXPECT_LT((slope - tangent.col(j)).norm(), truncation);
+    }
+  }
+}
+
+}  // namespace

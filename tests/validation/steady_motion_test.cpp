@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Periodic motions of nonlinear machines: numbers of independent programs (harmonic balance with shooting, return error
+// below 1e-13), and closed forms.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+namespace {
+
+using namespace trivet;
+using nonlinear::SteadyBranch;
+using nonlinear::SteadyPoint;
+using test::RelativelyNear;
+
+constexpr double pi = std::numbers::pi;
+
+/// The system with nonlinear parts on its first elements, one each.
+model::System with_laws(const std::string& text, const std::vector<model::NonlinearPart>& parts) {
+  model::Description description = test::project(text).base().system.description();
+  for (std::size_t i = 0; i < parts.size(); ++i) description.elements[i].nonlinear_parts = {parts[i]};
+  return model::System::checked(description).value();
+}
+
+/// m ẍ + c ẋ + k x + f(x) = F cos ωt, by a guided mass on a spring from the ground.
+model::System oscillator(double mass, double damping, double stiffness, double force, elements::ScalarLaw law) {
+  const std::string excitation = "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [" +
+      std::to_string(force) + ", 0, 0]\n";
+  return with_laws(test::chain({mass}, {stiffness, 0}, {damping, 0}) + excitation, {{0, 0.5, std::move(law)}});
+}
+
+double amplitude(const SteadyPoint& point, Eigen::Index harmonic) {
+  return point.deflections.block<2, 1>(2 * harmonic - 1, 0).norm();
+}
+
+double largest_multiplier(const SteadyPoint& point) { return point.multipliers.cwiseAbs().maxCoeff(); }
+
+TEST(SteadyMotion, HardeningSpringHasTwoFoldsAndAnUnstableMiddleMotion) {
+  const model::System system = oscillator(1.5, 0.9, 600, 0.8, elements::PolynomialForce{{0, 0, 2e5}});
+  nonlinear::SteadyOptions options{.from = 14, .to = 30, .harmonics = 15};
+  options.at = {16, 22, 23, 25};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  EXPECT_EQ(found.ended, "");
+  constexpr double digits = 1e-7, of_multipliers = 1e-6;  // of the reference
+  ASSERT_EQ(found.folds.size(), 2u);
+  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(23.37324214072677, digits));
+  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(21.342635329803098, digits));
+  EXPECT_THAT(amplitude(found.folds[0], 1), RelativelyNear(0.037942526292881446, digits));
+  ASSERT_EQ(found.at.size(), 8u);
+  struct Row {
+    double omega, first, third, multiplier;
+    bool stable;
+  };
+  const Row rows[] = {{16, 0.0036615522591681, 8.605375e-07, 0.888865165780565, true},
+                      {22, 0.0307331870637726, 0.0002568996, 0.917888092265, true},
+                      {23, 0.0363915345862469, 0.00039231812, 0.921313793718, true},
+                      {23, 0.0348072393825642, 0.00034137697, 1.15508182679, false},
+                      {22, 0.0260704082908681, 0.00015462313, 1.20999031602, false},
+                      {22, 0.0066072488037358, 2.435692e-06, 0.917888092265117, true},
+                      {23, 0.0041663427736413, 5.532023e-07, 0.921313793719, true},
+                      {25, 0.0023710184386832, 8.505005e-08, 0.927374110449856, true}};
+  for (std::size_t i = 0; i < found.at.size(); ++i) {
+    SCOPED_TRACE(i);
+    EXPECT_EQ(found.at[i].angular_frequency, rows[i].omega);
+    EXPECT_THAT(amplitude(found.at[i], 1), RelativelyNear(rows[i].first, digits));
+    EXPECT_THAT(amplitude(found.at[i], 3), RelativelyNear(rows[i].third, 1e-6));  // seven digits given
+    EXPECT_NEAR(largest_multiplier(found.at[i]), rows[i].multiplier, of_multipliers);
+    EXPECT_EQ(found.at[i].stable, rows[i].stable);
+    // Liouville: the states lose volume by the damper alone.
+    EXPECT_THAT(std::abs(found.at[i].multipliers.prod()),
+                RelativelyNear(std::exp(-2 * pi * 0.9 / 1.5 / rows[i].omega), 1e-9));
+  }
+}
+
+TEST(SteadyMotion, ThirdHarmonicHasAResonanceThatTheFundamentalLacks) {
+  const model::System system = oscillator(1.2, 0.48, 480, 6, elements::PolynomialForce{{0, 0, 8e5}});
+  nonlinear::SteadyOptions options{.from = 6, .to = 13, .harmonics = 25};
+  options.at = {7, 7.98, 9};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  ASSERT_EQ(found.folds.size(), 2u);
+  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(8.068113200891425, 1e-7));
+  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(7.913155817650235, 1e-7));
+  ASSERT_EQ(found.at.size(), 5u);
+  const double first[] = {0.012041720386091, 0.010139428349519, 0.008559957129879, 0.01051050009396, 0.012246704434305};
+  const double third[] = {0.002610882170312, 0.012294875289247, 0.012724785369035, 0.00668400893422, 0.00178008750943};
+  const bool upper_first = amplitude(found.at[1], 3) > amplitude(found.at[3], 3);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const std::size_t row = upper_first || i == 0 || i == 4 ? i : 4 - i;
+    EXPECT_THAT(amplitude(found.at[i], 1), RelativelyNear(first[row], 1e-6));
+    EXPECT_THAT(amplitude(found.at[i], 3), RelativelyNear(third[row], 1e-6));
+    EXPECT_EQ(found.at[i].stable, row != 2);
+  }
+}
+
+TEST(SteadyMotion, StopOnOneSideAgreesWithPiecewiseExactMotions) {
+  const model::System system = oscillator(40, 48, 36000, 60, elements::GapStop{.gap_above = 0.006, .stiffness = 4e5});
+  nonlinear::SteadyOptions options{.from = 24, .to = 50, .harmonics = 25};
+  options.at = {27, 38, 42};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  EXPECT_EQ(found.ended, "");
+  constexpr double truncation = 1e-4;  // of 25 harmonics; the next is below it
+  ASSERT_EQ(found.folds.size(), 2u);
+  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(43.587332443, truncation));
+  // The other fold is 0.001 rad/s below the frequency at which the mass just touches, where harmonics converge slowly.
+  EXPECT_NEAR(found.folds[1].angular_frequency, 33.8616328, 0.2);
+  const auto row = [&](double omega) {
+    for (const SteadyPoint& point : found.at)
+      if (point.angular_frequency == omega) return point;
+    ADD_FAILURE() << omega;
+    return SteadyPoint();
+  };
+  EXPECT_THAT(row(27).deflections(0, 0), RelativelyNear(-0.00023441525114, 1e-3));  // a fiftieth of the amplitude
+  EXPECT_THAT(amplitude(row(27), 1), RelativelyNear(0.00624124336593, truncation));
+  EXPECT_THAT(amplitude(row(27), 2), RelativelyNear(0.000203151689013, 1e-3));
+  EXPECT_TRUE(row(27).stable);
+  EXPECT_THAT(amplitude(row(38), 1), RelativelyNear(0.01169872452333, truncation));  // the upper motion comes first
+  EXPECT_THAT(row(38).deflections(0, 0), RelativelyNear(-0.004425056073829, truncation));
+  EXPECT_TRUE(row(38).stable);
+  EXPECT_THAT(amplitude(found.at.back(), 1), RelativelyNear(0.001733164827988, 1e-9));  // without contact
+}
+
+/// 180 kg on four mounts with a cubic part along z.
+model::System body_on_four_mounts() {
+  std::string text = R"(trivet = 1
+[bodies.body]
+mass = 180
+center_of_mass = [0.02, -0.015, 0.11]
+inertia = {about = "center_of_mass", xx = 9.5, yy = 14.0, zz = 12.5, xy = 0.4, xz = -0.3, yz = -0.2}
+[element_types.mount]
+type = "bushing"
+translation = [3e5, 3e5, 4.5e5]
+damping = {proportional = 0.0012}
+[excitations.force]
+type = "harmonic"
+on = "body"
+at = [0.1, 0.05, 0.2]
+force = [0, 0, 400]
+)";
+  int number = 0;
+  for (const char* at : {"-0.45, -0.3, 0", "-0.45, 0.3, 0", "0.45, -0.3, 0", "0.45, 0.3, 0"})
+    text += "[elements.m" + std::to_string(++number) + "]\ntype = \"mount\"\non = \"body\"\nat = [" + at + "]\n";
+  const model::NonlinearPart cubic{2, 0.5, elements::PolynomialForce{{0, 0, 1.2e11}}};
+  return with_laws(text, {cubic, cubic, cubic, cubic});
+}
+
+TEST(SteadyMotion, BodyOnFourCubicMountsAgreesWithFullHarmonicBalance) {
+  constexpr double hertz = 2 * pi;
+  nonlinear::SteadyOptions options{.from = 8 * hertz, .to = 26 * hertz, .harmonics = 11};
+  options.at = {18.9 * hertz};
+  const SteadyBranch found = nonlinear::steady_branch(body_on_four_mounts(), options);
+  EXPECT_EQ(found.ended, "");
+  constexpr double digits = 1e-6;  // of the reference: 138 unknowns, confirmed by shooting
+  ASSERT_EQ(found.folds.size(), 2u);
+  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(19.342978126056288 * hertz, digits));
+  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(18.584949336705957 * hertz, digits));
+  ASSERT_EQ(found.at.size(), 3u);
+  const double multipliers[] = {0.83588169966, 1.21580119507, 0.83141683596};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(largest_multiplier(found.at[i]), multipliers[i], digits);
+    EXPECT_EQ(found.at[i].stable, i != 1);
+  }
+}
+
+}  // namespace
