@@ -224,3 +224,8 @@ def test_studies_warn_of_the_model_but_not_of_unasked_excitations(study):
     with pytest.warns(trivet.ModelWarning) as caught:
         project.check()
     assert any("no analysis of this file uses it" in str(one.message) for one in caught)
+
+
+def test_sweep_rejects_a_unit_with_two_meanings(machine):
+    with pytest.raises(trivet.InputError, match="several meanings"):
+        machine.sweep({"bodies.machine.mass": ["1000 g"]})  # a gram, or the acceleration of gravity

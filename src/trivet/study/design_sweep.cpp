@@ -20,6 +20,7 @@
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/model_number.h"
 #include "trivet/project/text/model_path.h"
+#include "trivet/project/text/units.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/asked_questions.h"
 
@@ -263,8 +264,20 @@ void require_size(const SweepRequest& request, std::size_t results) {
 
 namespace {
 
+/// Does the value of a unit depend on what it measures? 1 g is a gram or the acceleration of gravity.
+bool is_ambiguous(const std::string& unit) {
+  std::optional<double> first;
+  for (int q = 0; q <= static_cast<int>(project::Quantity::mass_length); ++q) {
+    const auto factor = project::to_si("1 " + unit, static_cast<project::Quantity>(q));
+    if (factor && first && *factor != *first) return true;
+    if (factor) first = *factor;
+  }
+  return false;
+}
+
 /// The reason why a number of the model cannot have this unit; empty if it can.
 std::string wrong_unit(const project::Case& variant, const std::string& path, const std::string& unit) {
+  if (is_ambiguous(unit)) return "\"" + unit + "\" has several meanings here; give numbers in SI";
   const project::ModelNumber number(path, unit);
   const auto value = number.read(variant);
   if (!value) return "\"" + unit + "\" is not its unit";
