@@ -76,6 +76,23 @@ TEST(SteadyMotion, HardeningSpringHasTwoFoldsAndAnUnstableMiddleMotion) {
   }
 }
 
+TEST(SteadyMotion, OneHarmonicKnowsTheThirdThatItLeavesOut) {
+  const model::System system = oscillator(1.5, 0.9, 600, 0.8, elements::PolynomialForce{{0, 0, 2e5}});
+  const auto branch = [&](Eigen::Index harmonics) {
+    return nonlinear::steady_branch(system, {.from = 14, .to = 30, .harmonics = harmonics});
+  };
+  const SteadyBranch one = branch(1), many = branch(15);
+  double third = 0;
+  for (const SteadyPoint& point : many.points)
+    third = std::max(third, amplitude(point, 3) / point.deflections.cwiseAbs().maxCoeff());
+  constexpr double second_order = 0.1;  // the third harmonic changes the stiffness that it moves against
+  EXPECT_THAT(one.left_out, RelativelyNear(third, second_order));
+  EXPECT_LT(many.left_out, 1e-9);
+  // Folds with one harmonic: m ω² = k + 3/4 k₃ a² ± …, by the double roots of the cubic in a².
+  EXPECT_THAT(one.folds.at(0).angular_frequency, RelativelyNear(23.350584555234533, 1e-10));
+  EXPECT_THAT(one.folds.at(1).angular_frequency, RelativelyNear(21.341785642874047, 1e-10));
+}
+
 TEST(SteadyMotion, ThirdHarmonicHasAResonanceThatTheFundamentalLacks) {
   const model::System system = oscillator(1.2, 0.48, 480, 6, elements::PolynomialForce{{0, 0, 8e5}});
   nonlinear::SteadyOptions options{.from = 6, .to = 13, .harmonics = 25};

@@ -25,7 +25,10 @@ Eigen::Matrix2d on_pair(std::complex<double> g) {
 HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  Index harmonics)
     : machine_(machine), harmonics_(harmonics) {
-  for (const Deflection& deflection : deflections) laws_.emplace_back(deflection.law, harmonics);
+  for (const Deflection& deflection : deflections) {
+    laws_.emplace_back(deflection.law, harmonics);
+    wider_.emplace_back(deflection.law, 3 * harmonics);
+  }
 }
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
@@ -77,12 +80,17 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics:
 
 double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   const Index C = coefficients(), m = machine_.size();
-  Eigen::MatrixXcd beyond(harmonics_, m);
-  for (Index j = 0; j < m; ++j) beyond.col(j) = laws_[to_size(j)].beyond(unknowns.segment(j * C, C));
+  MatrixXd forces(numerics::coefficient_count(3 * harmonics_), m);
+  for (Index j = 0; j < m; ++j) {
+    VectorXd padded = VectorXd::Zero(forces.rows());
+    padded.head(C) = unknowns.segment(j * C, C);
+    forces.col(j) = wider_[to_size(j)].at(padded).force;
+  }
   double sum = 0;
-  for (Index k = 0; k < harmonics_; ++k) {
-    const Receptance linear = machine_.receptance(static_cast<double>(harmonics_ + 1 + k) * omega);
-    sum += (linear.receptance * beyond.row(k).transpose()).cwiseAbs().maxCoeff();
+  for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
+    Eigen::VectorXcd force(m);
+    for (Index j = 0; j < m; ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
+    sum += (machine_.receptance(static_cast<double>(k) * omega).receptance * force).cwiseAbs().maxCoeff();
   }
   return sum / unknowns.cwiseAbs().maxCoeff();
 }

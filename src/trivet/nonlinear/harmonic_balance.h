@@ -25,7 +25,7 @@ class HarmonicBalance {
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(double omega) const;
   [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
-  /// Largest deflection that the harmonics from H + 1 to 2H add, as a share of the largest coefficient: what the
+  /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
   /// truncation leaves out, to first order.
   [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;
 
@@ -33,6 +33,7 @@ class HarmonicBalance {
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
   std::vector<LawHarmonics> laws_;
+  std::vector<LawHarmonics> wider_;  ///< the same laws with 3H harmonics: those of a cube
 };
 
 }  // namespace trivet::nonlinear

@@ -139,17 +139,4 @@ ForceHarmonics LawHarmonics::between(const std::vector<double>& phases, const Ve
   return sum;
 }
 
-Eigen::VectorXcd LawHarmonics::beyond(const VectorXd& deflection) const {
-  const LawHarmonics doubled(law_, 2 * harmonics_);
-  VectorXd padded = VectorXd::Zero(numerics::coefficient_count(2 * harmonics_));
-  padded.head(deflection.size()) = deflection;
-  const VectorXd force = doubled.at(padded).force;
-  Eigen::VectorXcd amplitudes(harmonics_);
-  for (Index k = 1; k <= harmonics_; ++k) {
-    const Index at = 2 * (harmonics_ + k);
-    amplitudes(k - 1) = {force(at - 1), -force(at)};
-  }
-  return amplitudes;
-}
-
 }  // namespace trivet::nonlinear

@@ -28,9 +28,6 @@ class LawHarmonics {
   [[nodiscard]] std::vector<double> kink_phases(const Eigen::VectorXd& deflection) const;
 
   [[nodiscard]] const elements::ScalarLaw& law() const { return law_; }
-  /// Coefficients of the force beyond the harmonics of the deflection, up to twice as many, as complex amplitudes:
-  /// what the truncation leaves out.
-  [[nodiscard]] Eigen::VectorXcd beyond(const Eigen::VectorXd& deflection) const;
 
  private:
   [[nodiscard]] ForceHarmonics sampled(const Eigen::VectorXd& deflection) const;

@@ -68,6 +68,7 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
 }
 
 std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) const {
+  constexpr double farthest = 10;  // in scaled lengths, of which steps are a small part: another branch
   const Index n = from.unknowns.size();
   VectorXd place(n + 1);
   place << from.unknowns, from.parameter;
@@ -80,7 +81,7 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) c
     VectorXd right = VectorXd::Zero(n + 1);
     right.head(n) = equations.value;  // the predictor already has the length `step` along the tangent
     const VectorXd change = PivotedLu<double>(bordered(equations, from.scale, from.tangent)).solve(right);
-    if (!change.allFinite() || change.norm() > 10) return std::nullopt;
+    if (!change.allFinite() || change.norm() > farthest) return std::nullopt;
     place -= change.cwiseProduct(from.scale);
     last = change.norm();
   }
