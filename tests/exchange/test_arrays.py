@@ -95,7 +95,6 @@ def test_matlab_in_scipy(program, tmp_path):
     np.testing.assert_array_equal(data["response"].pump_1_flange_z, curves["pump 1.flange.z"])
 
 
-@pytest.mark.skipif(shutil.which("octave") is None, reason="Octave is not installed")
 def test_matlab_in_octave(program, tmp_path):
     """Octave's own backslash."""
     program.export("matlab", tmp_path / "machine.mat")

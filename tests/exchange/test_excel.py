@@ -2,7 +2,6 @@
 """Excel workbooks, read back by openpyxl and converted by LibreOffice."""
 
 import pathlib
-import shutil
 import subprocess
 
 import openpyxl
@@ -81,7 +80,6 @@ def test_values_without_an_axis(program, tmp_path):
     assert table["unit"] == ["rad/s", "rad/s"]
 
 
-@pytest.mark.skipif(shutil.which("soffice") is None, reason="LibreOffice is not installed")
 def test_libreoffice(program, tmp_path):
     program.export("excel", tmp_path / "machine.xlsx")
     subprocess.run(["soffice", "--headless", "--convert-to", "csv:Text - txt - csv (StarCalc):44,34,76,1,,0,false,true,"

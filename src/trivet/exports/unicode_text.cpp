@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/unicode_text.h"
 
-#include <algorithm>
+#include <cstddef>
 
 namespace trivet::exports {
 namespace {
@@ -43,12 +43,6 @@ std::u16string utf16(const std::string& text) {
     }
   }
   return units;
-}
-
-std::string cut_text(const std::string& text, std::size_t most) {
-  std::size_t end = std::min(most, text.size());
-  while (end > 0 && end < text.size() && is_continuation(text[end])) --end;
-  return text.substr(0, end);
 }
 
 }  // namespace trivet::exports

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 namespace trivet::exports {
@@ -11,8 +10,5 @@ namespace trivet::exports {
 
 /// The text in UTF-16.
 [[nodiscard]] std::u16string utf16(const std::string& text);
-
-/// The start of a text in UTF-8, of at most so many bytes and of whole characters.
-[[nodiscard]] std::string cut_text(const std::string& text, std::size_t most);
 
 }  // namespace trivet::exports

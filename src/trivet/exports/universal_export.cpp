@@ -6,11 +6,11 @@
 
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/exports/format_table.h"
-#include "trivet/exports/unicode_text.h"
 #include "trivet/exports/universal_model.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/study/asked_questions.h"
@@ -115,7 +115,7 @@ UniversalQuantity quantity_of(const std::string& unit) {
 std::string fitting(const std::string& text, std::vector<std::string>& lost) {
   if (text.empty() || exchange::fits_universal_line(text)) return text;
   lost.push_back("cut to 80 characters, or without characters that the format does not know: " + text);
-  return cut_text(text, exchange::universal_id_width);
+  return foundation::shortened(text, exchange::universal_id_width);
 }
 
 std::vector<exchange::UniversalFunction> functions(const Content& content, const UniversalGeometry& geometry,

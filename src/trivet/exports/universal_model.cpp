@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "trivet/exchange/universal_writing.h"
-#include "trivet/exports/unicode_text.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/spatial/rigid_motion.h"
 
 namespace trivet::exports {
@@ -86,7 +86,7 @@ std::vector<exchange::UniversalMode> universal_modes(const model::System& system
   std::vector<exchange::UniversalMode> all;
   for (const modal::Mode& mode : modes.list) {
     exchange::UniversalMode written;
-    written.ids = {cut_text(mode.name, exchange::universal_id_width), "", "", "", ""};
+    written.ids = {foundation::shortened(mode.name, exchange::universal_id_width), "", "", "", ""};
     written.number = mode.number;
     exchange::UniversalNormalMode parameters;
     parameters.frequency_hz = mode.angular_frequency.value_or(0) / foundation::two_pi;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/exports/unicode_text.h"
 #include "trivet/exports/unique_names.h"
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/toml_value.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
@@ -27,7 +27,7 @@ std::string sheet_name(std::string name, UniqueNames& used) {
   constexpr std::size_t longest = 28;
   for (char& c : name)
     if (std::string("[]:*?/\\'").find(c) != std::string::npos) c = ' ';
-  return used.unique(cut_text(name, longest));
+  return used.unique(foundation::shortened(name, longest));
 }
 
 /// The units of the rows of an axis, if they differ.

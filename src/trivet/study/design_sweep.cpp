@@ -260,10 +260,6 @@ void require_size(const SweepRequest& request, std::size_t results) {
                                    values, static_cast<double>(most_swept_values)));
 }
 
-}  // namespace
-
-namespace {
-
 /// Does the value of a unit depend on what it measures? 1 g is a gram or the acceleration of gravity.
 bool is_ambiguous(const std::string& unit) {
   std::optional<double> first;

@@ -6,7 +6,6 @@
 namespace {
 
 using trivet::exports::code_points;
-using trivet::exports::cut_text;
 using trivet::exports::utf16;
 
 TEST(UnicodeText, HasOneCodePointPerCharacter) {
@@ -21,13 +20,6 @@ TEST(UnicodeText, ReplacesBytesThatAreNone) {
 
 TEST(UnicodeText, WritesPairsBeyondSixteenBits) {
   EXPECT_EQ(utf16("é\xF0\x9F\x9A\x82"), (std::u16string{u'é', 0xd83d, 0xde82}));
-}
-
-TEST(UnicodeText, IsCutBetweenCharacters) {
-  EXPECT_EQ(cut_text("aé", 2), "a");
-  EXPECT_EQ(cut_text("aé", 3), "aé");
-  EXPECT_EQ(cut_text("∞∞", 5), "∞");
-  EXPECT_EQ(cut_text("abc", 0), "");
 }
 
 }  // namespace
