@@ -101,6 +101,10 @@ Study sweep(const OpenProject& open, const std::vector<std::string>& paths,
   if (found->sweep.without_model > 0)
     warnings.warning("sweep", fmt::format("designs without a valid model: {}", found->sweep.without_model),
                      "their amplitudes are NaN; the first: " + found->sweep.first_failure, "");
+  if (const auto infinite = found->sweep.highest.array().isInf().count(); infinite > 0)
+    warnings.warning("sweep", fmt::format("infinite amplitudes: {} of {}", infinite, found->sweep.highest.size()),
+                     "an undamped resonance, or a motion without limit at rest, lies in the band",
+                     "give a band without it, or damping");
   return study_of(results::sweep_arrays(found->request, found->sweep), found, warnings);
 }
 

@@ -235,7 +235,7 @@ class Sweep(_Arrays):
         return self.array("amplitude")
 
     @property
-    def exactly(self) -> dict[str, int]:
+    def counts(self) -> dict[str, int]:
         """How many designs were computed by which method."""
         return {name: int(self.array(name)) for name in ("in_kernels", "one_by_one", "without_model")}
 

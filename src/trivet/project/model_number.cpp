@@ -2,34 +2,16 @@
 #include "trivet/project/model_number.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/project.h"
+#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
 namespace {
-
-/// Default of a key that is not written.
-std::optional<double> default_of(const std::vector<std::string>& keys) {
-  const auto is_one_of = [](const std::string& key, const auto& words) {
-    return std::find(words.begin(), words.end(), key) != words.end();
-  };
-  static constexpr std::array<const char*, 6> factors = {"scale",          "stiffening",        "creep",
-                                                         "damping_factor", "mass_about_center", "modal_factor"};
-  static constexpr std::array<const char*, 3> moments = {"xx", "yy", "zz"};
-  const std::string& key = keys.back();
-  if (is_one_of(key, factors)) return 1;
-  if (keys.size() < 2) return std::nullopt;
-  const std::string& table = keys[keys.size() - 2];
-  if (table == "stiffness_factor") return 1;
-  if (table == "moved" || table == "center_moved" || is_zero_by_default(table)) return 0;
-  if (table == "inertia_about_center") return is_one_of(key, moments) ? 1 : 0;
-  return std::nullopt;
-}
 
 /// Adds the tables and values of another change.
 void merge(Node& change, Node more) {
@@ -59,8 +41,8 @@ std::optional<double> ModelNumber::read(const Place& place, const Case& variant)
   if (!node && place.keys.back() != "scale")
     node = node_at(variant.document, place.keys);  // from its type, except a scale, which multiplies
   if (!node) {
-    const auto plain = default_of(place.keys);
-    return plain ? in_unit({*plain, ""}, unit_) : std::nullopt;
+    const auto plain = default_number(place.keys);
+    return plain ? in_unit({plain->value, ""}, unit_) : std::nullopt;
   }
   const auto written = written_number(*node);
   return written ? in_unit(*written, unit_) : std::nullopt;

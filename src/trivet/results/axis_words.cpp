@@ -13,18 +13,6 @@
 namespace trivet::results {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 11> units = {{{"proportional", "s"},
-                                                                        {"coefficient", "N s/m"},
-                                                                        {"mass", "kg"},
-                                                                        {"angle", "rad"},
-                                                                        {"phase", "rad"},
-                                                                        {"xx", "kg m²"},
-                                                                        {"yy", "kg m²"},
-                                                                        {"zz", "kg m²"},
-                                                                        {"xy", "kg m²"},
-                                                                        {"xz", "kg m²"},
-                                                                        {"yz", "kg m²"}}};
-
 /// Keys in the field's words.
 constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"scale", "stiffness scale"},
                                                                              {"stiffening", "dynamic stiffening"},
@@ -39,29 +27,42 @@ constexpr std::array<std::pair<const char*, const char*>, 12> known_keys = {{{"s
                                                                              {"xz", "product of inertia xz"},
                                                                              {"yz", "product of inertia yz"}}};
 
-/// A component of an array or of an adjustment: the name of the whole, and the unit of its numbers without a unit.
-struct ComponentOf {
-  const char *table, *words, *unit;
-};
-constexpr std::array<ComponentOf, 12> component_tables = {{{"at", "place", "m"},
-                                                           {"from_at", "place of the foot", "m"},
-                                                           {"position", "position", "m"},
-                                                           {"center_of_mass", "centre of mass", "m"},
-                                                           {"moved", "shift", "m"},
-                                                           {"center_moved", "shift of the centre of mass", "m"},
-                                                           {"translation", "stiffness", "N/m"},
-                                                           {"rotation", "rotational stiffness", "N m/rad"},
-                                                           {"force", "force", "N"},
-                                                           {"moment", "moment", "N m"},
-                                                           {"stiffness_factor", "stiffness factor", ""},
-                                                           {"inertia_about_center", "inertia factor", ""}}};
+/// Arrays and adjustments of an element or body, whose components are numbers.
+constexpr std::array<std::pair<const char*, const char*>, 12> known_tables = {
+    {{"at", "place"},
+     {"from_at", "place of the foot"},
+     {"position", "position"},
+     {"center_of_mass", "centre of mass"},
+     {"moved", "shift"},
+     {"center_moved", "shift of the centre of mass"},
+     {"translation", "stiffness"},
+     {"rotation", "rotational stiffness"},
+     {"force", "force"},
+     {"moment", "moment"},
+     {"stiffness_factor", "stiffness factor"},
+     {"inertia_about_center", "inertia factor"}}};
 
-const ComponentOf* component_table(const std::vector<std::string>& keys) {
-  if (keys.size() < 4) return nullptr;
-  const bool damps = keys[keys.size() - 3] == "damping";  // translation and rotation of a damping have other units
-  const auto found = std::find_if(component_tables.begin(), component_tables.end(),
-                                  [&](const ComponentOf& one) { return keys[keys.size() - 2] == one.table; });
-  return damps || found == component_tables.end() ? nullptr : found;
+std::string with_blanks(std::string key) {
+  std::replace(key.begin(), key.end(), '_', ' ');
+  return key;
+}
+
+template <std::size_t size>
+std::string meaning(const std::array<std::pair<const char*, const char*>, size>& known, const std::string& key) {
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& one) { return key == one.first; });
+  return found == known.end() ? with_blanks(key) : found->second;
+}
+
+/// Words of the number within its part: "place y", "damping translation z", "seat z", "proportional damping δ".
+std::string words_in_part(const std::vector<std::string>& keys) {
+  const std::string& last = keys.back();
+  const bool is_component = last.size() == 1 || keys[keys.size() - 2] == "inertia_about_center";
+  if (keys.size() < 4 || !is_component) return meaning(known_keys, last);
+  const std::string& table = keys[keys.size() - 2];
+  const bool is_stiffness = keys.size() == 4 && keys.front().starts_with("element");
+  const bool is_motion = table == "translation" || table == "rotation";
+  const std::string whole = is_motion && !is_stiffness ? table : meaning(known_tables, table);
+  return (keys.size() == 5 && keys[2] == "damping" ? "damping " : "") + whole + " " + last;
 }
 
 int digits_on(const project::DesignAxis& axis) {
@@ -78,30 +79,16 @@ int digits_on(const project::DesignAxis& axis) {
 std::string axis_name(const project::DesignAxis& axis) {
   const std::vector<std::string> keys = project::path_keys(axis.parameter);
   if (axis.name != axis.parameter || keys.size() < 2) return axis.name;
-  if (const ComponentOf* part = component_table(keys))
-    return fmt::format("{} {} of {}", part->words, keys.back(), keys[1]);
-  std::string words = keys.back();
-  std::replace(words.begin(), words.end(), '_', ' ');
-  for (const auto& [key, meaning] : known_keys)
-    if (keys.back() == key) words = meaning;
-  return keys.size() > 2 ? words + " of " + keys[1] : words;
+  return keys.size() > 2 ? words_in_part(keys) + " of " + keys[1] : with_blanks(keys[0]) + " " + with_blanks(keys[1]);
 }
 
 std::string axis_unit(const project::DesignAxis& axis) {
   if (!axis.unit.empty()) return axis.unit;
-  const std::vector<std::string> keys = project::path_keys(axis.parameter);
-  if (const ComponentOf* part = component_table(keys)) return part->unit;
-  const auto found = std::find_if(units.begin(), units.end(),
-                                  [&](const auto& known) { return !keys.empty() && keys.back() == known.first; });
-  return found == units.end() ? "" : found->second;
+  return axis.quantity ? project::printed_si_unit(*axis.quantity) : "";
 }
 
 bool is_pure_number(const project::DesignAxis& axis) {
-  const std::vector<std::string> keys = project::path_keys(axis.parameter);
-  if (keys.empty() || !axis_unit(axis).empty()) return false;
-  static constexpr std::array<const char*, 7> pure = {
-      "scale", "stiffening", "creep", "loss_factor", "damping_factor", "mass_about_center", "modal_factor"};
-  return component_table(keys) || std::find(pure.begin(), pure.end(), keys.back()) != pure.end();
+  return axis.unit.empty() && axis.quantity == project::Quantity::pure;
 }
 
 std::string axis_value(double value, const project::DesignAxis& axis) {

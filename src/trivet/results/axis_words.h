@@ -10,8 +10,8 @@ namespace trivet::results {
 /// Name of an axis: as given, or the meaning of its path in the field's words ("stiffness scale of suspension").
 [[nodiscard]] std::string axis_name(const project::DesignAxis& axis);
 
-/// Unit of the numbers on an axis: that given with from and to, otherwise the SI unit of a number of this key without a
-/// unit; empty if there is none or it is not known.
+/// Unit of the numbers on an axis: that given with from and to, otherwise the SI unit of its quantity; empty if there
+/// is none or it is not known.
 [[nodiscard]] std::string axis_unit(const project::DesignAxis& axis);
 
 /// Is it a dimensionless number?

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "trivet/foundation/index.h"
-#include "trivet/results/axis_words.h"
 
 namespace trivet::results {
 namespace {
@@ -15,11 +14,10 @@ void add_signals(const std::string& axis, const std::vector<study::Signal>& sign
              [](const study::Signal& signal) { return signal.unit.empty() ? "1" : signal.unit; });
 }
 
-std::string unit_of(const std::string& path) {
-  project::DesignAxis axis;
-  axis.parameter = path;
-  const std::string unit = axis_unit(axis);
-  return !unit.empty() ? unit : is_pure_number(axis) ? "1" : "SI";
+std::string unit_of(const study::SweptNumber& number) {
+  if (!number.quantity) return "SI";
+  const std::string unit = project::printed_si_unit(*number.quantity);
+  return unit.empty() ? "1" : unit;
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ LabelledArrays sweep_arrays(const study::SweepRequest& request, const study::Des
   LabelledArrays list;
   LabelledArray amplitude{"amplitude", "unit of the row", {}, {}, {}, sweep.highest.data()};
   for (const study::SweptNumber& number : request.numbers) {
-    list.copy(number.path, unit_of(number.path), number.path, number.values);
+    list.copy(number.path, unit_of(number), number.path, number.values);
     amplitude.axes.push_back(number.path);
     amplitude.shape.push_back(number.values.size());
   }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
-#include <set>
 
 #include "trivet/design/driven_design.h"
 #include "trivet/design/plain_design.h"
@@ -19,8 +18,8 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/model_number.h"
+#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
-#include "trivet/project/text/units.h"
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/asked_questions.h"
 
@@ -260,53 +259,25 @@ void require_size(const SweepRequest& request, std::size_t results) {
                                    values, static_cast<double>(most_swept_values)));
 }
 
-/// Does the value of a unit depend on what it measures? 1 g is a gram or the acceleration of gravity.
-bool is_ambiguous(const std::string& unit) {
-  std::optional<double> first;
-  for (int q = 0; q <= static_cast<int>(project::Quantity::mass_length); ++q) {
-    const auto factor = project::to_si("1 " + unit, static_cast<project::Quantity>(q));
-    if (factor && first && *factor != *first) return true;
-    if (factor) first = *factor;
-  }
-  return false;
-}
-
-/// The reason why a number of the model cannot have this unit; empty if it can.
-std::string wrong_unit(const project::Case& variant, const std::string& path, const std::string& unit) {
-  if (is_ambiguous(unit)) return "\"" + unit + "\" has several meanings here; give numbers in SI";
-  const project::ModelNumber number(path, unit);
-  const auto value = number.read(variant);
-  if (!value) return "\"" + unit + "\" is not its unit";
-  const auto same = project::changed_system(variant, {{number, *value}});
-  return same ? "" : same.error().list().front().finding + ": " + same.error().list().front().rule;
-}
-
 }  // namespace
 
 SweptNumber swept_number(const project::Case& variant, const std::string& path,
                          const std::vector<WrittenValue>& values) {
-  SweptNumber number{path, {}};
-  std::set<std::string> units;
+  SweptNumber number{path, {}, project::quantity_at(variant.document, project::path_keys(path))};
   std::string wrong;
   for (const WrittenValue& value : values) {
     if (const double* si = std::get_if<double>(&value)) {
       number.values.push_back(*si);
       continue;
     }
-    project::Node text;
-    text.kind = project::Node::Kind::text;
-    text.text = std::get<std::string>(value);
-    const auto written = project::written_number(text);
-    const auto si = written && !written->unit.empty() ? project::in_unit(*written, "") : std::nullopt;
-    if (si && units.insert(written->unit).second) {
-      const std::string reason = wrong_unit(variant, path, written->unit);
-      if (!reason.empty()) wrong += fmt::format("{}\"{}\": {}", wrong.empty() ? "" : "; ", text.text, reason);
-    } else if (!si) {
-      wrong += fmt::format("{}\"{}\" is no number with a unit", wrong.empty() ? "" : "; ", text.text);
-    }
+    const std::string& text = std::get<std::string>(value);
+    const tl::expected<double, std::string> si = number.quantity
+        ? project::to_si(text, *number.quantity)
+        : tl::make_unexpected("the model has no number there, or its unit is not known; give numbers in SI");
+    if (!si) wrong += fmt::format("{}\"{}\": {}", wrong.empty() ? "" : "; ", text, si.error());
     number.values.push_back(si.value_or(without_value));
   }
-  if (!wrong.empty()) throw InvalidInput(fmt::format("sweep: {}: {}; write as in the project file", path, wrong));
+  if (!wrong.empty()) throw InvalidInput(fmt::format("sweep: {}: {}", path, wrong));
   return number;
 }
 

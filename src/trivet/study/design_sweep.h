@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,15 +16,16 @@ namespace trivet::study {
 
 /// One number of the model and its values.
 struct SweptNumber {
-  std::string path;            ///< as in --set: "elements.mount.scale"
-  std::vector<double> values;  ///< as bare numbers of the file: SI
+  std::string path;                                          ///< as in --set: "elements.mount.scale"
+  std::vector<double> values;                                ///< as bare numbers of the file: SI
+  std::optional<project::Quantity> quantity = std::nullopt;  ///< of the values; none if it is not known
 };
 
 /// A value of the project file: a number in SI, or a text with a unit.
 using WrittenValue = std::variant<double, std::string>;
 
-/// The number with its values in SI. @throws foundation::InvalidInput for texts that are no numbers in a unit of this
-/// number, all of them at once
+/// The number with its values in SI, texts read as the project file reads them. @throws foundation::InvalidInput for
+/// texts that are no numbers in a unit of this number, all of them at once
 [[nodiscard]] SweptNumber swept_number(const project::Case& variant, const std::string& path,
                                        const std::vector<WrittenValue>& values);
 

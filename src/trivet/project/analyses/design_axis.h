@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 
@@ -22,6 +25,7 @@ struct DesignAxis {
   bool logarithmic = false;
   int points = 101;                    ///< of a map
   std::vector<ParameterPlace> places;  ///< all of them
+  std::optional<Quantity> quantity;    ///< of the number at the first place; none if it cannot be read
 
   [[nodiscard]] double at(double share) const;     ///< the value at 0 … 1 of the axis, ends exact
   [[nodiscard]] double share(double value) const;  ///< inverse of `at`, also beyond the ends

@@ -11,6 +11,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/mount_choice.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
@@ -195,6 +196,7 @@ std::vector<DesignAxis> read_parameters(TableReader& root) {
     axis.name = table->keys[i];
     axis.places = read_places(root, reader);
     if (!axis.places.empty()) axis.parameter = axis.places.front().path;
+    axis.quantity = quantity_at(root.content(), path_keys(axis.parameter));
     read_range(reader, axis);
     reader.finish();
     parameters.push_back(std::move(axis));

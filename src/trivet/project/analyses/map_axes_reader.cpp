@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/design_axis_reader.h"
+#include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
 
 namespace trivet::project {
@@ -48,6 +49,7 @@ DesignAxis read_axis(TableReader& root, TableReader& map, const std::string& key
   } else {
     axis.parameter = parameter;
     axis.places = {{parameter, 1}};
+    axis.quantity = quantity_at(root.content(), path_keys(parameter));
     const Node* node = reader.node("parameter");
     if (node && node->kind == Node::Kind::text) check_model_path(root, reader, "parameter", parameter);
     axis.name = reader.text("name").value_or(parameter);

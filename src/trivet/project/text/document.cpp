@@ -71,11 +71,18 @@ std::string canonical(const Node& node) {
 const Node& deepest(const Node& root, std::string_view path) {
   const Node* node = &root;
   while (!path.empty()) {
-    const std::size_t dot = path.find('.');
-    const Node* next = node->find(path.substr(0, dot));
+    const Node* next = nullptr;
+    std::size_t end = path.size();  // the longest name that matches: names may have dots
+    for (;;) {
+      next = node->find(path.substr(0, end));
+      if (next || end == 0) break;
+      const std::size_t dot = path.rfind('.', end - 1);
+      if (dot == std::string_view::npos) break;
+      end = dot;
+    }
     if (!next) break;
     node = next;
-    path = dot == std::string_view::npos ? std::string_view() : path.substr(dot + 1);
+    path = end == path.size() ? std::string_view() : path.substr(end + 1);
   }
   return *node;
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "trivet/foundation/problems.h"
+#include "trivet/project/text/units.h"
 
 namespace trivet::project {
 
@@ -21,6 +23,7 @@ struct Node {
   std::string folder;  ///< of a text: in which it may name a file; empty: that of its source
   double number = 0;   ///< of an integer or real
   bool boolean = false;
+  mutable std::optional<Quantity> quantity;  ///< of a number that TableReader has read
 
   [[nodiscard]] const Node* find(std::string_view key) const;
   [[nodiscard]] Node* find(std::string_view key);
@@ -37,7 +40,7 @@ struct Node {
 /// Text form of a value, equal for equal values.
 [[nodiscard]] std::string canonical(const Node& node);
 
-/// Deepest existing node on a path such as "elements.front spring.damping".
+/// Deepest existing node on a path such as "elements.front spring.damping"; names in it may have dots.
 [[nodiscard]] const Node& deepest(const Node& root, std::string_view path);
 
 /// Sets missing origins of problems from their subject paths.

@@ -104,6 +104,7 @@ const Node* TableReader::table(const std::string& key) {
 }
 
 std::optional<double> TableReader::scalar(const Node& value, const std::string& where, Quantity quantity) {
+  value.quantity = quantity;
   const std::string unit = si_unit(quantity);
   const std::string remedy = quantity == Quantity::pure
       ? "give a plain number"

@@ -21,6 +21,7 @@ class TableReader {
   TableReader(const Node& table, std::string path, foundation::Problems& problems);
 
   [[nodiscard]] bool has(const std::string& key) const { return table_.find(key) != nullptr; }
+  [[nodiscard]] const Node& content() const { return table_; }
   [[nodiscard]] const std::string& path() const { return path_; }
   [[nodiscard]] foundation::Problems& problems() const { return problems_; }
 

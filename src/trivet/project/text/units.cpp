@@ -275,6 +275,13 @@ const char* si_unit(Quantity quantity) {
   return "";
 }
 
+std::string printed_si_unit(Quantity quantity) {
+  if (quantity == Quantity::pure) return "";
+  std::string printed;
+  for (const char c : std::string(si_unit(quantity))) printed += c == '2' ? "²" : c == '3' ? "³" : std::string(1, c);
+  return printed;
+}
+
 tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -40,6 +40,9 @@ enum class Quantity {
 
 [[nodiscard]] const char* si_unit(Quantity quantity);
 
+/// The same as it is printed: "kg m²"; empty for a pure number.
+[[nodiscard]] std::string printed_si_unit(Quantity quantity);
+
 /// SI value of a text, "452.3 lb" → 205.16 for a mass, or the reason why it has none. Angle and energy are separate
 /// dimensions here: Hz is 2π rad/s, "5 rad" is not a pure number and "5 J" is not a moment.
 [[nodiscard]] tl::expected<double, std::string> to_si(std::string_view text, Quantity quantity);
