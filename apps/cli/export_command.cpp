@@ -11,12 +11,15 @@
 namespace trivet::cli {
 namespace {
 
-/// "matrices,modes" → matrices, modes.
+/// "matrices, modes" → matrices, modes.
 std::vector<std::string> names_in(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t from = 0; from <= text.size() && !text.empty();) {
     const std::size_t comma = std::min(text.find(',', from), text.size());
-    names.push_back(text.substr(from, comma - from));
+    std::string name = text.substr(from, comma - from);
+    name.erase(0, name.find_first_not_of(' '));
+    name.erase(name.find_last_not_of(' ') + 1);
+    names.push_back(std::move(name));
     from = comma + 1;
   }
   return names;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """MATLAB, NumPy, HDF5, Matrix Market and CSV, read back by Octave, SciPy, NumPy, h5py and xarray."""
 
+import csv
 import json
 import shutil
 import subprocess
@@ -119,10 +120,19 @@ def test_matrix_market(program, tmp_path):
 
 
 def test_csv(program, tmp_path):
-    notes = program.export("csv", tmp_path / "tables", "--what", "response,peaks,matrices")
-    assert "matrices is not written" in notes
+    program.export("csv", tmp_path / "tables", "--what", "response, peaks,matrices")
     assert (tmp_path / "tables" / "response.csv").read_text() == program("response", program.path, "--csv").stdout
     assert (tmp_path / "tables" / "peaks.csv").read_text() == program("peaks", program.path, "--csv").stdout
+
+
+def test_matrices_as_csv(program, tmp_path):
+    program.export("csv", tmp_path / "tables", "--what", "matrices")
+    program.export("numpy", tmp_path / "machine.npz", "--what", "matrices")
+    data = np.load(tmp_path / "machine.npz")
+    for name in ("A", "B", "K", "K_loss"):
+        rows = list(csv.reader((tmp_path / "tables" / f"{name}.csv").open()))
+        assert rows[0][2:] == [row[0] for row in rows[1:]]
+        np.testing.assert_array_equal(np.array([row[2:] for row in rows[1:]], float), data[f"matrices/{name}"])
 
 
 def test_parts_are_read_back(program, with_text, tmp_path):
@@ -215,8 +225,6 @@ def test_names_that_formats_dislike(with_text, tmp_path):
 
 
 def test_quotes_in_tables_of_names(with_text, tmp_path):
-    import csv
-
     text = NAMES.replace('"a/b"', "'a\"b'")
     program = with_text(text)
     program.export("matrix_market", tmp_path / "m")

@@ -17,7 +17,8 @@ ARRAYS = ["matlab", "numpy", "hdf5", "excel", "universal", "matrix_market", "csv
         (("--to", "csv", "-o", "."), "not empty"),
         (("--to", "csv", "-o", "machine.toml"), "is a file"),
         (("--to", "fmu", "-o", "x", "--what", "modes"), "fixed content"),
-        (("--to", "matrix_market", "-o", "x", "--what", "modes"), "add matrices"),
+        (("--to", "matrix_market", "-o", "x", "--what", "modes"), "only matrices"),
+        (("--to", "universal", "-o", "x", "--what", "static"), "only modes and response"),
         (("--to", "matlab", "-o", "x", "--case", "cold"), "no such case"),
     ],
 )

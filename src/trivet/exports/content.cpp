@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/results/study_arrays.h"
@@ -54,9 +55,9 @@ Group matrices(const project::Case& variant, std::vector<std::string>& notes) {
   return {of_matrices, results::matrix_arrays(*found), nullptr, found};
 }
 
-Group answer(const project::Case& variant, const std::string& question, const foundation::Progress& progress) {
-  const auto found = std::make_shared<const study::Answers>(
-      study::answers(variant, study::asked_question(question).asked(variant), progress));
+Group answer(const project::Case& variant, const std::string& question, const project::Analyses& asked,
+             const foundation::Progress& progress) {
+  const auto found = std::make_shared<const study::Answers>(study::answers(variant, asked, progress));
   const bool only_beside = question == "response" && found->response;
   if (!found->failures.empty() && !only_beside) throw foundation::NotComputable(found->failures.front());
   return {question, results::answer_arrays(question, variant, *found), found, found};
@@ -79,18 +80,27 @@ Content content(const project::Project& project, const project::Case& variant, c
                 const std::vector<std::string>& by_default, const foundation::Progress& progress) {
   require_known(what);
   Content found{project, variant, {}, {}};
-  const auto add = [&](const std::string& name) {
-    if (!found.find(name))
-      found.groups.push_back(name == of_matrices ? matrices(variant, found.notes) : answer(variant, name, progress));
+  const auto asked = [&](const std::string& name) {
+    return name == of_matrices ? project::Analyses() : study::asked_question(name).asked(variant);
   };
-  for (const std::string& name : what) add(name);
+  const auto add = [&](const std::string& name, const project::Analyses& question) {
+    if (found.find(name)) return;
+    found.groups.push_back(name == of_matrices ? matrices(variant, found.notes)
+                                               : answer(variant, name, question, progress));
+  };
+  for (const std::string& name : what) add(name, asked(name));
   if (!what.empty()) return found;
   for (const std::string& name : by_default.empty() ? asked_in(variant.analyses) : by_default) {
+    std::optional<project::Analyses> question;
     try {
-      add(name);
-    } catch (const foundation::NotComputable& reason) {
+      question = asked(name);
+    } catch (const foundation::InvalidInput& reason) {  // such as a format's answer without its excitation
       found.notes.push_back(left_out(name, reason.what()));
-    } catch (const foundation::InvalidInput& reason) {
+      continue;
+    }
+    try {
+      add(name, *question);
+    } catch (const foundation::NotComputable& reason) {
       found.notes.push_back(left_out(name, reason.what()));
     }
   }

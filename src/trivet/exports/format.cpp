@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/exports/format.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "trivet/exports/format_table.h"
@@ -24,6 +27,19 @@ const Format& format_of(const std::string& name) {
                                  (guess.empty() ? "known are " + list : "did you mean \"" + guess + "\"?"));
 }
 
+/// @throws foundation::InvalidInput for groups that the format cannot hold
+void require_room(const Format& format, const std::vector<std::string>& what) {
+  if (format.fixed && !what.empty())
+    throw foundation::InvalidInput(std::string("what: the format ") + format.name +
+                                   " has a fixed content; leave it out");
+  for (const std::string& name : what) {
+    const std::vector<std::string>& groups = format.groups;
+    if (groups.empty() || std::find(groups.begin(), groups.end(), name) != groups.end()) continue;
+    throw foundation::InvalidInput(fmt::format("what: the format {} holds no \"{}\", only {}; take excel, hdf5 or csv",
+                                               format.name, name, fmt::join(groups, " and ")));
+  }
+}
+
 }  // namespace
 
 const std::vector<Format>& formats() {
@@ -39,12 +55,10 @@ std::vector<std::string> export_project(const project::Project& project, const p
                                         const std::string& format_name, const std::vector<std::string>& what,
                                         const std::filesystem::path& path, const foundation::Progress& progress) {
   const Format& format = format_of(format_name);
-  if (format.fixed && !what.empty())
-    throw foundation::InvalidInput(std::string("what: the format ") + format.name +
-                                   " has a fixed content; leave it out");
+  require_room(format, what);
   const Target target(path, format.kind, format.side);
   const Content found =
-      format.fixed ? Content{project, variant, {}, {}} : content(project, variant, what, format.by_default, progress);
+      format.fixed ? Content{project, variant, {}, {}} : content(project, variant, what, format.groups, progress);
   std::vector<std::string> notes = found.notes;
   const std::vector<std::string> lost = format.write(found, target, progress);
   notes.insert(notes.end(), lost.begin(), lost.end());

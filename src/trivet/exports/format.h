@@ -15,8 +15,8 @@ struct Format {
   const char* name;   ///< of `--to`
   const char* about;  ///< what it holds and who reads it
   Target::Kind kind = Target::Kind::file;
-  /// Groups that it holds by default; empty: all. `fixed`: it has a content of its own, and `what` must be empty.
-  std::vector<std::string> by_default = {};
+  /// Groups that it can hold; empty: any. `fixed`: it has a content of its own, and `what` must be empty.
+  std::vector<std::string> groups = {};
   bool fixed = false;
   /// Writes to the target. @returns what the format cannot hold
   /// @throws foundation::InvalidInput, NotComputable if it cannot hold the content at all

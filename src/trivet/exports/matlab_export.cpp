@@ -130,7 +130,7 @@ Variable mat_structure(const char* name, std::vector<std::pair<std::string, Vari
 using Fields = std::vector<std::pair<std::string, Variable>>;
 
 /// Groups with names, units and axes of their fields.
-std::vector<Variable> group_variables(const Content& content) {
+std::vector<Variable> group_variables(const Content& content, std::vector<std::string>& notes) {
   std::vector<Variable> variables;
   std::vector<std::string> fields, names, units, axes;
   for (const Group& group : content.groups) {
@@ -138,6 +138,9 @@ std::vector<Variable> group_variables(const Content& content) {
     Fields of_group;
     for (const LabelledArray& array : group.arrays.list()) {
       const std::string field = used.unique(field_name(array.name));
+      if (field != array.name && notes.empty())
+        notes.push_back(fmt::format("names of fields have letters, digits and _ only: {} is {}; about.name has all",
+                                    array.name, field));
       of_group.emplace_back(field, variable_of(array, nullptr));
       fields.push_back(group.name + "." + field);
       names.push_back(array.name);
@@ -238,7 +241,7 @@ std::vector<std::string> write_matlab(const Content& content, const Target& targ
     const std::unique_ptr<mat_t, CloseFile> file(
         Mat_CreateVer(path.c_str(), "MATLAB 5.0 MAT-file, written by Trivet", MAT_FT_MAT5));
     if (!file) throw std::runtime_error(fmt::format("cannot write {}", path));
-    std::vector<Variable> variables = group_variables(content);
+    std::vector<Variable> variables = group_variables(content, notes);
     std::optional<Variable> check = check_variable(content);
     if (check && is_quotable(name)) {
       variables.push_back(std::move(*check));

@@ -30,8 +30,6 @@ std::string matrix_market(const LabelledArray& array, const std::string& words) 
 std::vector<std::string> write_matrix_market(const Content& content, const Target& target,
                                              const foundation::Progress&) {
   const Group* matrices = content.find("matrices");
-  if (!matrices)
-    throw foundation::InvalidInput("what: the format matrix_market holds matrices only; add matrices, or leave it out");
   for (const char* name : {"A", "B", "K", "K_loss"})
     write_bytes(target.path() / (std::string(name) + ".mtx"),
                 matrix_market(*matrices->arrays.find(name), content.words()));
@@ -41,10 +39,7 @@ std::vector<std::string> write_matrix_market(const Content& content, const Targe
   for (std::size_t i = 0; i < names.size(); ++i)
     rows += fmt::format("{},{},{}\n", i + 1, results::csv_field(names[i]), units[i]);
   write_bytes(target.path() / "coordinates.csv", rows);
-  std::vector<std::string> lost;
-  for (const Group& group : content.groups)
-    if (group.name != "matrices") lost.push_back(group.name + " is not written: the format holds matrices only");
-  return lost;
+  return {};
 }
 
 }  // namespace

@@ -177,9 +177,6 @@ std::vector<std::string> written_universal(const Content& content, const Target&
     else notes.emplace_back("binary functions are single precision: values have seven digits");
     file.functions = functions(content, geometry, hertz, form, notes, progress);
   }
-  for (const Group& group : content.groups)
-    if (group.name != "modes" && group.name != "response")
-      notes.push_back(group.name + " is not written: no set holds it");
   write_bytes(target.side(), nodes_csv(geometry));
   write_bytes(target.path(), exchange::universal_text(file, form));
   return notes;
