@@ -86,3 +86,19 @@ def test_libreoffice(program, tmp_path):
                     "false,false,false,-1", "machine.xlsx"], cwd=tmp_path, check=True, capture_output=True)  # fmt: skip
     written = sorted(pathlib.Path(tmp_path).glob("machine-*.csv"))
     assert len(written) == len(openpyxl.load_workbook(tmp_path / "machine.xlsx").sheetnames)
+
+
+def test_units_and_levels_of_the_display(with_text, program, tmp_path):
+    """Amplitudes have a level, roots and modes have none, and every frequency has the unit of frequencies."""
+    shown = '\n[display]\nlength = "in"\nangle = "deg"\nfrequency = "rpm"\nlevel = "peak_to_peak"\n'
+    asked = with_text(program.path.read_text() + shown + '[analyses.shapes]\nat = ["8 Hz"]\n')
+    asked.export("excel", tmp_path / "out.xlsx", "--what", "peaks,roots,shapes")
+    book = openpyxl.load_workbook(tmp_path / "out.xlsx")
+    inch = 0.0254
+    values = columns(book["peaks values"])
+    assert values["unit"] == ["rpm", "rpm"]
+    assert {unit for unit in columns(book["peaks"])["unit"] if unit} <= {"in p-p", "deg p-p", "N p-p", "N in p-p"}
+    found = asked.json("shapes")["shapes"][0]
+    shape = columns(book["shapes"])
+    assert shape["largest_excursion [in p-p]"][0] == pytest.approx(2 * found["largest_excursion"] / inch)
+    assert not any("p-p" in heading for heading in columns(book["roots"]))

@@ -211,3 +211,26 @@ def test_curves_do_not_change(machine):
     for name in ("name", "unit"):
         with pytest.raises(AttributeError):
             setattr(curve, name, "x")
+
+
+def test_requirements_say_their_bound_in_the_shown_unit():
+    verdict = trivet.open(example("genset/load_cases.toml")).verdict()
+    table = verdict.to(length="in", frequency="rpm", level="peak_to_peak").to_dataframe()
+    assert "angular_frequency [rpm]" in table.columns
+    bounds = [
+        (row.requirement, f"≤ {row.allowed:.4g} {row.unit}") for row in table.itertuples() if row.unit.endswith(" p-p")
+    ]
+    assert bounds and all(words.endswith(bound) for words, bound in bounds)
+    si = verdict.to_dataframe()
+    assert [words.split("≤")[0] for words in si.requirement] == [words.split("≤")[0] for words in table.requirement]
+
+
+def test_operating_shapes_have_units_and_a_level(machine):
+    answer = machine.shapes(at=["8 Hz", "9 Hz"])
+    shown = answer.to(length="in", level="peak_to_peak")
+    si, table = answer.to_dataframe(), shown.to_dataframe()
+    np.testing.assert_allclose(table["z re [in p-p]"], 2 / 0.0254 * si["z re [m]"], rtol=1e-14)
+    np.testing.assert_allclose(table["rx im [rad p-p]"], 2 * si["rx im [rad]"], rtol=1e-14)
+    curve = shown.curves["largest_excursion"]
+    assert curve.unit == "in p-p"
+    np.testing.assert_allclose(curve.values, 2 / 0.0254 * answer.array("largest_excursion"), rtol=1e-14)

@@ -101,7 +101,16 @@ void bind_answer(nb::module_& module) {
           nb::arg("name"), "One picture as SVG.")
       .def(
           "arrays", [](const Answer& answer) { return python_arrays(answer.arrays, answer.held); },
-          "(name, unit, axes, values) of each array; values are read-only views without a copy.");
+          "(name, unit, axes, values) of each array; values are read-only views without a copy.")
+      .def_prop_ro(
+          "harmonic",
+          [](const Answer& answer) {
+            std::vector<std::string> names;
+            for (const LabelledArray& array : answer.arrays.list())
+              if (array.harmonic) names.push_back(array.name);
+            return names;
+          },
+          "names of the arrays of harmonic quantities, which have a level");
 }
 
 }  // namespace trivet::python

@@ -36,6 +36,7 @@ class Curve:
         axis: str,
         places: Numbers,
         shown: _core.ShownUnits,
+        harmonic: bool,
         phase: Numbers | None = None,
     ) -> None:
         self._name = name
@@ -44,7 +45,7 @@ class Curve:
         self._si = unit, values, places
         self._shown = shown
         self._unit, self._factor = shown.unit(unit)
-        if np.iscomplexobj(values):
+        if harmonic:
             self._unit, level = _tables.with_level(self._unit, unit, shown)
             self._factor *= level
 
@@ -130,6 +131,7 @@ class Answer:
         self._shown = shown or _core.ShownUnits()
         self._converted: _core.ShownUnits | None = None  # by `to`; the text otherwise has the units of [display]
         self._arrays = {name: (unit, axes, values) for name, unit, axes, values in core.arrays()}
+        self._harmonic = frozenset(core.harmonic)
 
     @property
     def question(self) -> str:
@@ -182,7 +184,8 @@ class Answer:
             return {}
         rows, places = self._arrays[axes[0]][2], self._arrays[axes[1]][2]
         names = [f"{name} {row}" for row in rows]
-        return {one: Curve(one, unit, values[i], axes[1], places, self._shown) for i, one in enumerate(names)}
+        harmonic = name in self._harmonic
+        return {one: Curve(one, unit, values[i], axes[1], places, self._shown, harmonic) for i, one in enumerate(names)}
 
     @property
     def angular_frequency(self) -> Numbers:
@@ -335,7 +338,8 @@ class Answer:
     def _curve(self, name: str) -> Curve:
         unit, axes, values = self._arrays[name]
         phase = self._arrays.get(f"{name} phase", (None, None, None))[2]
-        return Curve(name, unit, values, _kind_of_axis(axes[0]), self._arrays[axes[0]][2], self._shown, phase)
+        axis, places, harmonic = _kind_of_axis(axes[0]), self._arrays[axes[0]][2], name in self._harmonic
+        return Curve(name, unit, values, axis, places, self._shown, harmonic, phase)
 
     def _table_name(self, table: str | None) -> str:
         tables = self.tables

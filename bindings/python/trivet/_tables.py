@@ -62,7 +62,20 @@ def shown(table: list[Column], units: _core.ShownUnits) -> list[Column]:
     else:
         harmonic = [_has_amplitudes(table)] * len(units_of_rows)
     rows = [_Row(*row) for row in zip(units_of_rows, harmonic, strict=True)]
-    return [_shown_column(column, rows, units) for column in table]
+    found = [_shown_column(column, rows, units) for column in table]
+    return [_with_bounds(column, table, found) if column.name == "requirement" else column for column in found]
+
+
+def _with_bounds(requirement: Column, table: list[Column], shown_table: list[Column]) -> Column:
+    """The words of requirements, "machine.z ≤ 0.5 mm", with the bound as the other columns show it."""
+    before = {column.name: column.values for column in table}
+    after = {column.name: column.values for column in shown_table}
+    words = []
+    for i, text in enumerate(requirement.values):
+        changed = before["unit"][i] != after["unit"][i] and " ≤ " in str(text)
+        bound = f"{after['allowed'][i]:.4g} {after['unit'][i]}"
+        words.append(f"{str(text).rpartition(' ≤ ')[0]} ≤ {bound}" if changed else str(text))
+    return Column("requirement", "", words)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -105,7 +118,9 @@ def _shown_column(column: Column, rows: list[_Row], units: _core.ShownUnits) -> 
         return column
     if rows and _is_of_row(column):
         factors = [row.shown(units)[1] for row in rows]
-        return Column(column.name, "", [_times(value, one) for value, one in zip(column.values, factors, strict=True)])
+        return Column(
+            column.name, column.unit, [_times(value, one) for value, one in zip(column.values, factors, strict=True)]
+        )
     unit, factor = _unit_of_column(column, units)
     if column.unit and column.name.endswith((" re", " im", "amplitude")):
         unit, level = with_level(unit, column.unit, units)
@@ -123,7 +138,7 @@ def _unit_of_column(column: Column, units: _core.ShownUnits) -> tuple[str, float
     return units.unit(column.unit) if column.unit else ("", 1.0)
 
 
-#: Columns whose unit is that of their row, if the table has a column "unit".
+#: Columns whose unit is that of their row, or that per second ("unit/s"), if the table has a column "unit".
 _of_row = frozenset(
     ("amplitude", "prominence", "value", "allowed", "limit", "largest", "smallest", "rms", "three_sigma",
      "rms_of_derivative", "weighted_rms", "amplitude_uncertainty", "measured amplitude", "computed amplitude",
@@ -132,7 +147,7 @@ _of_row = frozenset(
 
 
 def _is_of_row(column: Column) -> bool:
-    return not column.unit and column.name in _of_row
+    return column.unit in ("", "unit/s") and column.name in _of_row
 
 
 def _times(value: float | int | str | None, factor: float) -> float | int | None:

@@ -38,40 +38,36 @@ const LabelledArray* units_of_rows(const LabelledArrays& all, const std::string&
   return plain && plain->is_text() && plain->axes.front() == axis ? plain : nullptr;
 }
 
-/// Are the numbers with the unit of their row amplitudes of harmonic quantities?
-bool is_harmonic(const Group& group, const std::string& axis) {
-  return group.name == "peaks" || (group.name == "measurements" && axis == "peak") || axis == "limit" ||
-      axis == "critical_speed";
+DisplayUnit shown_unit_of(const LabelledArray& array, const std::string& si_unit, const project::ShownUnits& display) {
+  return array.harmonic ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
 }
 
-DisplayUnit unit_of_row(const Group& group, const std::string& axis, const std::string& si_unit,
-                        const project::ShownUnits& display) {
-  return is_harmonic(group, axis) ? results::amplitude_unit(display, si_unit) : results::display_unit(display, si_unit);
-}
-
-/// Unit of a whole column of real numbers. A number in rad/s is a frequency, except in time and over shaft speed.
+/// Unit of a whole column of real numbers, or of a single one. A number in rad/s is a frequency, except in time and
+/// over shaft speed.
 DisplayUnit unit_of_column(const LabelledArray& array, const project::ShownUnits& display) {
-  if (array.unit != "rad/s" || array.axes.front() == "time" || (array.axes.front() == "speed" && array.name != "speed"))
-    return results::display_unit(display, array.unit);
+  const std::string axis = array.axes.empty() ? "" : array.axes.front();
+  if (array.unit != "rad/s" || array.harmonic || axis == "time" || (axis == "speed" && array.name != "speed"))
+    return shown_unit_of(array, array.unit, display);
   if (array.name == "angular_frequency") return {array.unit};
   return {results::frequency_unit(display, "rad/s"), "", results::shown_frequency(display, 1, "rad/s")};
 }
 
-std::vector<std::string> shown_texts(const LabelledArray& array, const Group& group,
+std::vector<std::string> shown_texts(const LabelledArray& array, const LabelledArrays& all,
                                      const project::ShownUnits& display) {
   std::vector<std::string> texts = array.texts();
-  if (&array == units_of_rows(group.arrays, array.axes.front()))
-    for (std::string& unit : texts) unit = unit_of_row(group, array.axes.front(), unit, display).label();
+  if (&array == units_of_rows(all, array.axes.front()))
+    for (std::string& unit : texts) unit = shown_unit_of(array, unit, display).label();
   return texts;
 }
 
-void add_real_column(const LabelledArray& array, const Group& group, const project::ShownUnits& display, Sheet& sheet) {
+void add_real_column(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+                     Sheet& sheet) {
   const DisplayUnit whole = unit_of_column(array, display);
   const LabelledArray* units =
-      array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(group.arrays, array.axes.front()) : nullptr;
+      array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(all, array.axes.front()) : nullptr;
   std::vector<double> numbers = array.real_numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i)
-    numbers[i] *= units ? unit_of_row(group, array.axes.front(), units->texts()[i], display).factor : whole.factor;
+    numbers[i] *= units ? shown_unit_of(array, units->texts()[i], display).factor : whole.factor;
   sheet.columns.push_back({array.name, whole.label(), std::move(numbers), {}});
   if (array.name != "angular_frequency") return;
   std::vector<double> frequencies;
@@ -79,16 +75,17 @@ void add_real_column(const LabelledArray& array, const Group& group, const proje
   sheet.columns.push_back({"frequency", results::frequency_unit(display), std::move(frequencies), {}});
 }
 
-void add_column(const LabelledArray& array, const Group& group, const project::ShownUnits& display, Sheet& sheet) {
+void add_column(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+                Sheet& sheet) {
   if (array.is_text()) {
-    sheet.columns.push_back({array.name, "", {}, shown_texts(array, group, display)});
+    sheet.columns.push_back({array.name, "", {}, shown_texts(array, all, display)});
     return;
   }
   if (!array.is_complex()) {
-    add_real_column(array, group, display, sheet);
+    add_real_column(array, all, display, sheet);
     return;
   }
-  const DisplayUnit unit = results::amplitude_unit(display, array.unit);
+  const DisplayUnit unit = shown_unit_of(array, array.unit, display);
   SheetColumn amplitude{array.name + " amplitude", unit.label(), {}, {}}, phase{array.name + " phase", "°", {}, {}};
   for (const std::complex<double>& value : array.complex_numbers()) {
     amplitude.numbers.push_back(std::abs(value) * unit.factor);
@@ -120,20 +117,21 @@ LabelledArray part(const LabelledArray& array, const std::vector<Number>& number
 }
 
 /// A column, or two if it is complex, for each entry of the other axis: "shape machine.x".
-void add_matrix(const LabelledArray& array, const Group& group, const project::ShownUnits& display, Sheet& sheet) {
+void add_matrix(const LabelledArray& array, const LabelledArrays& all, const project::ShownUnits& display,
+                Sheet& sheet) {
   const std::size_t rows = axis_of_rows(array), columns = 1 - rows;
-  const LabelledArray* labels = group.arrays.find(array.axes[columns]);
-  const LabelledArray* units = rows == 1 && array.unit.starts_with(results::unit_of_the_row)
-      ? units_of_rows(group.arrays, array.axes[0])
-      : nullptr;
+  const LabelledArray* labels = all.find(array.axes[columns]);
+  const LabelledArray* units =
+      rows == 1 && array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(all, array.axes[0]) : nullptr;
   const std::vector<double> real = array.is_complex() ? std::vector<double>() : array.real_numbers();
   const std::vector<std::complex<double>> both =
       array.is_complex() ? array.complex_numbers() : std::vector<std::complex<double>>();
   for (std::size_t j = 0; j < array.shape[columns]; ++j) {
     LabelledArray column = array.is_complex() ? part(array, both, rows, j) : part(array, real, rows, j);
     column.name += " " + column_label(labels, j);
+    column.harmonic = array.harmonic;
     if (units) column.unit = units->texts()[j];
-    add_column(column, group, display, sheet);
+    add_column(column, all, display, sheet);
   }
 }
 
@@ -142,7 +140,7 @@ Sheet sheet_of_values(const Group& group, const project::ShownUnits& display) {
   Sheet sheet{"", {{"name", "", {}, {}}, {"value", "", {}, {}}, {"unit", "", {}, {}}}, false};
   for (const LabelledArray& array : group.arrays.list()) {
     if (!array.axes.empty() || array.is_text() || array.is_complex()) continue;
-    const DisplayUnit unit = results::display_unit(display, array.unit);
+    const DisplayUnit unit = unit_of_column(array, display);
     sheet.columns[0].texts.push_back(array.name);
     sheet.columns[1].numbers.push_back(array.real_numbers().front() * unit.factor);
     sheet.columns[2].texts.push_back(unit.label());
@@ -176,8 +174,8 @@ void add_sheets(const Group& group, const project::ShownUnits& display, UniqueNa
       by_axis.push_back({axis, {}});
       found = by_axis.end() - 1;
     }
-    if (array.axes.size() == 1) add_column(array, group, display, found->second);
-    else add_matrix(array, group, display, found->second);
+    if (array.axes.size() == 1) add_column(array, group.arrays, display, found->second);
+    else add_matrix(array, group.arrays, display, found->second);
   }
   for (auto& [axis, sheet] : by_axis) {
     const bool only_names = sheet.columns.size() == 1 && by_axis.size() > 1;

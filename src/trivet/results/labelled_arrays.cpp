@@ -136,6 +136,15 @@ void LabelledArrays::copy(std::string name, std::string unit, std::vector<std::s
   add(owned_rows(std::move(name), std::move(unit), std::move(axes), std::move(shape), std::move(numbers)));
 }
 
+void LabelledArrays::are_harmonic(const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(list_.rbegin(), list_.rend(), [&](const LabelledArray& a) { return a.name == name; });
+    assert(found != list_.rend());
+    found->harmonic = true;
+  }
+}
+
 void LabelledArrays::count(std::string axis, std::size_t count) {
   std::vector<double> numbers(count);
   std::iota(numbers.begin(), numbers.end(), 1.0);

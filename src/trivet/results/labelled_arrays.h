@@ -41,6 +41,7 @@ struct LabelledArray {
   std::vector<std::ptrdiff_t> strides;  ///< one per axis, in numbers
   std::variant<const double*, const std::complex<double>*, std::vector<std::string>> values;
   std::shared_ptr<const void> owner = {};  ///< of the numbers; empty: the answer, which must outlive the array
+  bool harmonic = false;                   ///< amplitudes of harmonic quantities, which have a level; or their units
 
   [[nodiscard]] std::size_t size() const;
   [[nodiscard]] bool is_complex() const { return std::holds_alternative<const std::complex<double>*>(values); }
@@ -122,6 +123,8 @@ class LabelledArrays {
   void copy(std::string name, std::string unit, std::vector<std::string> axes, std::vector<std::size_t> shape,
             std::vector<std::complex<double>> numbers);
 
+  /// Says that these arrays of the list are harmonic.
+  void are_harmonic(const std::vector<std::string>& names);
   /// 1, 2, … count as the coordinates of an axis.
   void count(std::string axis, std::size_t count);
   void add(LabelledArray array) { list_.push_back(std::move(array)); }

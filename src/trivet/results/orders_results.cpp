@@ -148,8 +148,11 @@ void run_up_arrays(const response::RunUp& run, LabelledArrays& list) {
   }
   list.field("order", "1", "order", run.orders, &response::OrderCurves::order);
   for (const response::OrderCurves& order : run.orders)
-    for (const response::Curve& c : order.curves)
-      list.view(fmt::format("{} order {}", c.name, order.order), c.unit, "speed", c.value);
+    for (const response::Curve& c : order.curves) {
+      const std::string name = fmt::format("{} order {}", c.name, order.order);
+      list.view(name, c.unit, "speed", c.value);
+      list.are_harmonic({name});
+    }
   list.texts("result", "result", run.overall, &Overall::name);
   list.texts("result.unit", "result", run.overall, &Overall::unit);
   list.field("result.highest_rms", unit_of_the_row, "result", run.overall, &Overall::highest_rms);
@@ -165,6 +168,7 @@ void run_up_arrays(const response::RunUp& run, LabelledArrays& list) {
   list.field(axis + ".prominence", unit_of_the_row, axis, run.critical, &CriticalSpeed::prominence);
   list.field(axis + ".relative_height", "1", axis, run.critical, &CriticalSpeed::relative_height);
   list.column(axis + ".nearest_mode", "1", axis, run.critical, &CriticalSpeed::nearest_mode);
+  list.are_harmonic({axis + ".unit", axis + ".amplitude", axis + ".prominence"});
 }
 
 void campbell_arrays(const response::Campbell& campbell, LabelledArrays& list) {

@@ -92,7 +92,7 @@ std::string accuracy_text(const response::RandomResponse& random) {
 }
 
 std::string random_csv(const project::Case&, const study::Answers& answers) {
-  std::string text = "name,unit,rms,three_sigma,rms_of_derivative,zero_crossings [1/s],weighted_rms";
+  std::string text = "name,unit,rms,three_sigma,rms_of_derivative [unit/s],zero_crossings [1/s],weighted_rms";
   const study::RandomResult& random = *answers.find<study::RandomResult>("random");
   for (const std::string& input : random.inputs) text += "," + csv_field("variance share " + input);
   text += "\n";

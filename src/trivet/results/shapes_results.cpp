@@ -40,7 +40,8 @@ namespace {
 std::string shapes_csv(const project::Case&, const study::Answers& answers) {
   std::string text = "angular_frequency [rad/s],place,x [m],y [m],z [m]";
   for (const char* part : {"re", "im"})
-    for (const char* name : model::coordinate_names) text += fmt::format(",{} {}", name, part);
+    for (std::size_t j = 0; j < model::coordinate_names.size(); ++j)
+      text += fmt::format(",{} {} [{}]", model::coordinate_names[j], part, j < 3 ? "m" : "rad");
   text += "\n";
   for (const response::DeflectionShape& shape : *answers.find<std::vector<response::DeflectionShape>>("shapes"))
     for (const auto* group : {&shape.bodies, &shape.points, &shape.feet, &shape.heads})
@@ -105,6 +106,7 @@ void shapes_arrays(const project::Case&, const study::Answers& answers, Labelled
       motions.insert(motions.end(), place.motion.begin(), place.motion.end());
   list.copy("motion", unit_of_the_row, {axis, "place", "coordinate"}, {shapes.size(), places.size(), 6},
             std::move(motions));
+  list.are_harmonic({"largest_excursion", "motion", "coordinate.unit"});
 }
 
 }  // namespace

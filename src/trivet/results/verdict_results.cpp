@@ -58,7 +58,8 @@ std::string verdict_text(const study::Verdict& verdict) {
 }
 
 std::string verdict_csv(const study::Verdict& verdict) {
-  std::string text = "case,kind,subject,requirement,unit,allowed,value,angular_frequency,time,margin,met,reason\n";
+  std::string text =
+      "case,kind,subject,requirement,unit,allowed,value,angular_frequency [rad/s],time [s],margin,met,reason\n";
   const auto cell = [](const std::optional<double>& value) {
     return value && std::isfinite(*value) ? fmt::format("{}", *value) : value ? "inf" : "";
   };
