@@ -245,3 +245,36 @@ def test_a_folder_that_is_no_unicode(program, tmp_path):
     for name in ("numpy", "hdf5", "matlab", "excel", "universal"):
         program(*("export", os.fsdecode(folder + b"/machine.toml"), "--to", name, "-o", str(tmp_path / f"out.{name}")))
         assert (tmp_path / f"out.{name}").exists()
+
+
+def test_parts_with_names_like_quantities(with_text, program, tmp_path):
+    """Names "1 N" and "2 N" stay names, one vector has one unit, and the points of a body that fits in no row stay
+    with it."""
+    text = (
+        program.path.read_text().replace("[elements.a]", '[elements."1 N"]').replace("[elements.b]", '[elements."2 N"]')
+    )
+    text = text.replace("at = [0.25, 0.2, -0.2]", 'at = ["250 mm", 0.2, -0.2]')
+    text = text.replace("points.flange", "free = [\"x\", \"y\", \"z\", \"rx\", \"ry\", \"rz\"]\npoints.flange")
+    with_text(text).export("csv", tmp_path / "tables", "--what", "modes")
+    rows = list(csv.DictReader((tmp_path / "tables" / "elements.csv").open()))
+    assert {row["name"] for row in rows} >= {"1 N", "2 N"}
+    assert {key for key in rows[0] if key.startswith("at.")} == {"at.x [mm]", "at.y [mm]", "at.z [mm]"}
+    assert [float(rows[0][f"at.{axis} [mm]"]) for axis in "xyz"] == [250, 200, -200]
+    assert not (tmp_path / "tables" / "points.csv").exists()
+
+
+def test_damping_that_nastran_cannot_hold(with_text, program, tmp_path):
+    skew = np.zeros((6, 6))
+    skew[0, 1], skew[1, 0] = 50.0, -50.0
+    matrix = skew + 100 * np.eye(6)
+    text = program.path.read_text().replace(
+        "damping = {proportional = 5e-7}", f"symmetric = false\ndamping = {{matrix = {matrix.tolist()}}}"
+    )
+    said = with_text(text).export("nastran", tmp_path / "x.bdf", code=1)
+    assert "damping" in said and "not symmetric" in said
+    assert not (tmp_path / "x.bdf").exists()
+
+
+def test_wrong_names_before_what_a_format_holds(program, tmp_path):
+    said = program("export", program.path, "--to", "matrix_market", "-o", tmp_path / "x", "--what", "matrises", code=2)
+    assert 'did you mean "matrices"' in said.stderr

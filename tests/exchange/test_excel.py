@@ -102,3 +102,11 @@ def test_units_and_levels_of_the_display(with_text, program, tmp_path):
     shape = columns(book["shapes"])
     assert shape["largest_excursion [in p-p]"][0] == pytest.approx(2 * found["largest_excursion"] / inch)
     assert not any("p-p" in heading for heading in columns(book["roots"]))
+
+
+def test_shapes_have_the_units_of_their_columns(program, tmp_path):
+    program.export("excel", tmp_path / "out.xlsx", "--what", "modes,roots,peaks")
+    book = openpyxl.load_workbook(tmp_path / "out.xlsx")
+    assert "shape raft.x [1/√kg]" in columns(book["modes"])
+    assert "shape raft.rx amplitude [rad/m]" in columns(book["roots"])
+    assert "amplitude [unit of the row]" in columns(book["peaks"])

@@ -101,3 +101,10 @@ def test_directions_of_turned_bodies_are_those_of_the_ground(with_text, program,
         for file in tmp_path.glob("machine*"):
             if file.suffix != ".toml":
                 file.unlink()
+
+
+def test_one_selected_force_gives_frequency_responses(with_text, program, tmp_path):
+    other = '[excitations.other]\ntype = "harmonic"\non = "raft"\nat = [0, 0, 0]\nforce = [1, 2, 3]\n'
+    text = program.path.read_text().replace('response = {band', 'response = {excitations = ["shaft"], band')
+    with_text(text.replace("[analyses]", other + "[analyses]")).export("universal", tmp_path / "machine.uff")
+    assert {function["func_type"] for function in sets(tmp_path / "machine.uff", 58)} == {4}

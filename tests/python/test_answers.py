@@ -234,3 +234,63 @@ def test_operating_shapes_have_units_and_a_level(machine):
     curve = shown.curves["largest_excursion"]
     assert curve.unit == "in p-p"
     np.testing.assert_allclose(curve.values, 2 / 0.0254 * answer.array("largest_excursion"), rtol=1e-14)
+
+
+def test_tables_keep_words_and_shown_units():
+    """Names that look like numbers stay words, and every column of a unit is converted."""
+    named = trivet.Project(
+        **MACHINE
+        | {
+            "cases": {"1": {"elements": {"a": {"scale": 2.0}}}, "2": {"elements": {"a": {"scale": 3.0}}}},
+            "requirements": {"damping_ratio": 1e-4},
+        }
+    )
+    verdict = named.verdict()
+    assert set(verdict.to_dataframe()["case"]) == {"", "1", "2"}
+    assert "angular_frequency [rpm]" in verdict.to(frequency="rpm").to_dataframe().columns
+
+
+def test_speeds_in_rpm_appear_once():
+    orders = trivet.open(example("genset/genset.toml")).orders()
+    table = orders.to(frequency="rpm").to_dataframe("critical_speeds")
+    assert list(table.columns).count("speed [rpm]") == 1
+    np.testing.assert_allclose(table["speed [rpm]"], orders.to_dataframe("critical_speeds")["speed [rpm]"], rtol=1e-12)
+
+
+def test_angular_velocities_are_no_frequencies(machine):
+    shaken = trivet.Project(
+        **MACHINE
+        | {
+            "excitations": {
+                "road": {
+                    "type": "random",
+                    "on": "machine",
+                    "at": [0.05, 0.1, 0],
+                    "force": [0, 0, 1],
+                    "psd": {"flat": 1.0, "band": ["1 Hz", "60 Hz"]},
+                }
+            }
+        }
+    )
+    answer = shaken.random(of=["machine.rx"], quantity="velocity")
+    si = answer.to_dataframe()
+    assert answer.to(frequency="rpm").to_dataframe()["unit"].tolist() == ["rad/s"]
+    degrees = answer.to(angle="deg").to_dataframe()
+    assert degrees["unit"].tolist() == ["deg/s"]
+    np.testing.assert_allclose(degrees["rms"], np.degrees(si["rms"]), rtol=1e-14)
+
+
+@pytest.mark.filterwarnings("ignore::trivet.ModelWarning")
+def test_earthquake_tables_are_converted(machine):
+    spectrum = {"direction": "z", "rows": [[0.01, 3.0], [2, 0.75]], "damping": 0.00548}
+    answer = machine.earthquake(**spectrum)
+    si, inches = answer.to_dataframe(), answer.to(length="in").to_dataframe()
+    lengths = si["unit"] == "m"
+    assert lengths.any() and (inches["unit"][lengths] == "in").all()
+    np.testing.assert_allclose(inches["cqc"][lengths], si["cqc"][lengths] / 0.0254, rtol=1e-14)
+
+
+def test_pictures_of_real_amplitudes_have_their_level(machine):
+    shown = machine.shapes(at=["8 Hz", "9 Hz"]).to(level="peak_to_peak")
+    figure = shown.plot("largest_excursion")
+    assert "peak to peak" in figure.axes[0].get_ylabel()

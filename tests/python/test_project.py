@@ -221,3 +221,13 @@ def test_memory_of_open_and_close_is_flat():
     cycle(1000)
     gc.collect()
     assert resident() - before < 2e6  # 2 kB a cycle; a project has more
+
+
+def test_a_gram_of_pint_is_no_acceleration(machine):
+    units = pint.UnitRegistry()
+    with pytest.raises(trivet.InputError, match="gravity"):
+        machine.changed({"gravity": np.array([0, 0, -1.0]) * units.gram})
+    falling = machine.changed({"gravity": np.array([0, 0, -1.0]) * units.standard_gravity})
+    assert falling == machine.changed({"gravity": [0, 0, "-9.80665 m/s^2"]}) or "9.80665" in falling.to_toml()
+    light = machine.changed({"bodies.machine.mass": 1e5 * units.gram})
+    assert light.matrices().A[0, 0] == pytest.approx(100, rel=1e-14)

@@ -39,17 +39,14 @@ std::string map_as_json(const study::Answers& answers, const foundation::Problem
   return text;
 }
 
-}  // namespace
-
-/// Numbers of designs as --points has them.
+/// Numbers of designs along the axes; 0 × 0: those of the file.
 void require_points(int nx, int ny) {
-  if (nx == 0 && ny == 0) return;
-  if (nx < 2 || ny < 2)
-    throw foundation::InvalidInput(fmt::format("points: {} × {}; a map has 2 or more along each axis", nx, ny));
   if (static_cast<double>(nx) * ny > project::most_designs)
     throw foundation::InvalidInput(fmt::format("points: {} × {}; a map has at most {:.0e} designs; take fewer points",
                                                nx, ny, project::most_designs));
 }
+
+}  // namespace
 
 Answer mapped(const ProjectPointer& project, const std::string& case_name, int nx, int ny, const Progress& progress) {
   require_points(nx, ny);

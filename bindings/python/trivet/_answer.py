@@ -45,6 +45,7 @@ class Curve:
         self._si = unit, values, places
         self._shown = shown
         self._unit, self._factor = shown.unit(unit)
+        self._harmonic = harmonic
         if harmonic:
             self._unit, level = _tables.with_level(self._unit, unit, shown)
             self._factor *= level
@@ -58,6 +59,11 @@ class Curve:
     def unit(self) -> str:
         """Unit of the values."""
         return self._unit
+
+    @property
+    def harmonic(self) -> bool:
+        """Are the values amplitudes of a harmonic quantity, which have a level?"""
+        return self._harmonic
 
     @property
     def values(self) -> Numbers:

@@ -48,6 +48,6 @@ def _depth_of_caller() -> int:
     import sys
 
     depth, frame = 1, sys._getframe(1)
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").startswith("trivet"):
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "trivet":
         depth, frame = depth + 1, frame.f_back
     return depth

@@ -111,7 +111,7 @@ def _angles(panel: Panel) -> tuple[float, float, list[int]]:
 
 def _amplitude_panel(axis: str, unit: str, curves: list[Curve], shown: _core.ShownUnits) -> Panel:
     x_label, factor = _axis(axis, shown)
-    harmonic = any(np.iscomplexobj(curve.values) for curve in curves)
+    harmonic = any(curve.harmonic for curve in curves)
     word = _level_words[shown.level] if harmonic and unit != "1" else _quantity_words.get(unit, "value")
     unit = unit.removesuffix(" p-p").removesuffix(" rms")  # the word says it
     per_axis, words = 1.0, unit

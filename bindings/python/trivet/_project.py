@@ -386,7 +386,10 @@ def _points(points: int | tuple[int, int] | None) -> tuple[int, int]:
     pair = items("points", points) if isinstance(points, (tuple, list)) else [points, points]
     if len(pair) != 2:
         raise InputError([problem("points", points, "a map has two axes", "give one number, or two: (60, 40)")])
-    return whole_number("points", pair[0]), whole_number("points", pair[1])
+    nx, ny = whole_number("points", pair[0]), whole_number("points", pair[1])
+    if nx < 2 or ny < 2:
+        raise InputError([problem("points", points, "a map has 2 or more along each axis", "take more")])
+    return nx, ny
 
 
 def _torques(torques: Iterable[Iterable[float]]) -> list[list[float]]:

@@ -27,8 +27,16 @@ class Column:
         return f"{self.name} [{self.unit}]" if self.unit else self.name
 
 
+#: Columns of words, also where a word looks like a number: a case of the name "1".
+_words = frozenset(
+    ("name", "unit", "case", "in case", "kind", "subject", "requirement", "reason", "met", "method", "parameter",
+     "limit line", "level", "kept", "measurement", "result", "source", "element", "excitation", "place", "body", "purest",
+     "quantity", "change")
+)  # fmt: skip
+
+
 def columns(text: str) -> list[Column]:
-    """The columns of a CSV table; one is of numbers if every field is a number or empty."""
+    """The columns of a CSV table: words, or numbers and empty fields."""
     rows = list(csv.reader(io.StringIO(text)))
     if not rows:
         return []
@@ -37,13 +45,11 @@ def columns(text: str) -> list[Column]:
         fields = [row[i] if i < len(row) else "" for row in rows[1:]]
         match = _heading.fullmatch(heading)
         name, unit = (match["name"], match["unit"]) if match else (heading, "")
-        found.append(Column(name, unit, _typed(fields)))
+        found.append(Column(name, unit, fields if name in _words and not unit else _typed(fields)))
     return found
 
 
 def _typed(fields: list[str]) -> list[float | int | None] | list[str]:
-    if not any(fields):
-        return fields
     try:
         return [None if not field else int(field) if field.isdecimal() else float(field) for field in fields]
     except ValueError:
@@ -57,13 +63,15 @@ def shown(table: list[Column], units: _core.ShownUnits) -> list[Column]:
     if not any(_is_of_row(column) for column in table):
         by_name.pop("unit", None)  # such as parameters, whose units are those of the file
     units_of_rows = [str(unit) for unit in by_name.get("unit", [])]
-    if "allowed" in by_name:  # requirements
-        harmonic = [kind in _harmonic_kinds for kind in by_name["kind"]]
-    else:
-        harmonic = [_has_amplitudes(table)] * len(units_of_rows)
-    rows = [_Row(*row) for row in zip(units_of_rows, harmonic, strict=True)]
+    kinds = by_name["kind"] if "allowed" in by_name else [""] * len(units_of_rows)
+    amplitudes = _has_amplitudes(table)
+    rows = [
+        _Row(unit, amplitudes or kind in _harmonic_kinds, kind == "avoided_frequencies")
+        for unit, kind in zip(units_of_rows, kinds, strict=True)
+    ]
     found = [_shown_column(column, rows, units) for column in table]
-    return [_with_bounds(column, table, found) if column.name == "requirement" else column for column in found]
+    found = [_with_bounds(column, table, found) if column.name == "requirement" else column for column in found]
+    return list({column.heading: column for column in found}.values())  # speeds in rad/s and rpm may be the same now
 
 
 def _with_bounds(requirement: Column, table: list[Column], shown_table: list[Column]) -> Column:
@@ -80,13 +88,14 @@ def _with_bounds(requirement: Column, table: list[Column], shown_table: list[Col
 
 @dataclasses.dataclass(frozen=True)
 class _Row:
-    """Unit of the values of a row, and whether they are amplitudes of harmonic quantities."""
+    """Unit of the values of a row, and whether they are amplitudes of harmonic quantities, or frequencies."""
 
     unit: str
     harmonic: bool
+    frequency: bool
 
     def shown(self, units: _core.ShownUnits) -> tuple[str, float]:
-        if self.unit == "rad/s" and not self.harmonic:
+        if self.frequency:
             return units.axis()
         unit, factor = units.unit(self.unit)
         if not self.harmonic:
@@ -142,7 +151,7 @@ def _unit_of_column(column: Column, units: _core.ShownUnits) -> tuple[str, float
 _of_row = frozenset(
     ("amplitude", "prominence", "value", "allowed", "limit", "largest", "smallest", "rms", "three_sigma",
      "rms_of_derivative", "weighted_rms", "amplitude_uncertainty", "measured amplitude", "computed amplitude",
-     "measured re", "measured im", "computed re", "computed im")
+     "measured re", "measured im", "computed re", "computed im", "cqc", "srss")
 )  # fmt: skip
 
 

@@ -73,7 +73,10 @@ def _of_quantity(value: Any, path: str, wrong: list[_core.Problem]) -> Any:
     if magnitude.dtype.kind not in "iuf":
         wrong.append(problem(path, value, "a real number is wanted here", "give a real magnitude"))
         return 0
+    if "standard_gravity" in f"{value.units:C}":
+        value = value.to_base_units()
     unit = f"{value.units:~C}".replace("**", "^").replace("Δ", "").replace("delta_", "")
+    unit = re.sub(r"(?<![A-Za-z_])g(?![A-Za-z_])", "gram", unit)  # never the acceleration of gravity
     if unit in ("", "dimensionless"):
         return magnitude.tolist()
     if magnitude.ndim == 0:

@@ -22,18 +22,6 @@ std::vector<std::string> known_names() {
   return names;
 }
 
-void require_known(const std::vector<std::string>& what) {
-  const std::vector<std::string> known = known_names();
-  for (const std::string& name : what) {
-    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const std::string guess = foundation::nearest_name(name, known);
-    std::string list;
-    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
-    throw foundation::InvalidInput("what: \"" + name + "\" is nothing that can be exported; " +
-                                   (guess.empty() ? "known are " + list : "did you mean \"" + guess + "\"?"));
-  }
-}
-
 /// What the file asks for, and the modes.
 std::vector<std::string> asked_in(const project::Analyses& asked) {
   std::vector<std::string> names = {of_matrices, "modes"};
@@ -69,6 +57,18 @@ std::string left_out(const std::string& name, const std::string& reason) {
 
 }  // namespace
 
+void require_known(const std::vector<std::string>& what) {
+  const std::vector<std::string> known = known_names();
+  for (const std::string& name : what) {
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const std::string guess = foundation::nearest_name(name, known);
+    std::string list;
+    for (const std::string& one : known) list += (list.empty() ? "" : ", ") + one;
+    throw foundation::InvalidInput("what: \"" + name + "\" is nothing that can be exported; " +
+                                   (guess.empty() ? "known are " + list : "did you mean \"" + guess + "\"?"));
+  }
+}
+
 const Group* Content::find(const std::string& name) const {
   const auto found = std::find_if(groups.begin(), groups.end(), [&](const Group& group) { return group.name == name; });
   return found == groups.end() ? nullptr : &*found;
@@ -77,8 +77,7 @@ const Group* Content::find(const std::string& name) const {
 std::string Content::words() const { return project.source + (variant.name.empty() ? "" : ", case " + variant.name); }
 
 Content content(const project::Project& project, const project::Case& variant, const std::vector<std::string>& what,
-                const std::vector<std::string>& by_default, const foundation::Progress& progress) {
-  require_known(what);
+                const std::vector<std::string>& format_groups, const foundation::Progress& progress) {
   Content found{project, variant, {}, {}};
   const auto asked = [&](const std::string& name) {
     return name == of_matrices ? project::Analyses() : study::asked_question(name).asked(variant);
@@ -90,7 +89,7 @@ Content content(const project::Project& project, const project::Case& variant, c
   };
   for (const std::string& name : what) add(name, asked(name));
   if (!what.empty()) return found;
-  for (const std::string& name : by_default.empty() ? asked_in(variant.analyses) : by_default) {
+  for (const std::string& name : format_groups.empty() ? asked_in(variant.analyses) : format_groups) {
     std::optional<project::Analyses> question;
     try {
       question = asked(name);

@@ -32,15 +32,19 @@ struct Content {
   [[nodiscard]] std::string words() const;
 };
 
+/// @throws foundation::InvalidInput for a name that is neither "matrices" nor a question
+void require_known(const std::vector<std::string>& what);
+
 /// Computes the groups.
 /// @param what        "matrices" and names of questions
-/// @param by_default  the same if `what` is empty; if both are: the matrices, the modes, and every question of the
-/// file.
-///   Of these, what cannot be computed is left out with a note, unless nothing is left.
-/// @throws foundation::InvalidInput for a name that is neither or lacks an excitation, NotComputable if an answer does
-/// not exist
+/// @param format_groups  what the format can hold; empty: anything. If `what` is empty, these or the matrices, the
+/// modes
+///   and every question of the file; one that the model cannot be asked, or that cannot be computed, is left out with a
+///   note, unless nothing is left.
+/// @throws foundation::InvalidInput if `what` names a question without its excitation, NotComputable if an answer that
+/// `what` names does not exist
 [[nodiscard]] Content content(const project::Project& project, const project::Case& variant,
-                              const std::vector<std::string>& what, const std::vector<std::string>& by_default,
+                              const std::vector<std::string>& what, const std::vector<std::string>& format_groups,
                               const foundation::Progress& progress = {});
 
 }  // namespace trivet::exports

@@ -31,6 +31,7 @@ std::vector<std::string> write_csv(const Content& content, const Target& target,
     if (!group.answers) {
       for (const char* name : {"A", "B", "K", "K_loss"})
         write_bytes(target.path() / (std::string(name) + ".csv"), matrix_csv(*group.arrays.find(name), group.arrays));
+      lost.emplace_back(loads_left_out);
       continue;
     }
     for (const results::AnswerTable& table : results::answer_tables(group.name))

@@ -55,6 +55,7 @@ std::vector<std::string> export_project(const project::Project& project, const p
                                         const std::string& format_name, const std::vector<std::string>& what,
                                         const std::filesystem::path& path, const foundation::Progress& progress) {
   const Format& format = format_of(format_name);
+  require_known(what);
   require_room(format, what);
   const Target target(path, format.kind, format.side);
   const Content found =

@@ -25,6 +25,10 @@ struct Format {
   SideFile side = {};
 };
 
+/// Note of formats that hold matrices without the loads.
+inline constexpr const char* loads_left_out =
+    "the loads of the matrices are not written; matlab, numpy and hdf5 have them";
+
 /// All formats that this program was built with.
 [[nodiscard]] const std::vector<Format>& formats();
 

@@ -132,15 +132,16 @@ using Fields = std::vector<std::pair<std::string, Variable>>;
 /// Groups with names, units and axes of their fields.
 std::vector<Variable> group_variables(const Content& content, std::vector<std::string>& notes) {
   std::vector<Variable> variables;
+  bool all_the_same = true;
   std::vector<std::string> fields, names, units, axes;
   for (const Group& group : content.groups) {
     UniqueNames used;
     Fields of_group;
     for (const LabelledArray& array : group.arrays.list()) {
       const std::string field = used.unique(field_name(array.name));
-      if (field != array.name && notes.empty())
-        notes.push_back(fmt::format("names of fields have letters, digits and _ only: {} is {}; about.name has all",
-                                    array.name, field));
+      if (field != array.name && std::exchange(all_the_same, false))
+        notes.push_back(fmt::format(
+            "names of fields have at most 63 letters, digits and _: {} is {}; about.name has all", array.name, field));
       of_group.emplace_back(field, variable_of(array, nullptr));
       fields.push_back(group.name + "." + field);
       names.push_back(array.name);
@@ -163,9 +164,10 @@ std::vector<Variable> group_variables(const Content& content, std::vector<std::s
 /// Frequencies around the natural ones, and displacements of the bodies there. Empty without excitation or if
 /// constant matrices do not describe the system.
 std::optional<Variable> check_variable(const Content& content) {
+  if (!content.find("matrices")) return std::nullopt;
   const model::System& system = content.variant.system;
   const study::SystemMatrices named = study::system_matrices(content.variant);
-  if (!content.find("matrices") || !named.exact || named.load.vanishes()) return std::nullopt;
+  if (!named.exact || named.load.vanishes()) return std::nullopt;
   const assembly::Assembled assembled = assembly::assemble(system);
   std::vector<double> omega;
   for (const modal::Mode& mode : modal::modes(system, assembled).list)

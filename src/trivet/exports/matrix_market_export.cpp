@@ -39,7 +39,7 @@ std::vector<std::string> write_matrix_market(const Content& content, const Targe
   for (std::size_t i = 0; i < names.size(); ++i)
     rows += fmt::format("{},{},{}\n", i + 1, results::csv_field(names[i]), units[i]);
   write_bytes(target.path() / "coordinates.csv", rows);
-  return {};
+  return {loads_left_out};
 }
 
 }  // namespace

@@ -31,8 +31,17 @@ std::string in_sixteen(double value) {
   return "0.";
 }
 
+/// @throws foundation::NotComputable for an unsymmetric matrix: the cards hold one triangle
+void require_symmetric(const model::Element& element, const char* what, const Matrix12& matrix) {
+  constexpr double round_off = 1e-9;
+  if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > round_off * matrix.cwiseAbs().maxCoeff())
+    throw foundation::NotComputable(fmt::format(
+        "nastran: the {} of \"{}\" is not symmetric, and DMIG is written as a symmetric matrix; export it to "
+        "matrix_market or matlab",
+        what, element.name));
+}
+
 /// Stiffness of the ends at rest: internal coordinates condensed statically.
-/// @throws NotComputable for an unsymmetric one: the cards hold one triangle
 Matrix12 end_stiffness_at_rest(const model::Element& element, const Eigen::MatrixXd& stiffness) {
   const Eigen::Index internal = stiffness.rows() - 12;
   Matrix12 ends = stiffness.topLeftCorner<12, 12>();
@@ -41,12 +50,7 @@ Matrix12 end_stiffness_at_rest(const model::Element& element, const Eigen::Matri
                           to_ends = stiffness.bottomLeftCorner(internal, 12);
     ends -= stiffness.topRightCorner(12, internal) * numerics::lu_solution(inside, to_ends);
   }
-  constexpr double round_off = 1e-9;
-  if ((ends - ends.transpose()).cwiseAbs().maxCoeff() > round_off * ends.cwiseAbs().maxCoeff())
-    throw foundation::NotComputable(fmt::format(
-        "nastran: the stiffness of \"{}\" is not symmetric, and DMIG is written as a symmetric matrix; export it to "
-        "matrix_market or matlab",
-        element.name));
+  require_symmetric(element, "stiffness", ends);
   return ends;
 }
 
@@ -114,6 +118,7 @@ std::vector<std::string> write_nastran(const Content& content, const Target& tar
     deck.grids += grid_card(grid + 1, model::end_in_ground(system.bodies(), element.k).position);
     deck.stiffness +=
         columns("MOUNTK", grid, in_ground_axes(system, element, end_stiffness_at_rest(element, matrices.stiffness)));
+    require_symmetric(element, "damping", matrices.damping.topLeftCorner<12, 12>());
     if (!matrices.damping.isZero(0))
       deck.damping += columns("MOUNTB", grid, in_ground_axes(system, element, matrices.damping));
     if (matrices.loss_factor != 0)

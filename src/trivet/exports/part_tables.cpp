@@ -53,15 +53,22 @@ struct PartColumn {
   std::optional<std::string> unit;
 };
 
+/// "at.x" → "at.": components of one vector have one unit. Other keys: the whole key.
+std::string stem(const std::string& key) {
+  const bool is_component = key.size() > 2 && key[key.size() - 2] == '.' && key.back() >= 'x' && key.back() <= 'z';
+  return is_component ? key.substr(0, key.size() - 1) : key;
+}
+
 PartColumn column_of(const std::string& key, const std::vector<PartRow>& rows) {
   PartColumn column{key, std::nullopt};
+  if (key == "name" || key == "on" || key == "from" || key == "type" || key == "foundation") return column;
   for (const PartRow& row : rows)
     for (const auto& [cell, value] : row) {
-      if (cell != key) continue;
+      if (stem(cell) != stem(key)) continue;
       const auto number = project::written_number(value);
       if (!number || !project::is_known_unit(number->unit)) return {key, std::nullopt};
-      if (!column.unit) column.unit = number->unit;
-      else if (!project::in_unit(*number, *column.unit)) return {key, std::nullopt};
+      if (!column.unit || column.unit->empty()) column.unit = number->unit;
+      if (!project::in_unit(*number, *column.unit)) return {key, std::nullopt};
     }
   return column;
 }
@@ -133,12 +140,13 @@ std::vector<PartTable> part_tables(const Node& document, std::vector<std::string
     for (std::size_t i = 0; parts && i < parts->keys.size(); ++i) {
       PartRow row = {{"name", text_node(parts->keys[i])}};
       std::string bad;
+      const Node* own_points = nullptr;
       for (std::size_t k = 0; k < parts->items[i].keys.size() && bad.empty(); ++k) {
         const std::string& key = parts->items[i].keys[k];
-        if (key == "points" && std::string(kind) == "bodies")
-          add_points(parts->keys[i], parts->items[i].items[k], points, lost);
+        if (key == "points" && std::string(kind) == "bodies") own_points = &parts->items[i].items[k];
         else bad = add_cells(foundation::path_key(key), parts->items[i].items[k], row);
       }
+      if (bad.empty() && own_points) add_points(parts->keys[i], *own_points, points, lost);
       if (bad.empty()) rows.push_back(std::move(row));
       else
         lost.push_back(

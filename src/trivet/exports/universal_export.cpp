@@ -79,8 +79,11 @@ struct SingleForce {
 std::optional<SingleForce> single_force(const Content& content, const UniversalGeometry& geometry) {
   const model::System& system = content.variant.system;
   std::optional<SingleForce> found;
+  const std::vector<std::string> asked =
+      study::asked_question("response").asked(content.variant).response->selection.excitations;
   for (const model::Excitation& excitation : system.description().excitations) {
     if (!project::drives(excitation, project::Drive::harmonic)) continue;
+    if (!asked.empty() && std::find(asked.begin(), asked.end(), excitation.name) == asked.end()) continue;
     const auto* harmonic = std::get_if<model::Harmonic>(&excitation.course);
     const model::Action& action = excitation.action;
     if (found || !harmonic || harmonic->power_of_frequency != 0 || !action.body || action.delay != 0)
@@ -111,10 +114,11 @@ UniversalQuantity quantity_of(const std::string& unit) {
   return UniversalQuantity::general;
 }
 
-/// A text that fits; cut and noted if it does not.
+/// A text that fits; cut and noted once if it does not.
 std::string fitting(const std::string& text, std::vector<std::string>& lost) {
   if (text.empty() || exchange::fits_universal_line(text)) return text;
-  lost.push_back("cut to 80 characters, or without characters that the format does not know: " + text);
+  const std::string note = "cut to 80 characters, or without characters that the format does not know: " + text;
+  if (std::find(lost.begin(), lost.end(), note) == lost.end()) lost.push_back(note);
   return foundation::shortened(text, exchange::universal_id_width);
 }
 

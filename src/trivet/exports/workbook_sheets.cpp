@@ -68,7 +68,7 @@ void add_real_column(const LabelledArray& array, const LabelledArrays& all, cons
   std::vector<double> numbers = array.real_numbers();
   for (std::size_t i = 0; i < numbers.size(); ++i)
     numbers[i] *= units ? shown_unit_of(array, units->texts()[i], display).factor : whole.factor;
-  sheet.columns.push_back({array.name, whole.label(), std::move(numbers), {}});
+  sheet.columns.push_back({array.name, units ? array.unit : whole.label(), std::move(numbers), {}});
   if (array.name != "angular_frequency") return;
   std::vector<double> frequencies;
   for (const double omega : array.real_numbers()) frequencies.push_back(results::shown_frequency(display, omega));
@@ -122,7 +122,7 @@ void add_matrix(const LabelledArray& array, const LabelledArrays& all, const pro
   const std::size_t rows = axis_of_rows(array), columns = 1 - rows;
   const LabelledArray* labels = all.find(array.axes[columns]);
   const LabelledArray* units =
-      rows == 1 && array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(all, array.axes[0]) : nullptr;
+      array.unit.starts_with(results::unit_of_the_row) ? units_of_rows(all, array.axes[columns]) : nullptr;
   const std::vector<double> real = array.is_complex() ? std::vector<double>() : array.real_numbers();
   const std::vector<std::complex<double>> both =
       array.is_complex() ? array.complex_numbers() : std::vector<std::complex<double>>();

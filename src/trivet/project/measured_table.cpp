@@ -138,6 +138,14 @@ MeasuredFunction function_of(const CsvTable& table, const FunctionColumns& colum
   result.name = columns.name;
   result.texts = {columns.name};
   result.unit = columns.unit.empty() ? given : measured_unit(columns.unit);
+  if (!columns.unit.empty() && !result.unit)
+    found.error("", fmt::format("column of {}: \"{}\"", foundation::quoted(columns.name), columns.unit),
+                "this is no unit of a motion or a force, perhaps per force; levels such as rms and dB are no units",
+                "write zero-to-peak amplitudes and for instance [mm/N]");
+  if (!columns.unit.empty() && given)
+    found.warning("", fmt::format("column of {}: [{}]", foundation::quoted(columns.name), columns.unit),
+                  "the unit in the heading holds, `unit` of the measurement is for columns without one",
+                  "remove one of them");
   const double factor = result.unit ? result.unit->factor : 1, angle = phase_factor(table, columns, found);
   std::vector<std::complex<double>> values;
   std::vector<double> coherence;

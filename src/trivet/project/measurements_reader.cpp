@@ -182,6 +182,14 @@ class MeasurementTable {
         if (const std::string name = fmt::format("node {} of modes", node.node);
             std::find(measured.begin(), measured.end(), name) == measured.end())
           measured.push_back(name);
+    const auto is_placed = [&](const MeasuredFunction& f) {
+      return f.response.node != 0 && places.place(f.response.node) && f.response.direction != 0;
+    };
+    if (std::any_of(file.functions.begin(), file.functions.end(), is_placed))
+      return static_cast<void>(reader_.error(
+          "file", "the file has: " + foundation::comma_separated(measured),
+          "their places are known, but their directions are not along axes of the bodies, which results have",
+          "measure along the axes of a turned body, or place a point on a body that is not turned"));
     reader_.error("file", "the file has: " + foundation::comma_separated(measured),
                   "none of it is at a place of the model: " + foundation::comma_separated(places.names()),
                   "add nodes = {\"3\" = \"BODY.POINT\"} with the numbers of the file, or channels = {\"BODY.z\" = "

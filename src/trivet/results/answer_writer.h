@@ -51,8 +51,13 @@ TRIVET_QUESTIONS(TRIVET_WRITER)
   return mode ? std::to_string(*mode) : "–";
 }
 
-/// The axis "coordinate" of mode shapes: names and units of the six coordinates of each body.
-void add_shape_coordinates(const project::Case& variant, LabelledArrays& list);
+/// Units of the translations and rotations in a shape: those of a mass-normalized mode, or of a root, whose largest
+/// translation is 1.
+struct ShapeUnits {
+  const char *translation, *rotation;
+};
+/// The axis "coordinate" of shapes: names and units of the six coordinates of each body.
+void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape, LabelledArrays& list);
 /// The axis "coordinate" of one motion: x … rz in metres and radians.
 void add_motion_coordinates(LabelledArrays& list);
 /// Unit of the numbers on an axis; "1" if they have none, or if it is not known.

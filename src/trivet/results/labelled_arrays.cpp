@@ -136,7 +136,7 @@ void LabelledArrays::copy(std::string name, std::string unit, std::vector<std::s
   add(owned_rows(std::move(name), std::move(unit), std::move(axes), std::move(shape), std::move(numbers)));
 }
 
-void LabelledArrays::are_harmonic(const std::vector<std::string>& names) {
+void LabelledArrays::mark_harmonic(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const auto found =
         std::find_if(list_.rbegin(), list_.rend(), [&](const LabelledArray& a) { return a.name == name; });

@@ -124,7 +124,7 @@ class LabelledArrays {
             std::vector<std::complex<double>> numbers);
 
   /// Says that these arrays of the list are harmonic.
-  void are_harmonic(const std::vector<std::string>& names);
+  void mark_harmonic(const std::vector<std::string>& names);
   /// 1, 2, … count as the coordinates of an axis.
   void count(std::string axis, std::size_t count);
   void add(LabelledArray array) { list_.push_back(std::move(array)); }

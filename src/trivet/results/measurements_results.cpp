@@ -249,7 +249,7 @@ void add_peak_arrays(const std::vector<ComparedChannel>& channels, LabelledArray
   list.column("peak.computed", unit_of_the_row, "peak", peaks, of_computed(&response::Peak::amplitude));
   list.column("peak.frequency_difference", "1", "peak", peaks, &PeakDifference::frequency_difference);
   list.column("peak.height_db", "dB", "peak", peaks, &PeakDifference::height_db);
-  list.are_harmonic({"peak.unit", "peak.measured", "peak.computed"});
+  list.mark_harmonic({"peak.unit", "peak.measured", "peak.computed"});
 }
 
 void add_mode_arrays(const std::vector<MeasurementComparison>& measurements, LabelledArrays& list) {
@@ -289,7 +289,7 @@ void measurements_arrays(const project::Case&, const study::Answers& answers, La
     list.view(frequencies, "rad/s", frequencies, one.channel->angular_frequency);
     list.view(one.name() + " measured", one.channel->unit, frequencies, one.channel->measured);
     list.view(one.name() + " computed", one.channel->unit, frequencies, one.channel->computed);
-    list.are_harmonic({one.name() + " measured", one.name() + " computed"});
+    list.mark_harmonic({one.name() + " measured", one.name() + " computed"});
   }
   add_peak_arrays(channels, list);
   add_mode_arrays(answers.measurements, list);

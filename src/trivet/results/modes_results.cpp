@@ -131,7 +131,7 @@ void modes_arrays(const project::Case& variant, const study::Answers& answers, L
   list.texts("name", "mode", modes, &Mode::name);
   list.field("modal_mass", "1", "mode", modes, &Mode::modal_mass);
   list.column("repeated", "1", "mode", modes, &Mode::repeated);
-  add_shape_coordinates(variant, list);
+  add_shape_coordinates(variant, {"1/√kg", "rad/(m √kg)"}, list);
   list.lists("shape", unit_of_the_row, {"mode", "coordinate"}, coordinates, modes, &Mode::shape);
   list.lists("shape_at_center_of_mass", unit_of_the_row, {"mode", "coordinate"}, coordinates, modes,
              &Mode::shape_at_centre);
@@ -145,12 +145,12 @@ void modes_arrays(const project::Case& variant, const study::Answers& answers, L
 
 }  // namespace
 
-void add_shape_coordinates(const project::Case& variant, LabelledArrays& list) {
+void add_shape_coordinates(const project::Case& variant, const ShapeUnits& shape, LabelledArrays& list) {
   std::vector<std::string> names, units;
   for (const model::Body& body : variant.system.bodies())
     for (std::size_t j = 0; j < 6; ++j) {
       names.push_back(body.name + "." + model::coordinate_names[j]);
-      units.emplace_back(j < 3 ? "1/√kg" : "rad/(m √kg)");
+      units.emplace_back(j < 3 ? shape.translation : shape.rotation);
     }
   list.texts("coordinate", "coordinate", std::move(names));
   list.texts("coordinate.unit", "coordinate", std::move(units));

@@ -151,7 +151,7 @@ void run_up_arrays(const response::RunUp& run, LabelledArrays& list) {
     for (const response::Curve& c : order.curves) {
       const std::string name = fmt::format("{} order {}", c.name, order.order);
       list.view(name, c.unit, "speed", c.value);
-      list.are_harmonic({name});
+      list.mark_harmonic({name});
     }
   list.texts("result", "result", run.overall, &Overall::name);
   list.texts("result.unit", "result", run.overall, &Overall::unit);
@@ -168,7 +168,7 @@ void run_up_arrays(const response::RunUp& run, LabelledArrays& list) {
   list.field(axis + ".prominence", unit_of_the_row, axis, run.critical, &CriticalSpeed::prominence);
   list.field(axis + ".relative_height", "1", axis, run.critical, &CriticalSpeed::relative_height);
   list.column(axis + ".nearest_mode", "1", axis, run.critical, &CriticalSpeed::nearest_mode);
-  list.are_harmonic({axis + ".unit", axis + ".amplitude", axis + ".prominence"});
+  list.mark_harmonic({axis + ".unit", axis + ".amplitude", axis + ".prominence"});
 }
 
 void campbell_arrays(const response::Campbell& campbell, LabelledArrays& list) {

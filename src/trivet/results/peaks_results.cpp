@@ -147,8 +147,8 @@ void peaks_arrays(const project::Case&, const study::Answers& answers, LabelledA
   list.column("result.vanishes", "1", "result", found.curves, &CurveSummary::vanishes);
   list.value("searched_from", "rad/s", found.searched_from);
   list.value("searched_to", "rad/s", found.searched_to);
-  list.are_harmonic({"unit", "amplitude", "prominence", "amplitude_uncertainty", "result.unit",
-                     "result.static_amplitude", "result.highest"});
+  list.mark_harmonic({"unit", "amplitude", "prominence", "amplitude_uncertainty", "result.unit",
+                      "result.static_amplitude", "result.highest"});
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ void response_arrays(const project::Case&, const study::Answers& answers, Labell
   list.view("angular_frequency", "rad/s", "angular_frequency", answer.curves.angular_frequency);
   for (const response::Curve& curve : curves) {
     list.view(curve.name, curve.unit, "angular_frequency", curve.value);
-    list.are_harmonic({curve.name});
+    list.mark_harmonic({curve.name});
   }
   for (std::size_t c = 0; c < curves.size(); ++c)
     list.view(curves[c].name + " phase", "rad", "angular_frequency", answer.phase[c]);
@@ -223,7 +223,7 @@ void response_arrays(const project::Case&, const study::Answers& answers, Labell
   list.field("limit.in_band_at", "rad/s", "limit", answers.limits, &LimitAnswer::in_band_at);
   list.field("limit.anywhere", unit_of_the_row, "limit", answers.limits, &LimitAnswer::anywhere);
   list.column("limit.met", "1", "limit", answers.limits, &LimitAnswer::met);
-  list.are_harmonic({"limit.unit", "limit.allowed", "limit.in_band", "limit.anywhere"});
+  list.mark_harmonic({"limit.unit", "limit.allowed", "limit.in_band", "limit.anywhere"});
 }
 
 }  // namespace

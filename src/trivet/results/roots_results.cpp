@@ -73,7 +73,7 @@ void roots_arrays(const project::Case& variant, const study::Answers& answers, L
   list.column("damping_ratio", "1", "root", roots, &Root::damping_ratio);
   list.column("nearest_mode", "1", "root", roots, &Root::nearest_mode);
   list.column("exact", "1", "root", roots, &Root::exact);
-  add_shape_coordinates(variant, list);
+  add_shape_coordinates(variant, {"1", "rad/m"}, list);
   list.lists("shape", unit_of_the_row, {"root", "coordinate"}, 6 * variant.system.bodies().size(), roots, &Root::shape);
 }
 

@@ -106,7 +106,7 @@ void shapes_arrays(const project::Case&, const study::Answers& answers, Labelled
       motions.insert(motions.end(), place.motion.begin(), place.motion.end());
   list.copy("motion", unit_of_the_row, {axis, "place", "coordinate"}, {shapes.size(), places.size(), 6},
             std::move(motions));
-  list.are_harmonic({"largest_excursion", "motion", "coordinate.unit"});
+  list.mark_harmonic({"largest_excursion", "motion", "coordinate.unit"});
 }
 
 }  // namespace

@@ -29,6 +29,10 @@ namespace {
 using foundation::InvalidInput;
 using numerics::DesignStatus;
 constexpr double without_value = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* no_number =
+    "the model has no such number; name one that the file has, such as elements.mount.scale, bodies.engine.mass, or x, "
+    "y "
+    "or z of an array of three; a key that is not written gets a value first: project.changed({...})";
 constexpr std::size_t lane_piece = 256;  // designs; their matrices fit in the cache
 
 /// The designs of a sweep, and the results of each.
@@ -239,11 +243,7 @@ void require_numbers(const project::Case& variant, const SweepRequest& request) 
     const auto value = in_model.read(variant);
     const auto same =
         value ? project::changed_system(variant, {{in_model, *value}}) : tl::make_unexpected(foundation::Problems());
-    if (!same)
-      throw InvalidInput(
-          fmt::format("sweep: {}: the model has no such number; name one as in --set, such as "
-                      "elements.mount.scale or bodies.engine.mass",
-                      number.path));
+    if (!same) throw InvalidInput(fmt::format("sweep: {}: {}", number.path, no_number));
     if (number.values.empty()) throw InvalidInput(fmt::format("sweep: {}: no values; give at least one", number.path));
     for (const double each : number.values)
       if (!std::isfinite(each))
@@ -271,9 +271,8 @@ SweptNumber swept_number(const project::Case& variant, const std::string& path,
       continue;
     }
     const std::string& text = std::get<std::string>(value);
-    const tl::expected<double, std::string> si = number.quantity
-        ? project::to_si(text, *number.quantity)
-        : tl::make_unexpected("the model has no number there, or its unit is not known; give numbers in SI");
+    const tl::expected<double, std::string> si =
+        number.quantity ? project::to_si(text, *number.quantity) : tl::make_unexpected(std::string(no_number));
     if (!si) wrong += fmt::format("{}\"{}\": {}", wrong.empty() ? "" : "; ", text, si.error());
     number.values.push_back(si.value_or(without_value));
   }

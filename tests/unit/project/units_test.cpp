@@ -47,11 +47,33 @@ TEST(Units, ConvertWhatEngineersWrite) {
                               {"1 kgf", Quantity::force, 9.80665},
                               {"5 %", Quantity::pure, 0.05},
                               {"3 ms", Quantity::time, 0.003},
+                              {"1 oz in", Quantity::mass_length, 0.45359237 / 16 * 0.0254},
+                              {"2 slug", Quantity::mass, 2 * 0.45359237 * 9.80665 / 0.3048},
+                              {"60 mph", Quantity::velocity, 60 * 1609.344 / 3600},
+                              {"5 rps", Quantity::angular_frequency, 10 * pi},
+                              {"2 nmi", Quantity::length, 3704},
+                              {"3 µm", Quantity::length, 3e-6},
+                              {"2 kilonewtons", Quantity::force, 2000},
+                              {"4 krpm", Quantity::angular_frequency, 4000 * pi / 30},
                               {"+1e3 mm", Quantity::length, 1}}) {
     const auto found = to_si(c.text, c.quantity);
     ASSERT_TRUE(found.has_value()) << c.text << ": " << found.error();
     const double tolerance = std::string(c.text).find("lbf") == std::string::npos ? round_off : printed_digits;
     EXPECT_THAT(*found, trivet::test::RelativelyNear(c.si, tolerance)) << c.text;
+  }
+}
+
+/// SI prefixes before customary units are slips: "mmi" is no thousandth of a mile.
+TEST(Units, RejectPrefixesBeforeCustomaryUnits) {
+  for (const auto& [text, quantity] : {std::pair{"1 mmi", Quantity::length},
+                                       {"22 cin", Quantity::length},
+                                       {"0.7 kft", Quantity::length},
+                                       {"1 mlb", Quantity::mass},
+                                       {"310 kkg", Quantity::mass},
+                                       {"0.1 nyd", Quantity::length}}) {
+    const auto found = to_si(text, quantity);
+    ASSERT_FALSE(found.has_value()) << text;
+    EXPECT_THAT(found.error(), testing::HasSubstr("prefix")) << text;
   }
 }
 

@@ -53,6 +53,13 @@ Largest largest(Quantity quantity) {
       return {1e21, of_stiffness};
     case Quantity::moment_per_angle:
       return {1e24, of_stiffness};
+    case Quantity::force_per_length_squared:
+      return {1e24, of_stiffness};
+    case Quantity::force_per_length_cubed:
+      return {1e30, of_stiffness};
+    case Quantity::moment_per_angle_squared:
+    case Quantity::moment_per_angle_cubed:
+      return {1e27, of_stiffness};
     case Quantity::damping_force_per_length:
       return {1e18, of_damping};
     case Quantity::damping_force_per_angle:

@@ -6,6 +6,8 @@
 
 #include <udunits2.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -122,12 +124,25 @@ class UnitSystem {
                              "horsepowers"})
       forget(word);
     name("newton_meter", "Nm", Unit(parsed("N m")).get());
+    const Unit pound(parsed("lb")), pound_force(parsed("lbf")), foot(parsed("ft")), mile(parsed("mile"));
+    name("ounce", "oz", Unit(ut_scale(1.0 / 16, pound.get())).get());  // not the fluid ounce of the database
+    const Unit foot_per_second_squared(parsed("ft/s2"));
+    name("slug", "slug", Unit(ut_divide(pound_force.get(), foot_per_second_squared.get())).get());
+    const Unit hour(parsed("hour"));
+    name("mile_per_hour", "mph", Unit(ut_divide(mile.get(), hour.get())).get());
+    name("revolution_per_second", "rps", hertz.get());
+    name("nautical_mile", "nmi", Unit(ut_scale(1852, Unit(parsed("m")).get())).get());
   }
   ~UnitSystem() { ut_free_system(system_); }
   UnitSystem(const UnitSystem&) = delete;
   UnitSystem& operator=(const UnitSystem&) = delete;
 
   ut_unit* parsed(const std::string& text) const { return ut_parse(system_, text.c_str(), UT_UTF8); }
+
+  /// A unit by its name or symbol as it is, without a prefix.
+  [[nodiscard]] bool has(const std::string& word) const {
+    return Unit(ut_get_unit_by_name(system_, word.c_str())) || Unit(ut_get_unit_by_symbol(system_, word.c_str()));
+  }
 
  private:
   void forget(const char* word) {
@@ -175,6 +190,52 @@ bool is_plain_unit(std::string_view text) {
   return text.size() <= longest_unit;
 }
 
+/// True if an SI prefix may stand before the unit: before units of the SI, and those usual with prefixes.
+bool takes_prefix(std::string_view unit) {
+  static constexpr std::array<std::string_view, 38> known = {
+      "m",      "g",      "s",      "N",      "Pa",     "J",     "W",    "Hz",    "rad",    "K",
+      "rpm",    "deg",    "bar",    "t",      "l",      "L",     "eV",   "Nm",    "metre",  "meter",
+      "gram",   "gramme", "second", "newton", "pascal", "joule", "watt", "hertz", "radian", "degree",
+      "kelvin", "tonne",  "liter",  "litre",  "bars",   "°",     "psi",  "lbf"};
+  if (std::find(known.begin(), known.end(), unit) != known.end()) return true;
+  return unit.ends_with('s') && unit.size() > 3 && takes_prefix(unit.substr(0, unit.size() - 1));
+}
+
+/// A word of the unit that is read as an SI prefix before a unit that takes none, "nmi" as a nano-mile; empty if none.
+std::string word_with_odd_prefix(std::string_view text) {
+  static constexpr std::array<std::string_view, 40> prefixes = {
+      "yotta", "zetta", "exa",   "peta",  "tera",  "giga", "mega", "kilo",  "hecto", "deca",
+      "deka",  "deci",  "centi", "milli", "micro", "nano", "pico", "femto", "atto",  "Y",
+      "Z",     "E",     "P",     "T",     "G",     "M",    "k",    "h",     "da",    "d",
+      "c",     "m",     "µ",     "μ",     "u",     "n",    "p",    "f",     "a",     "z"};
+  const auto letter = [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80 || c == '_';
+  };
+  for (std::size_t from = 0; from < text.size();) {
+    if (!letter(text[from])) {
+      ++from;
+      continue;
+    }
+    std::size_t to = from;
+    while (to < text.size() && letter(text[to])) ++to;
+    std::string word(text.substr(from, to - from));
+    from = to;
+    for (const char* power : {"²", "³"})
+      if (word.ends_with(power)) word.resize(word.size() - std::string(power).size());
+    if (word.empty() || unit_system().has(word)) continue;
+    const auto fits = [&](std::string_view prefix) {
+      return word.starts_with(prefix) && takes_prefix(std::string_view(word).substr(prefix.size()));
+    };
+    const auto has_prefix = [&](std::string_view prefix) {
+      return word.starts_with(prefix) && unit_system().has(word.substr(prefix.size()));
+    };
+    if (std::none_of(prefixes.begin(), prefixes.end(), fits) &&
+        std::any_of(prefixes.begin(), prefixes.end(), has_prefix))
+      return word;
+  }
+  return "";
+}
+
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
@@ -190,6 +251,8 @@ struct Conversion {
 Conversion new_conversion(const std::string& from, const std::string& to) {
   const Unit unit(unit_system().parsed(from));
   if (!unit) return {nullptr, "\"" + from + "\" is not a unit"};
+  if (const std::string word = word_with_odd_prefix(from); !word.empty())
+    return {nullptr, "\"" + word + "\" is no unit; SI prefixes stand before units of the SI only"};
   const Unit target(unit_system().parsed(to));
   if (!ut_are_convertible(unit.get(), target.get())) return {nullptr, "\"" + from + "\" measures another quantity"};
   const std::shared_ptr<cv_converter> converter(ut_get_converter(unit.get(), target.get()), cv_free);
@@ -255,6 +318,14 @@ const char* si_unit(Quantity quantity) {
       return "N m/m";
     case Quantity::moment_per_angle:
       return "N m/rad";
+    case Quantity::force_per_length_squared:
+      return "N/m2";
+    case Quantity::force_per_length_cubed:
+      return "N/m3";
+    case Quantity::moment_per_angle_squared:
+      return "N m/rad2";
+    case Quantity::moment_per_angle_cubed:
+      return "N m/rad3";
     case Quantity::damping_force_per_length:
       return "N s/m";
     case Quantity::damping_force_per_angle:
