@@ -30,7 +30,7 @@ model::System with_laws(const std::string& text, const std::vector<model::Nonlin
 model::System oscillator(double mass, double damping, double stiffness, double force, elements::ScalarLaw law) {
   const std::string excitation = "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [" +
       std::to_string(force) + ", 0, 0]\n";
-  return with_laws(test::chain({mass}, {stiffness, 0}, {damping, 0}) + excitation, {{0, 0.5, std::move(law)}});
+  return with_laws(test::chain({mass}, {stiffness, 0}, {damping, 0}) + excitation, {{0, 0.5, {std::move(law)}}});
 }
 
 double amplitude(const SteadyPoint& point, Eigen::Index harmonic) {
@@ -47,9 +47,9 @@ TEST(SteadyMotion, HardeningSpringHasTwoFoldsAndAnUnstableMiddleMotion) {
   EXPECT_EQ(found.ended, "");
   constexpr double digits = 1e-7, of_multipliers = 1e-6;  // of the reference
   ASSERT_EQ(found.folds.size(), 2u);
-  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(23.37324214072677, digits));
-  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(21.342635329803098, digits));
-  EXPECT_THAT(amplitude(found.folds[0], 1), RelativelyNear(0.037942526292881446, digits));
+  EXPECT_THAT(found.folds[0].point.angular_frequency, RelativelyNear(23.37324214072677, digits));
+  EXPECT_THAT(found.folds[1].point.angular_frequency, RelativelyNear(21.342635329803098, digits));
+  EXPECT_THAT(amplitude(found.folds[0].point, 1), RelativelyNear(0.037942526292881446, digits));
   ASSERT_EQ(found.at.size(), 8u);
   struct Row {
     double omega, first, third, multiplier;
@@ -89,8 +89,8 @@ TEST(SteadyMotion, OneHarmonicKnowsTheThirdThatItLeavesOut) {
   EXPECT_THAT(one.left_out, RelativelyNear(third, second_order));
   EXPECT_LT(many.left_out, 1e-9);
   // Folds with one harmonic: m ω² = k + 3/4 k₃ a² ± …, by the double roots of the cubic in a².
-  EXPECT_THAT(one.folds.at(0).angular_frequency, RelativelyNear(23.350584555234533, 1e-10));
-  EXPECT_THAT(one.folds.at(1).angular_frequency, RelativelyNear(21.341785642874047, 1e-10));
+  EXPECT_THAT(one.folds.at(0).point.angular_frequency, RelativelyNear(23.350584555234533, 1e-10));
+  EXPECT_THAT(one.folds.at(1).point.angular_frequency, RelativelyNear(21.341785642874047, 1e-10));
 }
 
 TEST(SteadyMotion, ThirdHarmonicHasAResonanceThatTheFundamentalLacks) {
@@ -99,8 +99,8 @@ TEST(SteadyMotion, ThirdHarmonicHasAResonanceThatTheFundamentalLacks) {
   options.at = {7, 7.98, 9};
   const SteadyBranch found = nonlinear::steady_branch(system, options);
   ASSERT_EQ(found.folds.size(), 2u);
-  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(8.068113200891425, 1e-7));
-  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(7.913155817650235, 1e-7));
+  EXPECT_THAT(found.folds[0].point.angular_frequency, RelativelyNear(8.068113200891425, 1e-7));
+  EXPECT_THAT(found.folds[1].point.angular_frequency, RelativelyNear(7.913155817650235, 1e-7));
   ASSERT_EQ(found.at.size(), 5u);
   const double first[] = {0.012041720386091, 0.010139428349519, 0.008559957129879, 0.01051050009396, 0.012246704434305};
   const double third[] = {0.002610882170312, 0.012294875289247, 0.012724785369035, 0.00668400893422, 0.00178008750943};
@@ -121,9 +121,9 @@ TEST(SteadyMotion, StopOnOneSideAgreesWithPiecewiseExactMotions) {
   EXPECT_EQ(found.ended, "");
   constexpr double truncation = 1e-4;  // of 25 harmonics; the next is below it
   ASSERT_EQ(found.folds.size(), 2u);
-  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(43.587332443, truncation));
+  EXPECT_THAT(found.folds[0].point.angular_frequency, RelativelyNear(43.587332443, truncation));
   // The other fold is 0.001 rad/s below the frequency at which the mass just touches, where harmonics converge slowly.
-  EXPECT_NEAR(found.folds[1].angular_frequency, 33.8616328, 0.2);
+  EXPECT_NEAR(found.folds[1].point.angular_frequency, 33.8616328, 0.2);
   const auto row = [&](double omega) {
     for (const SteadyPoint& point : found.at)
       if (point.angular_frequency == omega) return point;
@@ -160,7 +160,7 @@ force = [0, 0, 400]
   int number = 0;
   for (const char* at : {"-0.45, -0.3, 0", "-0.45, 0.3, 0", "0.45, -0.3, 0", "0.45, 0.3, 0"})
     text += "[elements.m" + std::to_string(++number) + "]\ntype = \"mount\"\non = \"body\"\nat = [" + at + "]\n";
-  const model::NonlinearPart cubic{2, 0.5, elements::PolynomialForce{{0, 0, 1.2e11}}};
+  const model::NonlinearPart cubic{2, 0.5, {elements::PolynomialForce{{0, 0, 1.2e11}}}};
   return with_laws(text, {cubic, cubic, cubic, cubic});
 }
 
@@ -172,8 +172,8 @@ TEST(SteadyMotion, BodyOnFourCubicMountsAgreesWithFullHarmonicBalance) {
   EXPECT_EQ(found.ended, "");
   constexpr double digits = 1e-6;  // of the reference: 138 unknowns, confirmed by shooting
   ASSERT_EQ(found.folds.size(), 2u);
-  EXPECT_THAT(found.folds[0].angular_frequency, RelativelyNear(19.342978126056288 * hertz, digits));
-  EXPECT_THAT(found.folds[1].angular_frequency, RelativelyNear(18.584949336705957 * hertz, digits));
+  EXPECT_THAT(found.folds[0].point.angular_frequency, RelativelyNear(19.342978126056288 * hertz, digits));
+  EXPECT_THAT(found.folds[1].point.angular_frequency, RelativelyNear(18.584949336705957 * hertz, digits));
   ASSERT_EQ(found.at.size(), 3u);
   const double multipliers[] = {0.83588169966, 1.21580119507, 0.83141683596};
   for (std::size_t i = 0; i < 3; ++i) {

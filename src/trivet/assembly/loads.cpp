@@ -38,9 +38,13 @@ void add_element_weight(const model::System& system, std::size_t index, const Ei
 }
 
 /// Adds the forces at rest of a preloaded element on its bodies.
+/// Forces of an element that are there without a displacement.
 void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorXd& load) {
-  if (!law.preload) return;
-  const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * *law.preload);
+  elements::Vector12 on_ends = elements::Vector12::Zero();
+  if (law.preload) on_ends += *law.preload;
+  if (law.nonlinear) on_ends += law.nonlinear->offset;
+  if (on_ends.isZero(0)) return;
+  const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * on_ends);
   for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[to_size(j)]) += on_bodies(j);
 }
 

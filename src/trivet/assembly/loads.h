@@ -50,7 +50,8 @@ void add_frequency_dependent(const Assembled& assembled, const Loading& loading,
 [[nodiscard]] Eigen::VectorXcd exact_right_side(const Assembled& assembled, const Loading& loading,
                                                 std::complex<double> omega, double near);
 
-/// Gravity on every body and on the mass of the elements, the preloads that balance it, and the constant forces.
+/// Gravity on every body and on the mass of the elements, the preloads that balance it, the offsets of nonlinear parts,
+/// and the constant forces.
 [[nodiscard]] Eigen::VectorXd static_load(const model::System& system, const Assembled& assembled);
 
 }  // namespace trivet::assembly

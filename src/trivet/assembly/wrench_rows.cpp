@@ -139,7 +139,9 @@ WrenchRows wrench_on_n(const model::System& system, const Assembled& assembled, 
     set_constant_terms(map, end, assembled.ground, rows);
   }
   if (system.description().gravity) rows.at_rest = end.turn() * own_weight(system, assembled, e).head<6>();
-  if (const auto& preload = system.elements()[e].law.preload) rows.at_rest -= end.turn() * preload->head<6>();
+  const elements::Law& law = system.elements()[e].law;
+  if (law.preload) rows.at_rest -= end.turn() * law.preload->head<6>();
+  if (law.nonlinear) rows.at_rest -= end.turn() * law.nonlinear->offset.head<6>();
   return rows;
 }
 

@@ -17,14 +17,18 @@ Matrix6x12 relative_motion(const Eigen::Vector3d& arm, double centre) {
 
 }  // namespace
 
-Matrix12 stiffness(const Law& law) { return law.scale * law.nominal_stiffness; }
+Matrix12 stiffness(const Law& law) {
+  const Matrix12 linear = law.scale * law.nominal_stiffness;
+  return law.nonlinear ? Matrix12(linear + law.nonlinear->tangent) : linear;
+}
 
 Matrix12 viscous_damping(const Law& law) {
   if (const auto* proportional = std::get_if<ProportionalDamping>(&law.damping))
-    return proportional->factor * (proportional->of_nominal ? law.nominal_stiffness : stiffness(law));
+    return proportional->factor * (proportional->of_nominal ? 1.0 : law.scale) * law.nominal_stiffness;
   if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) return given->matrix;
   if (const auto* relaxing = std::get_if<Viscoelastic>(&law.damping))
-    if (const auto* viscous = std::get_if<KelvinVoigt>(relaxing)) return viscous->time * stiffness(law);
+    if (const auto* viscous = std::get_if<KelvinVoigt>(relaxing))
+      return viscous->time * law.scale * law.nominal_stiffness;
   return Matrix12::Zero();
 }
 

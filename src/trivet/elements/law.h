@@ -51,6 +51,12 @@ struct FrequencyDependence {
   std::vector<double> knots;  ///< boundaries between the pieces of a table [rad/s], ascending
 };
 
+/// The nonlinear parts of an element about its position of rest: tangent · u + offset on its ends.
+struct Linearization {
+  Matrix12 tangent = Matrix12::Zero();
+  Vector12 offset = Vector12::Zero();
+};
+
 /// Law of an element: nominal stiffness (at ω = 0), scale factor, damping, own mass, and static preload.
 struct Law {
   Matrix12 nominal_stiffness = Matrix12::Zero();
@@ -58,10 +64,11 @@ struct Law {
   Damping damping;
   std::optional<Inertia> inertia;
   std::optional<FrequencyDependence> frequency_dependence;
-  std::optional<Vector12> preload;  ///< forces and moments on the ends N, K in the state about which it vibrates
+  std::optional<Linearization> nonlinear;  ///< neither scaled nor damped
+  std::optional<Vector12> preload;         ///< forces and moments on the ends N, K in the state about which it vibrates
 };
 
-/// Stiffness at ω = 0, scaled.
+/// Stiffness at ω = 0, scaled, with the tangent of the nonlinear parts.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
 /// Viscous damping matrix at the ends.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);

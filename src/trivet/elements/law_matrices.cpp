@@ -97,7 +97,7 @@ Matrices matrices(const Law& law) {
   const Eigen::Index modes = law.inertia ? law.inertia->angular_frequencies.size() : 0;
   Matrices m;
   m.stiffness = m.damping = m.mass = Eigen::MatrixXd::Zero(12 + modes, 12 + modes);
-  m.stiffness.topLeftCorner<12, 12>() = stiffness(law);
+  m.stiffness.topLeftCorner<12, 12>() = law.scale * law.nominal_stiffness;
   m.loss_factor = loss_factor(law);
   if (law.inertia) {
     m.stiffness.diagonal().tail(modes) = law.scale * law.inertia->angular_frequencies.cwiseAbs2();
@@ -117,6 +117,7 @@ Matrices matrices(const Law& law) {
     for (std::size_t i = 0; i < form.ratios.size(); ++i)
       if (form.ratios[i] > 0) add_branch(strain, form.ratios[i], form.times[i], m);
   }
+  if (law.nonlinear) m.stiffness.topLeftCorner<12, 12>() += law.nonlinear->tangent;
   return m;
 }
 
@@ -139,6 +140,7 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
   }
   if (const auto* given = std::get_if<DampingMatrix>(&law.damping))
     result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
+  if (law.nonlinear) result += law.nonlinear->tangent.cast<Complex>();
   return result;
 }
 

@@ -59,19 +59,37 @@ struct Kinks {
     std::vector<double> found;
     if (std::isfinite(law.gap_below)) found.push_back(-law.gap_below);
     if (std::isfinite(law.gap_above)) found.push_back(law.gap_above);
-    std::sort(found.begin(), found.end());
     return found;
   }
 };
 
 }  // namespace
 
-ForceAndTangent force_and_tangent(const ScalarLaw& law, double deflection) {
-  return std::visit(Force{deflection}, law);
+ForceAndTangent force_and_tangent(const ScalarLaws& laws, double deflection) {
+  ForceAndTangent sum;
+  for (const ScalarLaw& law : laws) {
+    const ForceAndTangent one = std::visit(Force{deflection}, law);
+    sum.force += one.force;
+    sum.tangent += one.tangent;
+  }
+  return sum;
 }
 
-double elastic_energy(const ScalarLaw& law, double deflection) { return std::visit(Energy{deflection}, law); }
+double elastic_energy(const ScalarLaws& laws, double deflection) {
+  double sum = 0;
+  for (const ScalarLaw& law : laws) sum += std::visit(Energy{deflection}, law);
+  return sum;
+}
 
-std::vector<double> kinks(const ScalarLaw& law) { return std::visit(Kinks{}, law); }
+std::vector<double> kinks(const ScalarLaws& laws) {
+  std::vector<double> all;
+  for (const ScalarLaw& law : laws) {
+    const std::vector<double> of_law = std::visit(Kinks{}, law);
+    all.insert(all.end(), of_law.begin(), of_law.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
 
 }  // namespace trivet::elements

@@ -25,17 +25,19 @@ struct GapStop {
 };
 
 using ScalarLaw = std::variant<PolynomialForce, GapStop>;
+/// Forces over the same deflection add up.
+using ScalarLaws = std::vector<ScalarLaw>;
 
 struct ForceAndTangent {
   double force = 0;
   double tangent = 0;  ///< df/dδ; at a kink that of larger |δ|
 };
-[[nodiscard]] ForceAndTangent force_and_tangent(const ScalarLaw& law, double deflection);
+[[nodiscard]] ForceAndTangent force_and_tangent(const ScalarLaws& laws, double deflection);
 
 /// ∫ f dδ from 0 [J].
-[[nodiscard]] double elastic_energy(const ScalarLaw& law, double deflection);
+[[nodiscard]] double elastic_energy(const ScalarLaws& laws, double deflection);
 
 /// Deflections at which the force is not smooth, ascending.
-[[nodiscard]] std::vector<double> kinks(const ScalarLaw& law);
+[[nodiscard]] std::vector<double> kinks(const ScalarLaws& laws);
 
 }  // namespace trivet::elements

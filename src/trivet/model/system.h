@@ -119,11 +119,12 @@ struct Evidence {
   std::vector<Residual> residuals;
 };
 
-/// A force over the deflection of an element along or about one of its axes, in addition to its linear law.
+/// Forces over the deflection of an element along or about one of its axes, in addition to its linear law.
 struct NonlinearPart {
   int axis = 0;         ///< 0 … 2: translation, 3 … 5: rotation of K relative to N, axes of K
   double centre = 0.5;  ///< point of the deflection: fraction of the arm from N
-  elements::ScalarLaw law;
+  elements::ScalarLaws laws;
+  double at_rest = 0;  ///< its deflection in the position of rest [m, rad]
 };
 
 struct Element {

@@ -13,27 +13,6 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
-std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled) {
-  std::vector<Deflection> found;
-  for (std::size_t e = 0; e < system.elements().size(); ++e) {
-    const model::Element& element = system.elements()[e];
-    const assembly::ElementMap& map = assembled.elements[e];
-    const model::Span span = model::span(system.bodies(), element.n, element.k);
-    for (const model::NonlinearPart& part : element.nonlinear_parts) {
-      const Eigen::Matrix<double, 1, 12> row =
-          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
-      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)],
-                            Eigen::VectorXd::Zero(assembled.matrices.size()),
-                            Eigen::VectorXd::Zero(assembled.ground.size()), part.law};
-      const Eigen::RowVectorXd on_free = row * map.ends.topRows<12>(), on_ground = row * map.ground_ends.topRows<12>();
-      for (Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
-      for (Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
-      found.push_back(std::move(deflection));
-    }
-  }
-  return found;
-}
-
 CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
                                    const assembly::Loading& loading)
     : ground_(to_index(deflections.size())) {
@@ -66,7 +45,22 @@ CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const s
   shapes_ = across * form.shapes;
   participation_ = form.participation;
   static_part_ = across * form.static_part;
-  static_receptance_ = rows.transpose() * numerics::PivotedLu<double>(assembled.matrices.K).solve(rows);
+  all_shapes_ = form.shapes;
+  all_static_ = form.static_part;
+  all_receptance_ = numerics::PivotedLu<double>(assembled.matrices.K).solve(rows);
+  static_receptance_ = rows.transpose() * all_receptance_;
+}
+
+VectorXcd CondensedMachine::coordinates(double omega, bool excited, const VectorXcd& force) const {
+  if (omega == 0) return -(all_receptance_.cast<Complex>() * force);
+  const Complex s(0, omega);
+  VectorXcd weights = VectorXcd::Zero(static_part_.cols());
+  weights.head(size()) = -force;
+  if (excited)
+    for (const Term& term : terms_)
+      weights(term.column) = numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
+  const VectorXcd inverse = (s - poles_.array()).inverse().matrix();
+  return all_shapes_ * (inverse.asDiagonal() * (participation_ * weights)) + all_static_ * weights;
 }
 
 MatrixXcd CondensedMachine::at(Complex s, Index first, Index columns, MatrixXcd& slope) const {

@@ -2,25 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/nonlinear/deflections.h"
 #include "trivet/numerics/linalg/pole_residue.h"
 
 namespace trivet::nonlinear {
-
-/// One deflection with a nonlinear force.
-struct Deflection {
-  std::string name;                ///< "mount.deflection.z"
-  Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
-  Eigen::VectorXd on_ground;       ///< ground coordinates
-  elements::ScalarLaw law;
-};
-
-/// All nonlinear parts of a system, in the order of its elements.
-[[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
-                                                            const assembly::Assembled& assembled);
 
 /// The linear machine as its nonlinear deflections see it: at the angular frequency ω of one harmonic,
 /// δ = motion − receptance · f, with the forces f of the nonlinear parts.
@@ -48,6 +36,10 @@ class CondensedMachine {
   /// At ω = 0, without losses.
   [[nodiscard]] const Eigen::MatrixXd& static_receptance() const { return static_receptance_; }
 
+  /// All coordinates at one harmonic under the forces of the nonlinear parts, and at the first one the excitation too.
+  /// @param omega  of the harmonic [rad/s]; 0: the mean
+  [[nodiscard]] Eigen::VectorXcd coordinates(double omega, bool excited, const Eigen::VectorXcd& force) const;
+
  private:
   /// A term s^power e^{−s delay} of the excitation: its column among the right sides of the poles.
   struct Term {
@@ -58,6 +50,9 @@ class CondensedMachine {
   [[nodiscard]] Eigen::MatrixXcd at(std::complex<double> s, Eigen::Index first, Eigen::Index columns,
                                     Eigen::MatrixXcd& slope) const;
 
+  Eigen::MatrixXcd all_shapes_;     ///< coordinates × poles
+  Eigen::MatrixXcd all_static_;     ///< coordinates × right sides
+  Eigen::MatrixXd all_receptance_;  ///< coordinates × deflections, at ω = 0
   Eigen::VectorXcd poles_;
   Eigen::MatrixXcd shapes_;         ///< deflections × poles
   Eigen::MatrixXcd participation_;  ///< poles × right sides

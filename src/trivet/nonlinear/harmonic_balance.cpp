@@ -78,6 +78,13 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics:
   }
 }
 
+MatrixXd HarmonicBalance::forces(const VectorXd& unknowns) const {
+  MatrixXd all(coefficients(), machine_.size());
+  for (Index j = 0; j < machine_.size(); ++j)
+    all.col(j) = laws_[to_size(j)].at(unknowns.segment(j * coefficients(), coefficients())).force;
+  return all;
+}
+
 double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   const Index C = coefficients(), m = machine_.size();
   MatrixXd forces(numerics::coefficient_count(3 * harmonics_), m);

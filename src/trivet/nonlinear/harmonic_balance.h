@@ -25,6 +25,8 @@ class HarmonicBalance {
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(double omega) const;
   [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
+  /// Coefficients × deflections: the forces over a motion.
+  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns) const;
   /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
   /// truncation leaves out, to first order.
   [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;

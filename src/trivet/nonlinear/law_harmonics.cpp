@@ -61,8 +61,8 @@ constexpr std::array<double, 4> gauss_weights = {0.36268378337836198297, 0.31370
 
 }  // namespace
 
-LawHarmonics::LawHarmonics(elements::ScalarLaw law, Index harmonics)
-    : law_(std::move(law)), kinks_(elements::kinks(law_)), harmonics_(harmonics) {
+LawHarmonics::LawHarmonics(LawAbout law, Index harmonics)
+    : law_(std::move(law)), kinks_(law_.kinks()), harmonics_(harmonics) {
   const Index samples = sample_count(harmonics);
   values_.resize(samples, numerics::coefficient_count(harmonics));
   for (Index n = 0; n < samples; ++n)
@@ -79,7 +79,7 @@ ForceHarmonics LawHarmonics::sampled(const VectorXd& deflection) const {
   const VectorXd course = values_ * deflection;
   VectorXd force(course.size()), tangent(course.size());
   for (Index n = 0; n < course.size(); ++n) {
-    const elements::ForceAndTangent found = elements::force_and_tangent(law_, course(n));
+    const elements::ForceAndTangent found = law_.at(course(n));
     force(n) = found.force;
     tangent(n) = found.tangent;
   }
@@ -119,7 +119,7 @@ ForceHarmonics LawHarmonics::between(const std::vector<double>& phases, const Ve
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const double from = phases[i], to = i + 1 < phases.size() ? phases[i + 1] : phases.front() + two_pi;
     const double inside = numerics::motion_at(harmonics_, (from + to) / 2, deflection);
-    const elements::ForceAndTangent there = elements::force_and_tangent(law_, inside);
+    const elements::ForceAndTangent there = law_.at(inside);
     if (there.force == 0 && there.tangent == 0) continue;  // an open gap
     const auto pieces = static_cast<Index>(std::ceil((to - from) / longest));
     const double half = (to - from) / static_cast<double>(2 * pieces);
@@ -128,7 +128,7 @@ ForceHarmonics LawHarmonics::between(const std::vector<double>& phases, const Ve
         for (const double side : {-1.0, 1.0}) {
           const double phase = from + half * (static_cast<double>(2 * p + 1) + side * gauss_places[g]);
           const Eigen::RowVectorXd row = numerics::fourier_row(harmonics_, phase);
-          const elements::ForceAndTangent found = elements::force_and_tangent(law_, row * deflection);
+          const elements::ForceAndTangent found = law_.at(row * deflection);
           const double weight = gauss_weights[g] * half / (two_pi / 2);
           sum.force += weight * found.force * row.transpose();
           sum.tangent.noalias() += (weight * found.tangent) * row.transpose() * row;

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/elements/scalar_law.h"
+#include "trivet/nonlinear/law_about.h"
 
 namespace trivet::nonlinear {
 
@@ -20,20 +20,20 @@ struct ForceHarmonics {
 /// Gauss's rule: the error then falls exponentially too, and not like that of samples across the kink.
 class LawHarmonics {
  public:
-  LawHarmonics(elements::ScalarLaw law, Eigen::Index harmonics);
+  LawHarmonics(LawAbout law, Eigen::Index harmonics);
 
   [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection) const;
 
   /// Phases at which the deflection passes a kink of the law, ascending in [0, 2π).
   [[nodiscard]] std::vector<double> kink_phases(const Eigen::VectorXd& deflection) const;
 
-  [[nodiscard]] const elements::ScalarLaw& law() const { return law_; }
+  [[nodiscard]] const LawAbout& law() const { return law_; }
 
  private:
   [[nodiscard]] ForceHarmonics sampled(const Eigen::VectorXd& deflection) const;
   [[nodiscard]] ForceHarmonics between(const std::vector<double>& phases, const Eigen::VectorXd& deflection) const;
 
-  elements::ScalarLaw law_;
+  LawAbout law_;
   std::vector<double> kinks_;
   Eigen::Index harmonics_;
   Eigen::MatrixXd values_;    ///< samples × coefficients

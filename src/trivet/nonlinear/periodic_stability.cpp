@@ -55,7 +55,7 @@ MatrixXd PeriodicStability::transition(const std::vector<LawHarmonics>& laws, co
     VectorXd tangent(force_.cols());
     for (Index j = 0; j < tangent.size(); ++j) {
       const double deflection = numerics::motion_at((C - 1) / 2, phase, deflections.segment(j * C, C));
-      tangent(j) = elements::force_and_tangent(laws[to_size(j)].law(), deflection).tangent;
+      tangent(j) = laws[to_size(j)].law().at(deflection).tangent;
     }
     result += step * force_ * (tangent.asDiagonal() * (values_ * result));
     result = ((i + 1 < steps ? whole : half) * result).eval();

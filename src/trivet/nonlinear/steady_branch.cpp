@@ -7,9 +7,12 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/harmonic_balance.h"
 #include "trivet/nonlinear/periodic_stability.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -19,17 +22,39 @@ using Eigen::VectorXd;
 using numerics::BranchPoint;
 
 /// Lengths on the branch, in shares of the deflection and of the band.
-constexpr double first_step = 0.02, longest_step = 0.2, shortest_step = 1e-9;
+constexpr double first_step = 0.02, longest_step = 0.1, shortest_step = 1e-9;
 /// Directions of neighbouring points differ by less than about 15°.
 constexpr double least_cosine = 0.966;
+
+/// A linear machine that holds all its bodies, and what its stiffnesses stand for.
+struct ReferenceMachine {
+  explicit ReferenceMachine(const model::System& given)
+      : references(tangents_at_rest(given)),
+        system(with_references(given, references)),
+        assembled(assembly::assemble(system)) {
+    constexpr double singular = 1e-13;
+    if (numerics::PivotedLu<double>(assembled.matrices.K).reciprocal_condition() > singular) return;
+    is_about_rest = false;
+    references = positive_references(given);
+    system = with_references(given, references);
+    assembled = assembly::assemble(system);
+  }
+  References references;
+  model::System system;
+  assembly::Assembled assembled;
+  bool is_about_rest = true;  ///< its stiffnesses are the tangents at rest
+};
 
 class Course {
  public:
   Course(const model::System& system, const SteadyOptions& options)
       : options_(options),
-        assembled_(assembly::assemble(system)),
-        deflections_(nonlinear_deflections(system, assembled_)),
-        machine_(assembled_, deflections_, assembly::harmonic_loading(system, assembled_, options.excitations)),
+        reference_(system),
+        assembled_(reference_.assembled),
+        deflections_(nonlinear_deflections(reference_.system, assembled_, reference_.references)),
+        loading_(assembly::harmonic_loading(reference_.system, assembled_, options.excitations)),
+        machine_(assembled_, deflections_, loading_),
+        observer_(reference_.system, assembled_, machine_, loading_, options.of, options.quantity),
         balance_(machine_, deflections_, options.harmonics),
         stability_(assembled_, deflections_),
         branch_([this](const VectorXd& unknowns, double omega,
@@ -38,16 +63,22 @@ class Course {
 
   SteadyBranch follow(const foundation::Progress& progress) {
     SteadyBranch found;
+    found.harmonics = balance_.harmonics();
     for (const Deflection& deflection : deflections_) found.deflections.push_back(deflection.name);
+    for (const assembly::Channel& channel : observer_.channels()) {
+      found.results.push_back(channel.name);
+      found.units.push_back(channel.unit);
+    }
     BranchPoint now = first();
-    add(now, found.points, found);
+    std::vector<BranchPoint> course = {now};
+    found.points.push_back(steady(now, found));
     double step = first_step;
     while (now.parameter < options_.to) {
       if (to_size_of(found) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
         return found;
       }
-      const std::optional<BranchPoint> next = branch_.after(now, step);
+      std::optional<BranchPoint> next = branch_.after(now, step);
       if (!next || next->parameter <= 0 || turn(now, *next) < least_cosine) {
         step /= 2;
         if (step >= shortest_step) continue;
@@ -56,18 +87,26 @@ class Course {
         return found;
       }
       if (next->parameter_direction() * now.parameter_direction() < 0)
-        if (const std::optional<BranchPoint> fold = branch_.fold(now, step)) add(*fold, found.folds, found);
+        if (const std::optional<BranchPoint> fold = branch_.fold(now, step))
+          found.folds.push_back(
+              {steady(*fold, found), found.points.size() - 1, now.parameter_direction() > 0, std::nullopt});
+      if (next->parameter > options_.to)
+        if (std::optional<BranchPoint> end = between(options_.to, now, *next)) next = std::move(end);
       for (const double omega : options_.at)
-        if ((now.parameter < omega) != (next->parameter < omega)) add_at(omega, now, *next, found);
+        if (const std::optional<BranchPoint> there = between(omega, now, *next))
+          found.at.push_back(steady(*there, found));
       now = *next;
-      add(now, found.points, found);
+      course.push_back(now);
+      found.points.push_back(steady(now, found));
       if (now.parameter < options_.from) {
         found.ended = fmt::format("left the band downwards at {:.10g} rad/s", now.parameter);
-        return found;
+        break;
       }
       if (now.iterations <= 4) step = std::min(longest_step, 1.4 * step);
       if (progress) progress("steady motion", std::clamp((now.parameter - options_.from) / width(), 0.0, 1.0));
     }
+    for (Fold& fold : found.folds) fold.lands = landing(fold, course, found);
+    add_linear(found);
     return found;
   }
 
@@ -97,27 +136,59 @@ class Course {
     return from.tangent.dot(to.tangent.cwiseProduct(to.scale).cwiseQuotient(from.scale).normalized());
   }
 
-  /// Newton's method at this frequency from between two neighbours.
-  void add_at(double omega, const BranchPoint& before, const BranchPoint& after, SteadyBranch& found) const {
+  /// The motion at a frequency between two neighbours on the branch, by Newton's method. Empty if it is not there.
+  [[nodiscard]] std::optional<BranchPoint> between(double omega, const BranchPoint& before,
+                                                   const BranchPoint& after) const {
+    if ((before.parameter < omega) == (after.parameter < omega)) return std::nullopt;
     const double share = (omega - before.parameter) / (after.parameter - before.parameter);
-    const VectorXd guess = (1 - share) * before.unknowns + share * after.unknowns;
-    if (const std::optional<BranchPoint> point = branch_.start(guess, omega)) add(*point, found.at, found);
+    return branch_.start((1 - share) * before.unknowns + share * after.unknowns, omega);
   }
 
-  void add(const BranchPoint& point, std::vector<SteadyPoint>& list, SteadyBranch& found) const {
-    SteadyPoint steady;
-    steady.angular_frequency = point.parameter;
-    steady.deflections = point.unknowns.reshaped(balance_.coefficients(), machine_.size());
-    steady.multipliers = stability_.multipliers(balance_.laws(), point.unknowns, point.parameter);
-    steady.stable = (steady.multipliers.cwiseAbs().array() < 1).all();
+  void add_linear(SteadyBranch& found) const {
+    if (!reference_.is_about_rest) return;
+    constexpr int count = 400;
+    const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(numerics::coefficient_count(1), machine_.size());
+    found.linear.resize(count, to_index(found.results.size()));
+    for (int i = 0; i < count; ++i) {
+      found.linear_at.push_back(options_.from * std::pow(options_.to / options_.from, i / (count - 1.0)));
+      const std::vector<ObservedMotion> motions = observer_.at(none, found.linear_at.back());
+      for (std::size_t c = 0; c < motions.size(); ++c) found.linear(i, to_index(c)) = std::abs(motions[c].harmonics(0));
+    }
+  }
+
+  /// The only stable motion at the frequency of a fold, besides those that meet there.
+  [[nodiscard]] std::optional<SteadyPoint> landing(const Fold& fold, const std::vector<BranchPoint>& course,
+                                                   SteadyBranch& found) const {
+    constexpr double same = 1e-2;  // of the motion
+    const VectorXd at_fold = fold.point.deflections.reshaped();
+    std::vector<SteadyPoint> stable;
+    for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+      const std::optional<BranchPoint> other = between(fold.point.angular_frequency, course[i], course[i + 1]);
+      if (!other || (other->unknowns - at_fold).norm() < same * at_fold.norm()) continue;
+      SteadyPoint point = steady(*other, found);
+      if (point.stable) stable.push_back(std::move(point));
+    }
+    return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
+  }
+
+  SteadyPoint steady(const BranchPoint& point, SteadyBranch& found) const {
+    SteadyPoint result;
+    result.angular_frequency = point.parameter;
+    result.deflections = point.unknowns.reshaped(balance_.coefficients(), machine_.size());
+    result.results = observer_.at(balance_.forces(point.unknowns), point.parameter);
+    result.multipliers = stability_.multipliers(balance_.laws(), point.unknowns, point.parameter);
+    result.stable = (result.multipliers.cwiseAbs().array() < 1).all();
     found.left_out = std::max(found.left_out, balance_.left_out(point.unknowns, point.parameter));
-    list.push_back(std::move(steady));
+    return result;
   }
 
   const SteadyOptions& options_;
-  assembly::Assembled assembled_;
+  ReferenceMachine reference_;
+  const assembly::Assembled& assembled_;
   std::vector<Deflection> deflections_;
+  assembly::Loading loading_;
   CondensedMachine machine_;
+  Observer observer_;
   HarmonicBalance balance_;
   PeriodicStability stability_;
   numerics::Branch branch_;

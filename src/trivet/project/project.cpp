@@ -8,6 +8,8 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/analyses/analyses_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
@@ -94,6 +96,21 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
+/// A nonlinear machine about its position of rest.
+void settle(model::System& system, foundation::Problems& problems) {
+  try {
+    nonlinear::RestPosition rest = nonlinear::rest_position(system);
+    for (const double share : rest.limit_loads)
+      problems.warning("elements", fmt::format("limit load at {:.4g} of the static load", share),
+                       "the machine snaps through there on its way to the position of rest",
+                       "check gaps, coefficients and loads");
+    system = std::move(rest.system);
+  } catch (const foundation::NotComputable& reason) {
+    problems.error("elements", reason.what(), "the analyses of a nonlinear machine are about its position of rest",
+                   "check loads, gaps and coefficients");
+  }
+}
+
 /// Reads one variant of the document and adds all problems; none if there are errors. A map that equals that of `base`
 /// is not checked again.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
@@ -134,6 +151,8 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading,
                                                  every_body_was_read, every_element_was_read);
   if (!system) name_slips(bodies, document, physical);
+  if (system && every_body_was_read && every_element_was_read && nonlinear::is_nonlinear(*system))
+    settle(*system, physical);
   if (system) physical.add(too_large(system->description(), counted_part(questions, analyses)));
   if (system && !reading.has_errors()) {
     check_questions(*system, analyses, physical);

@@ -29,6 +29,9 @@ namespace trivet::report {
 /// Mean power into the ground at each mount and in total.
 [[nodiscard]] std::vector<Figure> power_figures(const study::Answers& answers);
 
+/// Periodic motions of nonlinear machines, one figure per result: stable, unstable, jumps and harmonics.
+[[nodiscard]] std::vector<Figure> steady_figures(const study::Answers& answers);
+
 /// Shock response spectra, one figure per excitation.
 [[nodiscard]] std::vector<Figure> shock_figures(const study::Answers& answers);
 

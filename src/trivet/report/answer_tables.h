@@ -20,6 +20,9 @@ namespace trivet::report {
 /// Highest level, crossover, and isolation at the end of the band.
 [[nodiscard]] std::string transmissibility_table(const study::Answers& answers);
 
+/// Folds and largest motions of nonlinear machines.
+[[nodiscard]] std::string steady_tables(const study::Answers& answers);
+
 /// Largest power at each mount.
 [[nodiscard]] std::string power_table(const study::Answers& answers);
 

@@ -132,6 +132,7 @@ std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const st
 void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve>& curves) {
   double y = corner.y + 10;
   for (const PanelCurve& curve : curves) {
+    if (curve.key.empty()) continue;
     canvas.line({corner.x, y}, {corner.x + 28, y}, curve.stroke);
     for (const std::string& text : curve.key) {
       const double size = std::clamp(11 * widest_text / static_cast<double>(text.size()), 6.0, 11.0);

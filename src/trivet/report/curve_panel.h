@@ -9,7 +9,7 @@
 
 namespace trivet::report {
 
-/// A curve and its lines in the key. Values that are not finite are gaps.
+/// A curve and its lines in the key; none: a piece of the curve before it. Values that are not finite are gaps.
 struct PanelCurve {
   std::vector<std::string> key;
   std::vector<double> x, y;

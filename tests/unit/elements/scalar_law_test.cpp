@@ -10,16 +10,18 @@ namespace {
 using namespace trivet::elements;
 using testing::ElementsAre;
 
-const std::vector<ScalarLaw>& laws() {
-  static const std::vector<ScalarLaw> all = {
-      PolynomialForce{{3, -2, 5, 7}}, GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20},
-      GapStop{.gap_above = -0.1, .stiffness = 20, .power = 1.5}, GapStop{.gap_below = 0.2, .stiffness = 5, .power = 2}};
+const std::vector<ScalarLaws>& laws() {
+  static const std::vector<ScalarLaws> all = {
+      {PolynomialForce{{3, -2, 5, 7}}},
+      {GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20}},
+      {GapStop{.gap_above = -0.1, .stiffness = 20, .power = 1.5}},
+      {GapStop{.gap_below = 0.2, .stiffness = 5, .power = 2}, PolynomialForce{{0, 0, 4}}}};
   return all;
 }
 
 TEST(ScalarLaw, TangentIsTheSlopeOfTheForceAndForceThatOfTheEnergy) {
   constexpr double step = 1e-4, truncation = 1e-6;  // step² times third derivatives
-  for (const ScalarLaw& law : laws())
+  for (const ScalarLaws& law : laws())
     for (const double x : {-0.9, -0.35, -0.15, 0.05, 0.25, 0.8}) {
       const ForceAndTangent here = force_and_tangent(law, x);
       EXPECT_NEAR((force_and_tangent(law, x + step).force - force_and_tangent(law, x - step).force) / (2 * step),
@@ -30,14 +32,14 @@ TEST(ScalarLaw, TangentIsTheSlopeOfTheForceAndForceThatOfTheEnergy) {
 }
 
 TEST(ScalarLaw, StopActsBeyondItsGapOnly) {
-  const ScalarLaw stop = GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20};
+  const ScalarLaws stop = {GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20}};
   EXPECT_EQ(force_and_tangent(stop, 0.29).force, 0);
   EXPECT_EQ(force_and_tangent(stop, -0.39).tangent, 0);
   EXPECT_DOUBLE_EQ(force_and_tangent(stop, 0.5).force, 20 * (0.5 - 0.3));
   EXPECT_DOUBLE_EQ(force_and_tangent(stop, -0.5).force, -20 * (0.5 - 0.4));
   EXPECT_THAT(kinks(stop), ElementsAre(-0.4, 0.3));
-  EXPECT_THAT(kinks(GapStop{.gap_above = 0.3, .stiffness = 20}), ElementsAre(0.3));
-  EXPECT_TRUE(kinks(PolynomialForce{{1}}).empty());
+  EXPECT_THAT(kinks({GapStop{.gap_above = 0.3, .stiffness = 20}}), ElementsAre(0.3));
+  EXPECT_TRUE(kinks({PolynomialForce{{1}}}).empty());
 }
 
 }  // namespace

@@ -23,7 +23,9 @@ TEST(LawHarmonics, CubeOfACosineHasAThirdHarmonic) {
   VectorXd force = VectorXd::Zero(7);
   force(1) = 6;
   force(5) = 2;
-  EXPECT_LT((LawHarmonics(elements::PolynomialForce{{0, 0, 1}}, 3).at(motion).force - force).norm(), 1e-14);
+  EXPECT_LT(
+      (LawHarmonics(elements::ScalarLaws{elements::PolynomialForce{{0, 0, 1}}}, 3).at(motion).force - force).norm(),
+      1e-14);
 }
 
 TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
@@ -33,7 +35,7 @@ TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
   constexpr Index harmonics = 12;
   VectorXd motion = VectorXd::Zero(numerics::coefficient_count(harmonics));
   motion(1) = a;
-  const LawHarmonics law(elements::GapStop{.gap_above = g, .stiffness = k}, harmonics);
+  const LawHarmonics law(elements::ScalarLaws{elements::GapStop{.gap_above = g, .stiffness = k}}, harmonics);
   const nonlinear::ForceHarmonics found = law.at(motion);
   EXPECT_NEAR(found.force(0), k / pi * (a * std::sin(contact) - g * contact), 1e-13);
   for (Index n = 2; n <= harmonics; ++n) {
@@ -52,9 +54,10 @@ TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
 TEST(LawHarmonics, TangentIsTheDerivativeByTheCoefficients) {
   VectorXd motion(9);
   motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
-  for (const elements::ScalarLaw& one :
-       {elements::ScalarLaw(elements::PolynomialForce{{1, 2, -3}}),
-        elements::ScalarLaw(elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2})}) {
+  const elements::ScalarLaws cubic = {elements::PolynomialForce{{1, 2, -3}}};
+  const elements::ScalarLaws stops = {elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2}};
+  for (const nonlinear::LawAbout& one :
+       {nonlinear::LawAbout(cubic), nonlinear::LawAbout(stops), nonlinear::LawAbout(stops, 0.4, 1.5)}) {
     const LawHarmonics law(one, 4);
     const Eigen::MatrixXd tangent = law.at(motion).tangent;
     constexpr double step = 1e-6, truncation = 1e-7;

@@ -18,6 +18,7 @@
   row(transmissibility) \
   row(power) \
   row(shapes) \
+  row(steady) \
   row(shock_spectrum) \
   row(earthquake)
 // clang-format on

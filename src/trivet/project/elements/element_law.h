@@ -53,6 +53,7 @@ struct ElementLaw {
   row(beam) \
   row(link) \
   row(stay) \
+  row(stop) \
   row(catalogue)
 // clang-format on
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/deflections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "trivet/foundation/index.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+/// Calls `visit(element, part)` for all parts, in the order of the elements.
+template <typename Visit>
+void each_part(const std::vector<model::Element>& elements, const Visit& visit) {
+  for (const model::Element& element : elements)
+    for (const model::NonlinearPart& part : element.nonlinear_parts) visit(element, part);
+}
+
+/// Positive, and of the size of its forces over deflections of a millimetre or a milliradian. It only conditions the
+/// equations.
+double positive_reference(const model::NonlinearPart& part) {
+  constexpr double small = 1e-3;
+  const double tangent = elements::force_and_tangent(part.laws, part.at_rest).tangent;
+  if (tangent > 0) return tangent;
+  double largest = 0;
+  std::vector<double> from = elements::kinks(part.laws);
+  from.push_back(part.at_rest);
+  for (const double place : from)
+    for (const double step : {-small, small})
+      largest = std::max(largest,
+                         std::abs(elements::force_and_tangent(part.laws, place + step).force -
+                                  elements::force_and_tangent(part.laws, place).force) /
+                             small);
+  return largest;
+}
+
+}  // namespace
+
+bool is_nonlinear(const model::System& system) {
+  return std::any_of(system.elements().begin(), system.elements().end(),
+                     [](const model::Element& element) { return !element.nonlinear_parts.empty(); });
+}
+
+References tangents_at_rest(const model::System& system) {
+  References found;
+  each_part(system.elements(), [&](const model::Element&, const model::NonlinearPart& part) {
+    found.push_back(elements::force_and_tangent(part.laws, part.at_rest).tangent);
+  });
+  return found;
+}
+
+References positive_references(const model::System& system) {
+  References found;
+  each_part(system.elements(), [&](const model::Element&, const model::NonlinearPart& part) {
+    found.push_back(positive_reference(part));
+  });
+  return found;
+}
+
+model::System with_references(const model::System& system, const References& references) {
+  model::Description description = system.description();
+  std::size_t next = 0;
+  for (model::Element& element : description.elements) {
+    if (element.nonlinear_parts.empty()) continue;
+    const model::Span span = model::span(description.bodies, element.n, element.k);
+    elements::Linearization sum;
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      const elements::Vector12 row =
+          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
+      const double reference = references[next++];
+      sum.tangent += reference * row * row.transpose();
+      sum.offset += (elements::force_and_tangent(part.laws, part.at_rest).force - reference * part.at_rest) * row;
+    }
+    element.law.nonlinear = sum;
+  }
+  auto checked = model::System::checked(std::move(description));
+  if (!checked) throw std::logic_error("a machine with other references is not valid");
+  return std::move(*checked);
+}
+
+std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled,
+                                              const References& references) {
+  std::vector<Deflection> found;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    if (element.nonlinear_parts.empty()) continue;
+    const assembly::ElementMap& map = assembled.elements[e];
+    const model::Span span = model::span(system.bodies(), element.n, element.k);
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      const Eigen::Matrix<double, 1, 12> row =
+          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
+      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)],
+                            part.axis < 3 ? "m" : "rad",
+                            part.at_rest,
+                            Eigen::VectorXd::Zero(assembled.matrices.size()),
+                            Eigen::VectorXd::Zero(assembled.ground.size()),
+                            LawAbout(part.laws, part.at_rest, references[found.size()])};
+      const Eigen::RowVectorXd on_free = row * map.ends.topRows<12>(), on_ground = row * map.ground_ends.topRows<12>();
+      for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
+      for (Eigen::Index c = 0; c < on_ground.size(); ++c)
+        deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+      found.push_back(std::move(deflection));
+    }
+  }
+  return found;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/nonlinear/law_about.h"
+
+namespace trivet::nonlinear {
+
+/// One deflection with nonlinear forces, as a deviation from rest.
+struct Deflection {
+  std::string name;  ///< "mount.deflection.z"
+  std::string unit;
+  double at_rest = 0;              ///< the whole deflection in the position of rest
+  Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
+  Eigen::VectorXd on_ground;       ///< ground coordinates
+  LawAbout law;                    ///< beyond the tangents that the assembled machine contains
+};
+
+/// Stiffness in place of a nonlinear part.
+using References = std::vector<double>;  ///< one per nonlinear part, in the order of the elements
+
+/// Tangents of the nonlinear parts at rest.
+[[nodiscard]] References tangents_at_rest(const model::System& system);
+/// The same, but positive also where a part has no stiffness at rest: its secant to a small deflection.
+[[nodiscard]] References positive_references(const model::System& system);
+
+/// The machine with these stiffnesses in place of its nonlinear parts. In the position of rest it has the forces of the
+/// parts, so that static results are those of the nonlinear machine.
+[[nodiscard]] model::System with_references(const model::System& system, const References& references);
+
+/// All nonlinear parts of a system made by `with_references`.
+[[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
+                                                            const assembly::Assembled& assembled,
+                                                            const References& references);
+
+[[nodiscard]] bool is_nonlinear(const model::System& system);
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/observed_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+
+/// The machine at rest with a unit force in one nonlinear part, which a force of an element at rest contains.
+std::vector<double> forces_at_rest(const model::System& system, const assembly::Assembled& assembled,
+                                   const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
+  std::vector<double> values;
+  for (const assembly::Channel& channel : assembly::channels(system, assembled, of, quantity))
+    values.push_back(channel.at_rest);
+  return values;
+}
+
+MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled,
+                       const std::vector<std::string>& of, assembly::MotionQuantity quantity, Index parts) {
+  const std::vector<double> without = forces_at_rest(system, assembled, of, quantity);
+  MatrixXd direct(to_index(without.size()), parts);
+  Index column = 0;
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const model::Span span = model::span(system.bodies(), element.n, element.k);
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      model::Description description = system.description();
+      description.elements[e].law.nonlinear->offset +=
+          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
+      const model::System with_force = model::System::checked(std::move(description)).value();
+      const std::vector<double> with = forces_at_rest(with_force, assembled, of, quantity);
+      for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
+      ++column;
+    }
+  }
+  return direct;
+}
+
+Complex observed(const numerics::CurveTerms& terms, Complex s, const VectorXcd& values) {
+  Complex sum = (terms.on_displacement.transpose() * values)(0);
+  if (terms.on_velocity.size() > 0) sum += s * (terms.on_velocity.cast<Complex>().transpose() * values)(0);
+  if (terms.on_acceleration.size() > 0) sum += s * s * (terms.on_acceleration.cast<Complex>().transpose() * values)(0);
+  return sum;
+}
+
+/// Largest value of a periodic course: of samples, then refined by Newton's method on its rate.
+double largest_of(const VectorXd& coefficients, const MatrixXd& samples) {
+  const Index harmonics = (coefficients.size() - 1) / 2;
+  Index at = 0;
+  const double sampled = (samples * coefficients).maxCoeff(&at);
+  const VectorXd rate = numerics::phase_derivative(coefficients), curvature = numerics::phase_derivative(rate);
+  double phase = foundation::two_pi * static_cast<double>(at) / static_cast<double>(samples.rows());
+  constexpr int steps = 4;
+  for (int i = 0; i < steps; ++i) {
+    const double bend = numerics::motion_at(harmonics, phase, curvature);
+    if (!(bend < 0)) break;
+    phase -= numerics::motion_at(harmonics, phase, rate) / bend;
+  }
+  return std::max(sampled, numerics::motion_at(harmonics, phase, coefficients));
+}
+
+}  // namespace
+
+Observer::Observer(const model::System& system, const assembly::Assembled& assembled, const CondensedMachine& machine,
+                   const assembly::Loading& loading, const std::vector<std::string>& of,
+                   assembly::MotionQuantity quantity)
+    : machine_(machine),
+      ground_(loading.motion),
+      channels_(assembly::channels(system, assembled, of, quantity)),
+      direct_(direct_forces(system, assembled, of, quantity, machine.size())) {}
+
+std::vector<ObservedMotion> Observer::at(const MatrixXd& forces, double omega) const {
+  const Index harmonics = (forces.rows() - 1) / 2;
+  std::vector<VectorXd> courses(channels_.size(), VectorXd::Zero(forces.rows()));
+  for (Index k = 0; k <= harmonics; ++k) {
+    const Complex s(0, static_cast<double>(k) * omega);
+    VectorXcd force(forces.cols());
+    for (Index j = 0; j < forces.cols(); ++j)
+      force(j) = k == 0 ? Complex(forces(0, j)) : Complex(forces(2 * k - 1, j), -forces(2 * k, j));
+    const VectorXcd q = machine_.coordinates(s.imag(), k == 1, force);
+    VectorXcd ground = VectorXcd::Zero(ground_.size());
+    if (k == 1)
+      for (const numerics::LoadTerm& term : ground_.terms())
+        ground += numerics::integer_power(s, term.power) * std::exp(-s * term.delay) * term.value;
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const assembly::Channel& channel = channels_[c];
+      Complex value = observed(channel, s, q) + direct_.row(to_index(c)).cast<Complex>().dot(force.conjugate());
+      if (k == 1 && !channel.ground.empty()) value += observed(channel.ground, s, ground);
+      value *= numerics::integer_power(s, channel.derivative);
+      if (k == 0) {
+        courses[c](0) = value.real();
+      } else {
+        courses[c](2 * k - 1) = value.real();
+        courses[c](2 * k) = -value.imag();
+      }
+    }
+  }
+  const Index count = 8 * (harmonics + 1);
+  MatrixXd samples(count, forces.rows());
+  for (Index n = 0; n < count; ++n)
+    samples.row(n) =
+        numerics::fourier_row(harmonics, foundation::two_pi * static_cast<double>(n) / static_cast<double>(count));
+  std::vector<ObservedMotion> results;
+  for (const VectorXd& course : courses) {
+    ObservedMotion motion;
+    motion.mean = course(0);
+    motion.harmonics.resize(harmonics);
+    for (Index k = 1; k <= harmonics; ++k) motion.harmonics(k - 1) = {course(2 * k - 1), -course(2 * k)};
+    motion.largest = largest_of(course, samples);
+    motion.smallest = -largest_of(-course, samples);
+    motion.rms = course.tail(course.size() - 1).norm() / std::sqrt(2.0);
+    results.push_back(std::move(motion));
+  }
+  return results;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/nonlinear/condensed_machine.h"
+
+namespace trivet::nonlinear {
+
+/// One result of a periodic motion, as a deviation from rest.
+struct ObservedMotion {
+  double mean = 0;
+  Eigen::VectorXcd harmonics;        ///< complex amplitudes of harmonic 1, 2, …
+  double largest = 0, smallest = 0;  ///< over a period
+  double rms = 0;                    ///< of the deviation from the mean
+};
+
+/// Results of periodic motions: channels of the machine, with the forces of its nonlinear parts.
+class Observer {
+ public:
+  /// The machine must outlive it. @throws foundation::InvalidInput for an unknown name
+  Observer(const model::System& system, const assembly::Assembled& assembled, const CondensedMachine& machine,
+           const assembly::Loading& loading, const std::vector<std::string>& of, assembly::MotionQuantity quantity);
+
+  [[nodiscard]] const std::vector<assembly::Channel>& channels() const { return channels_; }
+
+  /// @param forces  Fourier coefficients × nonlinear parts, beyond the tangents of the machine
+  /// @param omega   of the first harmonic [rad/s]
+  [[nodiscard]] std::vector<ObservedMotion> at(const Eigen::MatrixXd& forces, double omega) const;
+
+ private:
+  const CondensedMachine& machine_;
+  numerics::Load ground_;
+  std::vector<assembly::Channel> channels_;
+  Eigen::MatrixXd direct_;  ///< channels × nonlinear parts: their forces in results that are forces
+};
+
+}  // namespace trivet::nonlinear

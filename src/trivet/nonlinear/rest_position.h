@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/model/system.h"
+
+namespace trivet::nonlinear {
+
+/// The position of rest of a machine with nonlinear parts, under gravity, preloads and constant forces: K q + W f(δ) =
+/// Q, δ = Wᵀ q. It is the one that is reached when the load grows from zero.
+struct RestPosition {
+  model::System system;             ///< the machine, linear about this position (Law::nonlinear)
+  std::vector<double> limit_loads;  ///< shares of the load at which it snaps through on the way, ascending
+};
+
+/// @throws foundation::NotComputable if there is none within reach
+[[nodiscard]] RestPosition rest_position(const model::System& system);
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/report/answer_figures.h"
+#include "trivet/report/answer_tables.h"
+#include "trivet/report/curve_panel.h"
+#include "trivet/report/html_table.h"
+#include "trivet/results/shown_numbers.h"
+
+/// Periodic motions of nonlinear machines.
+namespace trivet::report {
+namespace {
+
+using nonlinear::Fold;
+using nonlinear::ObservedMotion;
+using nonlinear::SteadyBranch;
+using nonlinear::SteadyPoint;
+
+constexpr std::size_t most_figures = 24;
+constexpr Eigen::Index most_harmonics = 4;
+
+double half_of_range(const ObservedMotion& motion) { return (motion.largest - motion.smallest) / 2; }
+
+/// Points of the branch in their order, folds included.
+std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
+  std::vector<const SteadyPoint*> course;
+  for (std::size_t i = 0; i < branch.points.size(); ++i) {
+    course.push_back(&branch.points[i]);
+    for (const Fold& fold : branch.folds)
+      if (fold.after == i) course.push_back(&fold.point);
+  }
+  return course;
+}
+
+/// One result over frequency: pieces in which frequency rises or falls, stable ones solid, unstable ones dashed.
+template <typename Value>
+std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownUnits& display, const Value& value,
+                               const std::string& colour, const std::string& name) {
+  std::vector<PanelCurve> curves;
+  const std::vector<const SteadyPoint*> course = course_of(branch);
+  bool key_of_stable = true, key_of_unstable = true;
+  for (std::size_t i = 0; i + 1 < course.size();) {
+    const bool rises = course[i + 1]->angular_frequency > course[i]->angular_frequency;
+    // A fold belongs to both sides: the next ordinary point says whether the piece is stable.
+    const bool stable = i + 2 < course.size() || i == 0 ? course[i + 1]->stable : course[i]->stable;
+    PanelCurve piece{{},
+                     {},
+                     {},
+                     fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", colour, stable ? 2 : 1.4,
+                                 stable ? "" : " stroke-dasharray=\"5,4\"")};
+    const auto add = [&](const SteadyPoint& point) {
+      piece.x.push_back(results::shown_frequency(display, point.angular_frequency));
+      piece.y.push_back(value(point));
+    };
+    add(*course[i]);
+    for (++i; i < course.size(); ++i) {
+      add(*course[i]);
+      const bool last = i + 1 == course.size();
+      if (last) break;
+      const bool same_way = (course[i + 1]->angular_frequency > course[i]->angular_frequency) == rises;
+      if (!same_way || course[i + 1]->stable != stable) break;
+    }
+    bool& key = stable ? key_of_stable : key_of_unstable;
+    if (key) piece.key = {name + (stable ? "" : ", unstable")};
+    key = false;
+    if (!rises) {
+      std::reverse(piece.x.begin(), piece.x.end());
+      std::reverse(piece.y.begin(), piece.y.end());
+    }
+    curves.push_back(std::move(piece));
+  }
+  return curves;
+}
+
+/// Is there room for a text of a fold, beside those of the folds before it?
+bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, double width, double height) {
+  constexpr double room = 0.12;  // of the picture
+  const SteadyPoint& here = branch.folds[fold].point;
+  for (std::size_t i = 0; i < branch.folds.size(); ++i) {
+    const SteadyPoint& other = branch.folds[i].point;
+    const bool near_x = std::abs(other.angular_frequency - here.angular_frequency) < room * width,
+               near_y =
+                   std::abs(half_of_range(other.results[result]) - half_of_range(here.results[result])) < room * height;
+    if (i != fold && near_x && near_y) return false;
+  }
+  return true;
+}
+
+/// Dotted lines from the folds to where the motion lands.
+void add_jumps(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+               const UnitPrefix& unit, double largest, PanelRow& row) {
+  bool key = true;
+  const double width = std::abs(branch.points.back().angular_frequency - branch.points.front().angular_frequency);
+  for (std::size_t i = 0; i < branch.folds.size(); ++i) {
+    const Fold& fold = branch.folds[i];
+    const double at = results::shown_frequency(display, fold.point.angular_frequency),
+                 from = unit.factor * half_of_range(fold.point.results[result]);
+    const bool has_text = has_room(branch, i, result, width, largest / unit.factor);
+    row.marks.push_back(
+        {at, from, "#D55E00",
+         has_text ? fmt::format("{} {:.4g} {}", fold.upper ? "▶" : "◀", at, results::frequency_unit(display)) : ""});
+    if (!fold.lands) continue;
+    const double to = unit.factor * half_of_range(fold.lands->results[result]);
+    PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
+    if (key) jump.key = {"jumps: ▶ as the frequency", "rises, ◀ as it falls"};
+    key = false;
+    row.curves.push_back(std::move(jump));
+  }
+}
+
+PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+                   const UnitPrefix& unit) {
+  PanelRow row;
+  if (!branch.linear_at.empty()) {
+    PanelCurve linear{{"linear about rest"}, {}, {}, "stroke=\"#999999\" stroke-width=\"1\""};
+    for (std::size_t i = 0; i < branch.linear_at.size(); ++i) {
+      linear.x.push_back(results::shown_frequency(display, branch.linear_at[i]));
+      linear.y.push_back(unit.factor * branch.linear(to_index(i), to_index(result)));
+    }
+    row.curves.push_back(std::move(linear));
+  }
+  const auto value = [&](const SteadyPoint& point) { return unit.factor * half_of_range(point.results[result]); };
+  const std::vector<PanelCurve> motion = pieces(branch, display, value, "#0072B2", "stable");
+  double largest = 0;
+  for (PanelCurve piece : motion) {
+    if (!piece.key.empty() && piece.key.front() != "stable") piece.key.front() = "unstable";
+    for (const double y : piece.y) largest = std::max(largest, y);
+    row.curves.push_back(std::move(piece));
+  }
+  add_jumps(branch, result, display, unit, largest, row);
+  row.y = airy_axis(0, largest, "half of the range [" + unit.unit + "]");
+  return row;
+}
+
+PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+                       const UnitPrefix& unit) {
+  PanelRow row;
+  for (Eigen::Index k = 0; k <= std::min(most_harmonics, branch.harmonics); ++k) {
+    const auto value = [&](const SteadyPoint& point) {
+      const ObservedMotion& motion = point.results[result];
+      return unit.factor * (k == 0 ? std::abs(motion.mean) : std::abs(motion.harmonics(k - 1)));
+    };
+    const std::string name = k == 0 ? "|mean|" : fmt::format("harmonic {}", k);
+    for (PanelCurve& piece : pieces(branch, display, value, series_colour(to_size(k)), name)) {
+      if (!piece.key.empty() && piece.key.front() != name) piece.key.clear();  // dashes mean the same as above
+      row.curves.push_back(std::move(piece));
+    }
+  }
+  row.y = logarithmic_axis(row.curves, 1e-4, "amplitudes [" + unit.unit + "]");
+  return row;
+}
+
+}  // namespace
+
+std::vector<Figure> steady_figures(const study::Answers& answers) {
+  const auto* branch = answers.find<SteadyBranch>("steady");
+  if (!branch || branch->points.size() < 3) return {};
+  std::vector<double> largest;
+  for (std::size_t c = 0; c < branch->results.size(); ++c) {
+    double range = 0;
+    for (const SteadyPoint& point : branch->points) range = std::max(range, half_of_range(point.results[c]));
+    largest.push_back(range);
+  }
+  std::vector<Figure> figures;
+  for (std::size_t c = 0; c < branch->results.size() && figures.size() < most_figures; ++c) {
+    constexpr double invisible = 1e-9;  // of the largest of its unit
+    double of_unit = 0;
+    for (std::size_t i = 0; i < largest.size(); ++i)
+      if (branch->units[i] == branch->units[c]) of_unit = std::max(of_unit, largest[i]);
+    if (!(largest[c] > invisible * of_unit)) continue;
+    const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(answers.display, branch->units[c]));
+    std::vector<PanelRow> rows = {range_row(*branch, c, answers.display, unit),
+                                  harmonics_row(*branch, c, answers.display, unit)};
+    const double from = results::shown_frequency(answers.display, branch->points.front().angular_frequency),
+                 to = results::shown_frequency(answers.display, branch->points.back().angular_frequency);
+    for (PanelRow& row : rows)
+      row.x = {std::min(from, to), std::max(from, to), false, results::frequency_heading(answers.display)};
+    figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], answers),
+                                   "steady-" + file_part(branch->results[c]) + ".svg", rows));
+  }
+  return figures;
+}
+
+std::string steady_tables(const study::Answers& answers) {
+  const auto* branch = answers.find<SteadyBranch>("steady");
+  if (!branch) return "";
+  std::vector<std::vector<Cell>> rows;
+  for (const Fold& fold : branch->folds)
+    for (std::size_t c = 0; c < branch->results.size(); ++c) {
+      const double from = half_of_range(fold.point.results[c]);
+      if (!(from > 0)) continue;
+      rows.push_back(
+          {{fold.upper ? "rising frequency" : "falling frequency"},
+           frequency_cell(fold.point.angular_frequency, answers.display),
+           {branch->results[c]},
+           quantity_cell(from, branch->units[c]),
+           fold.lands ? quantity_cell(half_of_range(fold.lands->results[c]), branch->units[c]) : right("–")});
+    }
+  const std::string about = hint(fmt::format(
+      "Periodic motions at the frequency of the excitation, connected with the one at the lower end of the band; "
+      "detached ones are not sought. {} harmonics, which leave out at most {:.2g} of the deflections. Motions are "
+      "deviations from rest.{}",
+      branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
+  if (rows.empty()) return about + hint("No folds: one motion at each frequency of this branch, no jumps.");
+  return html_table({{"jump of a"},
+                     frequency_cell_heading("at", answers.display),
+                     {"half of the range of"},
+                     right("before"),
+                     right("after")},
+                    rows) +
+      about;
+}
+
+}  // namespace trivet::report
