@@ -81,6 +81,13 @@ double elastic_energy(const ScalarLaws& laws, double deflection) {
   return sum;
 }
 
+bool is_piecewise_linear(const ScalarLaws& laws) {
+  return std::all_of(laws.begin(), laws.end(), [](const ScalarLaw& law) {
+    if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1;
+    return std::get<PolynomialForce>(law).coefficients.size() <= 1;
+  });
+}
+
 std::vector<double> kinks(const ScalarLaws& laws) {
   std::vector<double> all;
   for (const ScalarLaw& law : laws) {

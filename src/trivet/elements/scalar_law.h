@@ -37,6 +37,9 @@ struct ForceAndTangent {
 /// ∫ f dδ from 0 [J].
 [[nodiscard]] double elastic_energy(const ScalarLaws& laws, double deflection);
 
+/// Is the tangent constant between kinks?
+[[nodiscard]] bool is_piecewise_linear(const ScalarLaws& laws);
+
 /// Deflections at which the force is not smooth, ascending.
 [[nodiscard]] std::vector<double> kinks(const ScalarLaws& laws);
 

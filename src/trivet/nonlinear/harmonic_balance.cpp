@@ -81,7 +81,7 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics:
 MatrixXd HarmonicBalance::forces(const VectorXd& unknowns) const {
   MatrixXd all(coefficients(), machine_.size());
   for (Index j = 0; j < machine_.size(); ++j)
-    all.col(j) = laws_[to_size(j)].at(unknowns.segment(j * coefficients(), coefficients())).force;
+    all.col(j) = laws_[to_size(j)].force_at(unknowns.segment(j * coefficients(), coefficients()));
   return all;
 }
 
@@ -91,7 +91,7 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   for (Index j = 0; j < m; ++j) {
     VectorXd padded = VectorXd::Zero(forces.rows());
     padded.head(C) = unknowns.segment(j * C, C);
-    forces.col(j) = wider_[to_size(j)].at(padded).force;
+    forces.col(j) = wider_[to_size(j)].force_at(padded);
   }
   double sum = 0;
   for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {

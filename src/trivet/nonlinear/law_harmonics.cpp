@@ -23,11 +23,26 @@ Index sample_count(Index harmonics) {
   return count;
 }
 
-/// Rows of samples → coefficients: 1/N, then 2/N times cosine and sine.
-Eigen::MatrixXd analysis_of(const Eigen::MatrixXd& values) {
-  Eigen::MatrixXd result = values.transpose() * (2.0 / static_cast<double>(values.rows()));
-  result.row(0) /= 2;
-  return result;
+/// Derivatives of the force by the coefficients of the deflection, from the spectrum of the tangent: products of two
+/// harmonics k and l are those of k + l and k − l.
+Eigen::MatrixXd tangent_matrix(const VectorXd& spectrum, Index harmonics) {
+  const auto c = [&](Index n) { return n == 0 ? spectrum(0) : spectrum(2 * std::abs(n) - 1); };
+  const auto s = [&](Index n) { return n == 0 ? 0.0 : n > 0 ? spectrum(2 * n) : -spectrum(-2 * n); };
+  Eigen::MatrixXd matrix(numerics::coefficient_count(harmonics), numerics::coefficient_count(harmonics));
+  matrix(0, 0) = c(0) / 2;
+  for (Index k = 1; k <= harmonics; ++k) {
+    matrix(0, 2 * k - 1) = c(k) / 2;
+    matrix(0, 2 * k) = s(k) / 2;
+    matrix(2 * k - 1, 0) = c(k);
+    matrix(2 * k, 0) = s(k);
+    for (Index l = 1; l <= harmonics; ++l) {
+      matrix(2 * k - 1, 2 * l - 1) = (c(k - l) + c(k + l)) / 2;
+      matrix(2 * k, 2 * l - 1) = (s(k + l) + s(k - l)) / 2;
+      matrix(2 * k - 1, 2 * l) = (s(k + l) - s(k - l)) / 2;
+      matrix(2 * k, 2 * l) = (c(k - l) - c(k + l)) / 2;
+    }
+  }
+  return matrix;
 }
 
 /// A zero of a trigonometric polynomial minus a level in a bracket, by Newton's method inside it.
@@ -64,32 +79,48 @@ constexpr std::array<double, 4> gauss_weights = {0.36268378337836198297, 0.31370
 LawHarmonics::LawHarmonics(LawAbout law, Index harmonics)
     : law_(std::move(law)), kinks_(law_.kinks()), harmonics_(harmonics) {
   const Index samples = sample_count(harmonics);
-  values_.resize(samples, numerics::coefficient_count(harmonics));
+  values_.resize(samples, numerics::coefficient_count(2 * harmonics));
   for (Index n = 0; n < samples; ++n)
-    values_.row(n) = numerics::fourier_row(harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
-  analysis_ = analysis_of(values_);
+    values_.row(n) =
+        numerics::fourier_row(2 * harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
 }
 
 ForceHarmonics LawHarmonics::at(const VectorXd& deflection) const {
-  const std::vector<double> phases = kink_phases(deflection);
-  return phases.empty() ? sampled(deflection) : between(phases, deflection);
+  Spectra found = spectra(deflection, true);
+  return {std::move(found.force), tangent_matrix(found.tangent, harmonics_)};
 }
 
-ForceHarmonics LawHarmonics::sampled(const VectorXd& deflection) const {
-  const VectorXd course = values_ * deflection;
+VectorXd LawHarmonics::force_at(const VectorXd& deflection) const { return spectra(deflection, false).force; }
+
+LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, bool with_tangent) const {
+  Spectra sum{VectorXd::Zero(deflection.size()),
+              VectorXd::Zero(with_tangent ? numerics::coefficient_count(2 * harmonics_) : 0)};
+  const std::vector<double> phases = kink_phases(deflection);
+  if (phases.empty()) add_sampled(deflection, with_tangent, sum);
+  else add_between(phases, deflection, with_tangent, sum);
+  sum.force(0) /= 2;
+  return sum;
+}
+
+void LawHarmonics::add_sampled(const VectorXd& deflection, bool with_tangent, Spectra& sum) const {
+  const Index count = deflection.size();
+  const VectorXd course = values_.leftCols(count) * deflection;
   VectorXd force(course.size()), tangent(course.size());
   for (Index n = 0; n < course.size(); ++n) {
     const elements::ForceAndTangent found = law_.at(course(n));
     force(n) = found.force;
     tangent(n) = found.tangent;
   }
-  return {analysis_ * force, analysis_ * tangent.asDiagonal() * values_};
+  const double weight = 2.0 / static_cast<double>(course.size());
+  sum.force.noalias() += weight * values_.leftCols(count).transpose() * force;
+  if (with_tangent) sum.tangent.noalias() += weight * values_.transpose() * tangent;
 }
 
 std::vector<double> LawHarmonics::kink_phases(const VectorXd& deflection) const {
   if (kinks_.empty()) return {};
   const VectorXd slope = numerics::phase_derivative(deflection);
-  const VectorXd course = values_ * deflection, rate = values_ * slope;
+  const VectorXd course = values_.leftCols(deflection.size()) * deflection,
+                 rate = values_.leftCols(deflection.size()) * slope;
   const VectorXd curvature = numerics::phase_derivative(slope);
   const Index samples = course.size();
   const double step = two_pi / static_cast<double>(samples);
@@ -112,10 +143,10 @@ std::vector<double> LawHarmonics::kink_phases(const VectorXd& deflection) const 
   return phases;
 }
 
-ForceHarmonics LawHarmonics::between(const std::vector<double>& phases, const VectorXd& deflection) const {
-  const Index count = deflection.size();
-  ForceHarmonics sum{VectorXd::Zero(count), Eigen::MatrixXd::Zero(count, count)};
+void LawHarmonics::add_between(const std::vector<double>& phases, const VectorXd& deflection, bool with_tangent,
+                               Spectra& sum) const {
   const double longest = two_pi / static_cast<double>(2 * std::max<Index>(harmonics_, 2));
+  const Index count = deflection.size(), reach = with_tangent ? 2 * harmonics_ : harmonics_;
   for (std::size_t i = 0; i < phases.size(); ++i) {
     const double from = phases[i], to = i + 1 < phases.size() ? phases[i + 1] : phases.front() + two_pi;
     const double inside = numerics::motion_at(harmonics_, (from + to) / 2, deflection);
@@ -127,16 +158,13 @@ ForceHarmonics LawHarmonics::between(const std::vector<double>& phases, const Ve
       for (std::size_t g = 0; g < gauss_places.size(); ++g)
         for (const double side : {-1.0, 1.0}) {
           const double phase = from + half * (static_cast<double>(2 * p + 1) + side * gauss_places[g]);
-          const Eigen::RowVectorXd row = numerics::fourier_row(harmonics_, phase);
-          const elements::ForceAndTangent found = law_.at(row * deflection);
+          const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
+          const elements::ForceAndTangent found = law_.at(row.head(count).dot(deflection));
           const double weight = gauss_weights[g] * half / (two_pi / 2);
-          sum.force += weight * found.force * row.transpose();
-          sum.tangent.noalias() += (weight * found.tangent) * row.transpose() * row;
+          sum.force += (weight * found.force) * row.head(count).transpose();
+          if (with_tangent) sum.tangent += (weight * found.tangent) * row.transpose();
         }
   }
-  sum.force(0) /= 2;
-  sum.tangent.row(0) /= 2;
-  return sum;
 }
 
 }  // namespace trivet::nonlinear

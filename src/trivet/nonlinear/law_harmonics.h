@@ -23,6 +23,8 @@ class LawHarmonics {
   LawHarmonics(LawAbout law, Eigen::Index harmonics);
 
   [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection) const;
+  /// The force alone.
+  [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection) const;
 
   /// Phases at which the deflection passes a kink of the law, ascending in [0, 2π).
   [[nodiscard]] std::vector<double> kink_phases(const Eigen::VectorXd& deflection) const;
@@ -30,14 +32,20 @@ class LawHarmonics {
   [[nodiscard]] const LawAbout& law() const { return law_; }
 
  private:
-  [[nodiscard]] ForceHarmonics sampled(const Eigen::VectorXd& deflection) const;
-  [[nodiscard]] ForceHarmonics between(const std::vector<double>& phases, const Eigen::VectorXd& deflection) const;
+  /// Fourier integrals of force and tangent over a period, the tangent to twice the harmonics.
+  struct Spectra {
+    Eigen::VectorXd force;    ///< coefficients
+    Eigen::VectorXd tangent;  ///< coefficients; the first one is twice the mean
+  };
+  [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, bool with_tangent) const;
+  void add_sampled(const Eigen::VectorXd& deflection, bool with_tangent, Spectra& sum) const;
+  void add_between(const std::vector<double>& phases, const Eigen::VectorXd& deflection, bool with_tangent,
+                   Spectra& sum) const;
 
   LawAbout law_;
   std::vector<double> kinks_;
   Eigen::Index harmonics_;
-  Eigen::MatrixXd values_;    ///< samples × coefficients
-  Eigen::MatrixXd analysis_;  ///< coefficients × samples
+  Eigen::MatrixXd values_;  ///< samples × coefficients, to twice the harmonics
 };
 
 }  // namespace trivet::nonlinear

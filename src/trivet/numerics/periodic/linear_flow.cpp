@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/numerics/periodic/linear_flow.h"
+
+#include <cmath>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::numerics {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+LinearFlow::LinearFlow(const MatrixXd& F) {
+  const Index n = F.rows();
+  if (n == 0) return;
+  const GeneralEigen eigen = general_eigen(F);
+  if (!eigen.converged) return;
+  growth_.resize(n);
+  turning_.resize(n);
+  partner_.resize(to_size(n));
+  to_states_.resize(n, n);
+  for (Index i = 0; i < n;) {
+    const std::complex<double> value = eigen.values(i);
+    const bool pair = value.imag() != 0 && i + 1 < n;
+    growth_(i) = value.real();
+    turning_(i) = pair ? value.imag() : 0;
+    partner_[to_size(i)] = pair ? i + 1 : i;
+    to_states_.col(i) = eigen.vectors.col(i).real();
+    if (pair) {
+      growth_(i + 1) = value.real();
+      turning_(i + 1) = -value.imag();
+      partner_[to_size(i + 1)] = i;
+      to_states_.col(i + 1) = eigen.vectors.col(i).imag();
+    }
+    i += pair ? 2 : 1;
+  }
+  const PivotedLu<double> lu(to_states_);
+  constexpr double dependent = 1e-11;
+  if (!(lu.reciprocal_condition() > dependent)) return;
+  from_states_ = lu.solve(MatrixXd(MatrixXd::Identity(n, n)));
+  regular_ = true;
+}
+
+LinearFlow::Step LinearFlow::step(double time) const {
+  Step result{VectorXd(growth_.size()), VectorXd(growth_.size())};
+  for (Index i = 0; i < growth_.size(); ++i) {
+    const double size = std::exp(growth_(i) * time);
+    result.diagonal(i) = size * std::cos(turning_(i) * time);
+    result.beside(i) = size * std::sin(turning_(i) * time);
+  }
+  return result;
+}
+
+void LinearFlow::apply(const Step& step, MatrixXd& y) const {
+  for (Index j = 0; j < y.cols(); ++j) {
+    double* const column = y.col(j).data();
+    for (Index i = 0; i < y.rows(); ++i) {
+      const Index other = partner_[to_size(i)];
+      if (other == i) {
+        column[i] *= step.diagonal(i);
+      } else if (other > i) {
+        const double a = column[i], b = column[other];
+        column[i] = step.diagonal(i) * a + step.beside(i) * b;
+        column[other] = step.beside(other) * a + step.diagonal(other) * b;
+      }
+    }
+  }
+}
+
+MatrixXd LinearFlow::at(double time) const {
+  MatrixXd y = from_states_;
+  apply(step(time), y);
+  return to_states_ * y;
+}
+
+}  // namespace trivet::numerics
