@@ -81,6 +81,19 @@ double elastic_energy(const ScalarLaws& laws, double deflection) {
   return sum;
 }
 
+bool is_monotone(const ScalarLaws& laws) {
+  return std::all_of(laws.begin(), laws.end(), [](const ScalarLaw& law) {
+    const auto* polynomial = std::get_if<PolynomialForce>(&law);
+    if (!polynomial) return true;
+    for (std::size_t i = 0; i < polynomial->coefficients.size(); ++i) {
+      const double c = polynomial->coefficients[i];
+      const bool is_odd = i % 2 == 0;
+      if (is_odd ? c < 0 : c != 0) return false;
+    }
+    return true;
+  });
+}
+
 bool is_piecewise_linear(const ScalarLaws& laws) {
   return std::all_of(laws.begin(), laws.end(), [](const ScalarLaw& law) {
     if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1;

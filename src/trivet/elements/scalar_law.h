@@ -37,6 +37,8 @@ struct ForceAndTangent {
 /// ∫ f dδ from 0 [J].
 [[nodiscard]] double elastic_energy(const ScalarLaws& laws, double deflection);
 
+/// Does the force never fall as the deflection grows? False also if it is not known.
+[[nodiscard]] bool is_monotone(const ScalarLaws& laws);
 /// Is the tangent constant between kinks?
 [[nodiscard]] bool is_piecewise_linear(const ScalarLaws& laws);
 

@@ -24,6 +24,8 @@ class LawAbout {
     return {whole.force - offset_ - reference_ * deviation, whole.tangent - reference_};
   }
 
+  /// Of the whole force, with the reference.
+  [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
   [[nodiscard]] bool is_piecewise_linear() const { return elements::is_piecewise_linear(laws_); }
 
   /// Deviations at which the force is not smooth, ascending.

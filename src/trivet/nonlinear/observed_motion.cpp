@@ -95,7 +95,7 @@ std::vector<ObservedMotion> Observer::at(const MatrixXd& forces, double omega) c
         ground += numerics::integer_power(s, term.power) * std::exp(-s * term.delay) * term.value;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const assembly::Channel& channel = channels_[c];
-      Complex value = observed(channel, s, q) + direct_.row(to_index(c)).cast<Complex>().dot(force.conjugate());
+      Complex value = observed(channel, s, q) + (direct_.row(to_index(c)).cast<Complex>() * force)(0);
       if (k == 1 && !channel.ground.empty()) value += observed(channel.ground, s, ground);
       value *= numerics::integer_power(s, channel.derivative);
       if (k == 0) {

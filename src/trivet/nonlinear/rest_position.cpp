@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
@@ -42,6 +44,7 @@ class LoadPath {
           "static: the machine is free to move, so it has no position of rest; hold it by another element");
     const MatrixXd moved = right.leftCols(count).transpose() * stiffness.solve(right);
     receptance_ = moved.leftCols(count);
+    references_ = Eigen::Map<const VectorXd>(references.data(), count);
     linear_ = moved.col(count);
   }
 
@@ -58,6 +61,48 @@ class LoadPath {
     equations.value = deflections + receptance_ * force - share * linear_;
     equations.by_unknowns = MatrixXd::Identity(count, count) + receptance_ * tangent.asDiagonal();
     equations.by_parameter = -linear_;
+  }
+
+  /// The only position of rest of a machine whose forces never fall. A body that is free within a gap falls until it
+  /// bears: a share of the references holds it at first, and is then taken away. Empty if forces may fall, or if
+  /// Newton's method does not converge.
+  [[nodiscard]] std::optional<VectorXd> only_one() const {
+    if (!std::all_of(deflections_.begin(), deflections_.end(), [](const Deflection& d) { return d.law.is_monotone(); }))
+      return std::nullopt;
+    if (std::optional<VectorXd> at_once = solved(linear_, 0)) return at_once;
+    std::optional<VectorXd> found = linear_;
+    for (const double held : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
+      found = solved(*found, held);
+      if (!found) return std::nullopt;
+    }
+    return found;
+  }
+
+  /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
+  [[nodiscard]] std::optional<VectorXd> solved(VectorXd now, double held) const {
+    constexpr int most = 100;
+    constexpr double accurate = 1e-13, least_step = 1e-6;
+    const MatrixXd added = held * receptance_ * references_.asDiagonal();
+    numerics::Equations equations;
+    const auto at = [&](const VectorXd& deflections) {
+      evaluate(deflections, 1, equations);
+      equations.value += added * deflections;
+      equations.by_unknowns += added;
+    };
+    at(now);
+    for (int i = 0; i < most; ++i) {
+      const VectorXd change = -numerics::PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+      if (!change.allFinite()) return std::nullopt;
+      if (change.norm() <= accurate * now.norm()) return now;
+      const double before = equations.value.norm();
+      double step = 1;
+      for (;; step /= 2) {
+        at(now + step * change);
+        if (equations.value.norm() < before || step < least_step) break;
+      }
+      now += step * change;
+    }
+    return std::nullopt;
   }
 
   /// Deflections at the whole load, and the shares at which the load turns before.
@@ -101,10 +146,25 @@ class LoadPath {
   std::vector<Deflection> deflections_;
   bool loaded_ = false;
   MatrixXd receptance_;
-  VectorXd linear_;
+  VectorXd linear_, references_;
 };
 
 }  // namespace
+
+std::vector<std::string> notes_about_rest(const model::System& system) {
+  std::vector<std::string> notes;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      if (notes.empty())
+        notes.emplace_back("nonlinear machine: all but static and steady is for small motions about rest");
+      const bool turns = part.axis >= 3;
+      notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
+                                  element.name, elements::force_and_tangent(part.laws, part.at_rest).tangent,
+                                  turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
+                                  part.at_rest, turns ? "rad" : "m"));
+    }
+  return notes;
+}
 
 RestPosition rest_position(const model::System& system) {
   model::Description description = system.description();
@@ -114,7 +174,8 @@ RestPosition rest_position(const model::System& system) {
   const LoadPath path(at());
   std::vector<double> limit_loads;
   if (path.loaded()) {
-    const auto [deflections, turns] = path.followed();
+    const std::optional<VectorXd> only = path.only_one();
+    const auto [deflections, turns] = only ? std::pair(*only, std::vector<double>()) : path.followed();
     limit_loads = turns;
     Index next = 0;
     for (model::Element& element : description.elements)

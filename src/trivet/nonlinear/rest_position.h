@@ -15,6 +15,10 @@ struct RestPosition {
   std::vector<double> limit_loads;  ///< shares of the load at which it snaps through on the way, ascending
 };
 
+/// "mount: its laws have 1.061e+06 N/m along z at rest, at a deflection of -0.002845 m", for every nonlinear part,
+/// after a sentence that analyses are linear about rest; empty for a linear machine.
+[[nodiscard]] std::vector<std::string> notes_about_rest(const model::System& system);
+
 /// @throws foundation::NotComputable if there is none within reach
 [[nodiscard]] RestPosition rest_position(const model::System& system);
 

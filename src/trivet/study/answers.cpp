@@ -16,6 +16,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -102,6 +103,7 @@ class CaseStudy {
     result.display = variant.display;
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.notes = model::left_out_notes(c_.system.description());
+    for (std::string& note : nonlinear::notes_about_rest(c_.system)) result.notes.push_back(std::move(note));
     result.modes = c_.modes;
     const int lowest = analyses.lowest_modes;
     if (lowest > 0 && (result.modes.lowest_only || std::ssize(result.modes.list) > lowest)) {

@@ -35,6 +35,7 @@ inertia = {about = "center_of_mass", xx = 1, yy = 1.2, zz = 0.9}
 type = "bushing"
 translation = [2e4, 2e4, 3e4]
 damping = {translation = [60, 60, 90]}
+laws.z = {cubic = 1e6}
 [elements]
 peak = {type = "mount", on = "machine", at = [0.2, 0, 0]}
 result = {type = "mount", on = "machine", at = [-0.2, 0, 0.01]}
@@ -89,6 +90,7 @@ orders = {speed = ["300 rpm", "900 rpm"]}
 transmissibility = {force = "motor", band = ["1 Hz", "20 Hz"]}
 power = {band = ["2 Hz", "40 Hz"]}
 shapes = {at = ["7 Hz", "9 Hz"]}
+steady = {band = ["2 Hz", "9 Hz"], harmonics = 3}
 shock_spectrum = {band = ["5 Hz", "50 Hz"]}
 earthquake = {direction = "z", rows = [[0.15, 9], [0.5, 9], [2, 2]]}
 )";

@@ -184,6 +184,7 @@ void read_elements(TableReader& root, model::Description& description, NamesInFi
     if (const model::Element* earlier =
             known ? known_element(*known, table->keys[i], table->items[i], description) : nullptr) {
       description.elements.push_back(*earlier);
+      description.elements.back().law.nonlinear.reset();
     } else if (table->items[i].kind != Node::Kind::table) {
       root.problems()
           .error("elements." + table->keys[i], kind_name(table->items[i].kind), "an element is a table",

@@ -13,7 +13,7 @@ namespace trivet::response {
 
 ElementDirections element_directions(const std::vector<model::Body>& bodies, const model::Element& element) {
   const model::Span span = model::span(bodies, element.n, element.k);
-  const elements::Matrix12 stiffness = elements::stiffness(element.law);
+  const elements::Matrix12 stiffness = element.law.scale * element.law.nominal_stiffness;
   ElementDirections result;
   result.centre = elements::stiffness_properties(stiffness).elastic_centre;
   Eigen::Matrix<double, 6, 12> of_k;

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/modal/modes.h"
+#include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/response/steady/static_response.h"
+
+/// Machines with nonlinear parts under their weight: closed forms, and full harmonic balance confirmed by shooting.
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+
+/// 250 kg on a mount that hardens, along x downwards.
+std::string on_hardening_mount(double force) {
+  return R"(trivet = 1
+gravity = [9.80665, 0, 0]
+[bodies.m]
+mass = 250
+free = ["x"]
+[elements.mount]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [2e5, 0, 0]
+damping = {translation = [1200, 0, 0]}
+laws.x = {cubic = "4e9 N/m^3"}
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [)" +
+      std::to_string(force) + ", 0, 0]\n";
+}
+
+constexpr double sag = 0.006574578512499824;  // Cardano
+
+TEST(RestPosition, IsTheSagOnAHardeningMountWithItsTangent) {
+  const project::Case base = test::project(on_hardening_mount(200)).base();
+  const assembly::Assembled assembled = assembly::assemble(base.system);
+  const auto rest = response::static_response(
+      base.system, assembled,
+      assembly::channels(base.system, assembled, {"m.x", "mount.force.x"}, assembly::MotionQuantity::displacement));
+  EXPECT_THAT(rest.values[0].value, RelativelyNear(sag, 1e-12));
+  EXPECT_THAT(rest.values[1].value, RelativelyNear(250 * 9.80665, 1e-12));
+  EXPECT_THAT(assembled.matrices.K(0, 0), RelativelyNear(718700.9914042929, 1e-12));
+  EXPECT_THAT(*modal::modes(base.system, assembled).list.front().angular_frequency / (2 * std::numbers::pi),
+              RelativelyNear(8.53344216210578, 1e-12));
+}
+
+TEST(RestPosition, VibrationMovesItsMean) {
+  struct Row {
+    double force, omega, mean, first, second, smallest, largest;
+  };
+  for (const Row& row :
+       {Row{200, 30, 0.006565598106066, 0.000402768136282, 3.28157208e-05, 0.006191643149778, 0.007000245640801},
+        {600, 45, 0.0060114060117, 0.003197825782955, 0.000281057329219, 0.003070037243515, 0.009517693113343},
+        {1500, 30, 0.006026130841755, 0.002698451346556, 0.001405459137015, 0.003730961830235, 0.010399532498044}}) {
+    const project::Case base = test::project(on_hardening_mount(row.force)).base();
+    nonlinear::SteadyOptions options{.from = 3, .to = row.omega + 0.1, .harmonics = 25, .of = {"m.x"}};
+    options.at = {row.omega};
+    const nonlinear::SteadyBranch found = nonlinear::steady_branch(base.system, options);
+    const auto same = [&](const nonlinear::SteadyPoint& point) {
+      return std::abs(sag + point.results[0].mean - row.mean) < 1e-8 * row.mean;
+    };
+    const auto point = std::find_if(found.at.begin(), found.at.end(), same);
+    ASSERT_NE(point, found.at.end()) << row.force << " N, " << row.omega << " rad/s";
+    const nonlinear::ObservedMotion& motion = point->results[0];
+    constexpr double digits = 1e-8;
+    EXPECT_THAT(std::abs(motion.harmonics(0)), RelativelyNear(row.first, digits));
+    EXPECT_THAT(std::abs(motion.harmonics(1)), RelativelyNear(row.second, digits));
+    EXPECT_THAT(sag + motion.smallest, RelativelyNear(row.smallest, digits));
+    EXPECT_THAT(sag + motion.largest, RelativelyNear(row.largest, digits));
+  }
+}
+
+/// f = c₁δ + c₂δ² + c₃δ³ with a maximum and a minimum: the load path passes a limit load before it reaches the whole.
+TEST(RestPosition, TellsTheLoadAtWhichItSnapsThrough) {
+  const std::string text = R"(trivet = 1
+gravity = [9.80665, 0, 0]
+[bodies.m]
+mass = 10
+free = ["x"]
+[elements.arch]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [100, 0, 0]
+laws.x = {polynomial = [3900, -6e5, 2.2e7]}
+)";
+  const double c1 = 4000, c2 = -6e5, c3 = 2.2e7, weight = 10 * 9.80665;
+  const double at = (-2 * c2 - std::sqrt(4 * c2 * c2 - 12 * c1 * c3)) / (6 * c3);
+  const double limit = c1 * at + c2 * at * at + c3 * at * at * at;
+  ASSERT_LT(limit, weight);
+  const model::System system = test::project(text).base().system;
+  const nonlinear::RestPosition rest = nonlinear::rest_position(system);
+  ASSERT_EQ(rest.limit_loads.size(), 1u);
+  EXPECT_THAT(rest.limit_loads[0], RelativelyNear(limit / weight, 1e-9));
+  const double there = rest.system.elements()[0].nonlinear_parts[0].at_rest;
+  EXPECT_THAT(c1 * there + c2 * there * there + c3 * there * there * there, RelativelyNear(weight, 1e-12));
+  EXPECT_GT(there, at);
+}
+
+/// A crate that falls through its gap onto a Hertzian stop.
+TEST(RestPosition, ClosesAGapThatNothingElseHolds) {
+  const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.81]
+[bodies.crate]
+mass = 120
+free = ["z"]
+[elements.stop]
+type = "stop"
+on = "crate"
+at = [0, 0, -0.2]
+axis = "-z"
+gap = "8 mm"
+stiffness = 3e8
+power = 1.5
+)")
+                                   .base()
+                                   .system;
+  const double closed = std::pow(120 * 9.81 / 3e8, 2.0 / 3);
+  EXPECT_THAT(system.elements()[0].nonlinear_parts[0].at_rest, RelativelyNear(8e-3 + closed, 1e-12));
+}
+
+}  // namespace
