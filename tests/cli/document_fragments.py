@@ -143,6 +143,9 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
+    ("docs/nonlinear.md", "Laws"): (SOURCE / "examples/roll_stop/engine.toml")
+    .read_text()
+    .split('[elements."roll stop"]')[0],
     ("docs/measurements.md", "Measured and computed curves"): DRIVEN_FRAME,
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."

@@ -178,7 +178,8 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
     if (!high) continue;
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     table.add({branch.results[c], value_text(high->results[c].largest, shown), hertz(high->angular_frequency),
-               value_text(low->results[c].smallest, shown), value_text(high->results[c].mean, shown),
+               value_text(low->results[c].smallest, shown),
+               value_text(without_round_off(high->results[c].mean, half_of_range(high->results[c])), shown),
                value_text(of_all, shown)});
   }
   return text + table.text();
