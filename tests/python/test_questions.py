@@ -25,6 +25,7 @@ ASKED_IN = {
     "limit_lines": "genset/genset.toml",
     "measurements": "measured_response/machine.toml",
     "static": "genset/load_cases.toml",
+    "steady": "isolator/hardening.toml",
 }
 
 

@@ -23,6 +23,8 @@ using numerics::BranchPoint;
 
 /// Lengths on the branch, in shares of the deflection and of the band.
 constexpr double first_step = 0.02, longest_step = 0.1, shortest_step = 1e-9;
+/// A step shorter than this hides no pair of folds worth finding.
+constexpr double hidden_folds = 1e-4;
 /// Directions of neighbouring points differ by less than about 15°.
 constexpr double least_cosine = 0.966;
 
@@ -70,33 +72,42 @@ class Course {
       found.units.push_back(channel.unit);
     }
     BranchPoint now = first();
-    std::vector<BranchPoint> course = {now};
+    std::vector<Piece> pieces;
     found.points.push_back(steady(now, found));
     double step = first_step;
     while (now.parameter < options_.to) {
       if (to_size_of(found) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
-        return found;
+        break;
       }
       std::optional<BranchPoint> next = branch_.after(now, step);
-      if (!next || next->parameter <= 0 || turn(now, *next) < least_cosine) {
+      const bool good = next && next->parameter > 0 && turn(now, *next) > least_cosine &&
+          (step < hidden_folds || !hides_folds(now, *next, step));
+      if (!good) {
         step /= 2;
         if (step >= shortest_step) continue;
         found.ended = fmt::format("no further motion beyond {:.10g} rad/s: the step of the branch fell below {:.0e}",
                                   now.parameter, shortest_step);
-        return found;
+        break;
       }
-      if (next->parameter_direction() * now.parameter_direction() < 0)
-        if (const std::optional<BranchPoint> fold = branch_.fold(now, step))
+      const std::size_t first_new = pieces.size();
+      if (next->parameter_direction() * now.parameter_direction() < 0) {
+        if (const std::optional<BranchPoint> fold = branch_.fold(now, step)) {
           found.folds.push_back(
               {steady(*fold, found), found.points.size() - 1, now.parameter_direction() > 0, std::nullopt});
-      if (next->parameter > options_.to)
-        if (std::optional<BranchPoint> end = between(options_.to, now, *next)) next = std::move(end);
+          const double place = numerics::Branch::length(now, *fold);
+          pieces.push_back({now, 0, place, now.parameter, fold->parameter});
+          pieces.push_back({now, place, step, fold->parameter, next->parameter});
+        }
+      } else {
+        pieces.push_back({now, 0, step, now.parameter, next->parameter});
+      }
       for (const double omega : options_.at)
-        if (const std::optional<BranchPoint> there = between(omega, now, *next))
-          found.at.push_back(steady(*there, found));
+        for (std::size_t i = first_new; i < pieces.size(); ++i)
+          if (const std::optional<BranchPoint> there = at(omega, pieces[i])) found.at.push_back(steady(*there, found));
+      if (next->parameter > options_.to && !pieces.empty())
+        if (std::optional<BranchPoint> end = at(options_.to, pieces.back())) next = std::move(end);
       now = *next;
-      course.push_back(now);
       found.points.push_back(steady(now, found));
       if (now.parameter < options_.from) {
         found.ended = fmt::format("left the band downwards at {:.10g} rad/s", now.parameter);
@@ -105,7 +116,7 @@ class Course {
       if (now.iterations <= 4) step = std::min(longest_step, 1.4 * step);
       if (progress) progress("steady motion", std::clamp((now.parameter - options_.from) / width(), 0.0, 1.0));
     }
-    for (Fold& fold : found.folds) fold.lands = landing(fold, course, found);
+    for (Fold& fold : found.folds) fold.lands = landing(fold, pieces, found);
     add_linear(found);
     return found;
   }
@@ -136,12 +147,27 @@ class Course {
     return from.tangent.dot(to.tangent.cwiseProduct(to.scale).cwiseQuotient(from.scale).normalized());
   }
 
-  /// The motion at a frequency between two neighbours on the branch, by Newton's method. Empty if it is not there.
-  [[nodiscard]] std::optional<BranchPoint> between(double omega, const BranchPoint& before,
-                                                   const BranchPoint& after) const {
-    if ((before.parameter < omega) == (after.parameter < omega)) return std::nullopt;
-    const double share = (omega - before.parameter) / (after.parameter - before.parameter);
-    return branch_.start((1 - share) * before.unknowns + share * after.unknowns, omega);
+  /// A part of the branch in which the frequency rises or falls: lengths from a point, and their frequencies.
+  struct Piece {
+    BranchPoint from;
+    double begin, end;
+    double parameter_begin, parameter_end;
+  };
+
+  /// The motion of a piece at a frequency. Empty if the piece does not pass it.
+  [[nodiscard]] std::optional<BranchPoint> at(double omega, const Piece& piece) const {
+    if ((piece.parameter_begin < omega) == (piece.parameter_end < omega)) return std::nullopt;
+    return branch_.at(omega, piece.from, piece.begin, piece.end);
+  }
+
+  /// Does the cubic through both ends, with their directions, turn twice between them?
+  static bool hides_folds(const BranchPoint& from, const BranchPoint& to, double step) {
+    const double scale = from.scale(from.scale.size() - 1), rise = (to.parameter - from.parameter) / scale;
+    const double at_from = step * from.parameter_direction(), at_to = step * to.parameter_direction();
+    if (at_from * at_to <= 0) return false;
+    // slope (1 − t)² a + t² b + 2 t (1 − t) c, by its values at the ends and the rise between them
+    const double sign = at_from > 0 ? 1 : -1, a = sign * at_from, b = sign * at_to, c = 3 * sign * rise - a - b;
+    return c < 0 && c * c >= a * b;
   }
 
   void add_linear(SteadyBranch& found) const {
@@ -157,13 +183,13 @@ class Course {
   }
 
   /// The only stable motion at the frequency of a fold, besides those that meet there.
-  [[nodiscard]] std::optional<SteadyPoint> landing(const Fold& fold, const std::vector<BranchPoint>& course,
+  [[nodiscard]] std::optional<SteadyPoint> landing(const Fold& fold, const std::vector<Piece>& pieces,
                                                    SteadyBranch& found) const {
     constexpr double same = 1e-2;  // of the motion
     const VectorXd at_fold = fold.point.deflections.reshaped();
     std::vector<SteadyPoint> stable;
-    for (std::size_t i = 0; i + 1 < course.size(); ++i) {
-      const std::optional<BranchPoint> other = between(fold.point.angular_frequency, course[i], course[i + 1]);
+    for (const Piece& piece : pieces) {
+      const std::optional<BranchPoint> other = at(fold.point.angular_frequency, piece);
       if (!other || (other->unknowns - at_fold).norm() < same * at_fold.norm()) continue;
       SteadyPoint point = steady(*other, found);
       if (point.stable) stable.push_back(std::move(point));

@@ -93,6 +93,49 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) c
   return point;
 }
 
+double Branch::length(const BranchPoint& from, const BranchPoint& to) {
+  const Eigen::Index n = from.unknowns.size();
+  VectorXd change(n + 1);
+  change << to.unknowns - from.unknowns, to.parameter - from.parameter;
+  return from.tangent.dot(change.cwiseQuotient(from.scale));
+}
+
+std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from, double low, double high) const {
+  constexpr int most = 60;
+  constexpr double near = 1e-9;  // of the change of λ: Newton's method at fixed λ does the rest
+  const auto missing = [&](double place) {
+    const std::optional<BranchPoint> there = place == 0 ? std::optional(from) : after(from, place);
+    return there ? std::optional(std::pair(there->parameter - parameter, *there)) : std::nullopt;
+  };
+  auto at_low = missing(low), at_high = missing(high);
+  if (!at_low || !at_high || at_low->first * at_high->first > 0) return std::nullopt;
+  const double change = std::abs(at_high->first - at_low->first);
+  double value_low = at_low->first, value_high = at_high->first;
+  std::optional<BranchPoint> middle = at_high->second;
+  for (int i = 0; i < most && std::abs(middle->parameter - parameter) > near * change;
+       ++i) {  // regula falsi (Illinois)
+    const double place = (low * value_high - high * value_low) / (value_high - value_low);
+    const auto found = missing(place);
+    if (!found) return std::nullopt;
+    middle = found->second;
+    if (found->first * value_high > 0) {
+      value_low /= 2;
+    } else {
+      low = high;
+      value_low = value_high;
+    }
+    high = place;
+    value_high = found->first;
+    if (value_high == 0) break;
+  }
+  std::optional<BranchPoint> exact = start(middle->unknowns, parameter);
+  constexpr double same = 1e-3;
+  if (!exact ||
+      (exact->unknowns - middle->unknowns).cwiseQuotient(middle->scale.head(middle->unknowns.size())).norm() > same)
+    return std::nullopt;
+  return exact;
+}
+
 std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
   double low = 0, high = step, at_low = from.parameter_direction();
   std::optional<BranchPoint> end = after(from, step);

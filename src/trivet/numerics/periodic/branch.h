@@ -49,6 +49,12 @@ class Branch {
   /// The solution at the length `step` (negative: backwards) from a point. Empty if Newton's method does not converge.
   [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step) const;
 
+  /// Length from a point to one near it on the branch, as `after` counts it.
+  [[nodiscard]] static double length(const BranchPoint& from, const BranchPoint& to);
+
+  /// The solution at λ between two lengths from a point, where the branch passes λ once. Empty if it does not.
+  [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, double low, double high) const;
+
   /// The fold between a point and the one at `step` from it, where the parameter direction has the other sign.
   [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double step) const;
 
