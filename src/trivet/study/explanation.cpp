@@ -11,6 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/nonlinear/deflections.h"
 #include "trivet/response/steady/element_directions.h"
 #include "trivet/study/explanation_words.h"
 
@@ -222,6 +223,10 @@ void try_more(const project::Case& variant, const response::Question& question,
 
 Explanation explanation(const project::Case& variant, const ExplainRequest& request,
                         const foundation::Progress& progress) {
+  if (nonlinear::is_nonlinear(variant.system))
+    throw foundation::NotComputable(
+        "explain: a change of a nonlinear machine moves its position of rest, which the sensitivities do not follow; "
+        "take map or optimize, which do");
   const project::AnswerSelection selection = selection_of(variant, request);
   project::Analyses analyses;
   analyses.peaks = project::PeaksRequest{selection};
