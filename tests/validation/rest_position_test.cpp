@@ -108,6 +108,33 @@ laws.x = {polynomial = [3900, -6e5, 2.2e7]}
   EXPECT_GT(there, at);
 }
 
+/// A mount that softens, with loads up to one part in ten thousand below its limit load: the stable one of two roots.
+TEST(RestPosition, IsTheStableOneJustBelowALimitLoad) {
+  const double k = 1e5, softening = 4e8, limit_at = std::sqrt(k / (3 * softening));
+  for (const double mass : {50.0, 61.7, 61.8, 61.9, 62.0, 62.03}) {
+    const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.81]
+[bodies.m]
+mass = )" + std::to_string(mass) + R"(
+free = ["z"]
+[elements.mount]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 1e5]
+laws.z = {cubic = -4e8}
+)")
+                                     .base()
+                                     .system;
+    double low = 0, high = limit_at;  // the force rises up to there
+    for (int i = 0; i < 200; ++i) {
+      const double middle = (low + high) / 2;
+      (k * middle - softening * middle * middle * middle < mass * 9.81 ? low : high) = middle;
+    }
+    EXPECT_THAT(-system.elements()[0].nonlinear_parts[0].at_rest, RelativelyNear(low, 1e-10)) << mass;
+  }
+}
+
 /// A crate that falls through its gap onto a Hertzian stop.
 TEST(RestPosition, ClosesAGapThatNothingElseHolds) {
   const model::System system = test::project(R"(trivet = 1

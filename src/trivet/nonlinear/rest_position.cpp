@@ -115,31 +115,33 @@ class LoadPath {
                                   VectorXd::Constant(linear_.size(), 1e-3 * linear_.cwiseAbs().maxCoeff()), 1.0);
     std::vector<double> turns;
     std::optional<BranchPoint> now = branch.start(VectorXd::Zero(linear_.size()), 0);
-    double step = first_step;
+    double step = first_step, highest = 0;
     for (int i = 0; now && i < most_points && step >= shortest_step; ++i) {
       const std::optional<BranchPoint> next = branch.after(*now, step);
       const bool good = next &&
           (step < across_a_kink ||
-           now->tangent.dot(next->tangent.cwiseProduct(next->scale).cwiseQuotient(now->scale).normalized()) >
-               least_cosine);
+           (now->tangent.dot(next->tangent.cwiseProduct(next->scale).cwiseQuotient(now->scale).normalized()) >
+                least_cosine &&
+            !numerics::Branch::hides_folds(*now, *next, step)));
       if (!good) {
         step /= 2;
         continue;
       }
-      if (next->parameter >= 1) {
-        const double share = (1 - now->parameter) / (next->parameter - now->parameter);
-        const VectorXd guess = now->unknowns + share * (next->unknowns - now->unknowns);
-        if (const std::optional<BranchPoint> whole = branch.start(guess, 1)) return {whole->unknowns, turns};
+      const bool turns_back = next->parameter_direction() < 0 && now->parameter_direction() > 0;
+      const std::optional<BranchPoint> fold = turns_back ? branch.fold(*now, step) : std::nullopt;
+      highest = std::max({highest, next->parameter, fold ? fold->parameter : 0.0});
+      const double rising_to = fold ? numerics::Branch::length(*now, *fold) : step;
+      if (highest >= 1) {
+        if (const std::optional<BranchPoint> whole = branch.at(1, *now, 0, rising_to)) return {whole->unknowns, turns};
         step /= 2;
         continue;
       }
-      if (next->parameter_direction() < 0 && now->parameter_direction() > 0)
-        if (const std::optional<BranchPoint> fold = branch.fold(*now, step)) turns.push_back(fold->parameter);
+      if (fold) turns.push_back(fold->parameter);
       now = next;
       step = std::min(longest_step, 1.5 * step);
     }
     throw foundation::NotComputable(fmt::format(
-        "static: no position of rest was found: the load can be followed to {:.3g} of its whole only", now->parameter));
+        "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", highest));
   }
 
  private:

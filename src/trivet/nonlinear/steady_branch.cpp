@@ -82,7 +82,7 @@ class Course {
       }
       std::optional<BranchPoint> next = branch_.after(now, step);
       const bool good = next && next->parameter > 0 && turn(now, *next) > least_cosine &&
-          (step < hidden_folds || !hides_folds(now, *next, step));
+          (step < hidden_folds || !numerics::Branch::hides_folds(now, *next, step));
       if (!good) {
         step /= 2;
         if (step >= shortest_step) continue;
@@ -137,9 +137,10 @@ class Course {
   [[nodiscard]] BranchPoint first() const {
     const std::optional<BranchPoint> point = branch_.start(balance_.linear_motion(options_.from), options_.from);
     if (!point)
-      throw foundation::NotComputable(fmt::format(
-          "steady: no motion was found at the lower end of the band, {:.6g} rad/s; begin at a lower frequency",
-          options_.from));
+      throw foundation::NotComputable(
+          fmt::format("steady: no motion was found at the lower end of the band, {:.6g} rad/s; begin at another "
+                      "frequency: lower, or above the motions that were sought",
+                      options_.from));
     return *point;
   }
 
@@ -158,16 +159,6 @@ class Course {
   [[nodiscard]] std::optional<BranchPoint> at(double omega, const Piece& piece) const {
     if ((piece.parameter_begin < omega) == (piece.parameter_end < omega)) return std::nullopt;
     return branch_.at(omega, piece.from, piece.begin, piece.end);
-  }
-
-  /// Does the cubic through both ends, with their directions, turn twice between them?
-  static bool hides_folds(const BranchPoint& from, const BranchPoint& to, double step) {
-    const double scale = from.scale(from.scale.size() - 1), rise = (to.parameter - from.parameter) / scale;
-    const double at_from = step * from.parameter_direction(), at_to = step * to.parameter_direction();
-    if (at_from * at_to <= 0) return false;
-    // slope (1 − t)² a + t² b + 2 t (1 − t) c, by its values at the ends and the rise between them
-    const double sign = at_from > 0 ? 1 : -1, a = sign * at_from, b = sign * at_to, c = 3 * sign * rise - a - b;
-    return c < 0 && c * c >= a * b;
   }
 
   void add_linear(SteadyBranch& found) const {
@@ -203,7 +194,8 @@ class Course {
     result.deflections = point.unknowns.reshaped(balance_.coefficients(), machine_.size());
     result.results = observer_.at(balance_.forces(point.unknowns), point.parameter);
     result.multipliers = stability_.multipliers(balance_.laws(), point.unknowns, point.parameter);
-    result.stable = (result.multipliers.cwiseAbs().array() < 1).all();
+    constexpr double round_off = 1e-8;  // an undamped machine has multipliers of magnitude 1
+    result.stable = (result.multipliers.cwiseAbs().array() < 1 + round_off).all();
     found.left_out = std::max(found.left_out, balance_.left_out(point.unknowns, point.parameter));
     return result;
   }

@@ -96,6 +96,22 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
+/// Warns of questions that large motions decide, but that are answered for small motions about rest.
+void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+  if (!nonlinear::is_nonlinear(system)) return;
+  const auto warn = [&](const std::string& subject) {
+    problems.warning(
+        subject, "a nonlinear machine",
+        "it is answered for small motions about rest: they pass through the gaps of stops, and mounts do not "
+        "harden",
+        "compare with steady");
+  };
+  if (!asked.limits.empty() || !asked.limit_lines.empty()) warn(asked.limits.empty() ? "limit_lines" : "limits");
+  if (asked.requirements) warn("requirements");
+  for (const char* name : {"transient", "random", "orders", "earthquake"})
+    if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
+}
+
 /// A nonlinear machine about its position of rest.
 void settle(model::System& system, foundation::Problems& problems) {
   try {
@@ -157,6 +173,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   if (system && !reading.has_errors()) {
     check_questions(*system, analyses, physical);
     check_requirements(*system, analyses, physical);
+    warn_of_small_motions(*system, analyses, physical);
   }
   locate(physical, document);
   all.add(physical);

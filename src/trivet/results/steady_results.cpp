@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
@@ -147,6 +148,34 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
   return table.text();
 }
 
+/// Stable motions: points, and folds beside a stable point, which are the ends of stable motions.
+std::vector<const SteadyPoint*> stable_motions(const SteadyBranch& branch) {
+  std::vector<const SteadyPoint*> stable;
+  for (const SteadyPoint& point : branch.points)
+    if (point.stable) stable.push_back(&point);
+  for (const Fold& fold : branch.folds) {
+    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
+    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
+  }
+  return stable;
+}
+
+/// "  stability changes without a fold near 4.99, 5.14 Hz …": there motions of another period begin.
+std::string changes_without_fold(const SteadyBranch& branch, const project::ShownUnits& display) {
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const bool at_fold =
+        std::any_of(branch.folds.begin(), branch.folds.end(), [i](const Fold& fold) { return fold.after == i; });
+    if (at_fold || branch.points[i].stable == branch.points[i + 1].stable) continue;
+    const double omega = (branch.points[i].angular_frequency + branch.points[i + 1].angular_frequency) / 2;
+    places.push_back(number_text(shown_frequency(display, omega), 4));
+  }
+  constexpr std::size_t most = 8;
+  if (places.empty()) return "";
+  return "  stability changes without a fold near " + foundation::comma_separated(places, most) + " " +
+      frequency_unit(display) + ": motions of another period, not computed\n";
+}
+
 std::string steady_text(const project::Case& variant, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   const project::ShownUnits& display = variant.display;
@@ -154,32 +183,33 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   const std::string unit = frequency_unit(display);
   const auto unstable =
       std::count_if(branch.points.begin(), branch.points.end(), [](const auto& p) { return !p.stable; });
+  const auto [low, high] = std::minmax_element(
+      branch.points.begin(), branch.points.end(),
+      [](const SteadyPoint& a, const SteadyPoint& b) { return a.angular_frequency < b.angular_frequency; });
   std::string text =
       excited_at_once(variant, "steady") +
       fmt::format(
           "Periodic motions from {} to {} {}, connected with the one at the lower end (detached ones are not sought)\n"
           "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
-          hertz(branch.points.front().angular_frequency), hertz(branch.points.back().angular_frequency), unit,
-          branch.points.size(), unstable, branch.harmonics, branch.left_out);
+          hertz(low->angular_frequency), hertz(high->angular_frequency), unit, branch.points.size(), unstable,
+          branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
-  text += folds_text(branch, display);
+  text += changes_without_fold(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    const SteadyPoint* high = nullptr;
-    const SteadyPoint* low = nullptr;
-    double of_all = 0;
-    for (const SteadyPoint& point : branch.points) {
-      of_all = std::max(of_all, point.results[c].largest);
-      if (!point.stable) continue;
-      if (!high || point.results[c].largest > high->results[c].largest) high = &point;
-      if (!low || point.results[c].smallest < low->results[c].smallest) low = &point;
-    }
-    if (!high) continue;
+  const std::vector<const SteadyPoint*> stable = stable_motions(branch);
+  for (std::size_t c = 0; c < branch.results.size() && !stable.empty(); ++c) {
+    const auto is_lower = [c](const SteadyPoint* a, const SteadyPoint* b) {
+      return a->results[c].largest < b->results[c].largest;
+    };
+    const SteadyPoint& top = **std::max_element(stable.begin(), stable.end(), is_lower);
+    double smallest = 0, of_all = top.results[c].largest;
+    for (const SteadyPoint* point : stable) smallest = std::min(smallest, point->results[c].smallest);
+    for (const SteadyPoint& point : branch.points) of_all = std::max(of_all, point.results[c].largest);
     const DisplayUnit shown = display_unit(display, branch.units[c]);
-    table.add({branch.results[c], value_text(high->results[c].largest, shown), hertz(high->angular_frequency),
-               value_text(low->results[c].smallest, shown),
-               value_text(without_round_off(high->results[c].mean, half_of_range(high->results[c])), shown),
+    table.add({branch.results[c], value_text(top.results[c].largest, shown), hertz(top.angular_frequency),
+               value_text(smallest, shown),
+               value_text(without_round_off(top.results[c].mean, half_of_range(top.results[c])), shown),
                value_text(of_all, shown)});
   }
   return text + table.text();

@@ -43,11 +43,12 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
     options.harmonics = std::min(most_harmonics, 2 * options.harmonics);
     branch = nonlinear::steady_branch(c.system, options, c.progress);
   }
-  if (branch.left_out > asked.tolerance && asked.harmonics == 0)
+  if (branch.left_out > asked.tolerance)
     warnings.warning("analyses.steady",
                      fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
-                     "near grazing contact no number of harmonics is enough; check the motion in time");
+                     asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
+                                         : "near grazing contact no number of harmonics is enough");
   if (!branch.ended.empty())
     warnings.warning("analyses.steady", "the branch of motions ends before the end of the band", branch.ended,
                      "no motion beyond is computed; give another band");

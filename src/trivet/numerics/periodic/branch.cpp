@@ -100,6 +100,15 @@ double Branch::length(const BranchPoint& from, const BranchPoint& to) {
   return from.tangent.dot(change.cwiseQuotient(from.scale));
 }
 
+bool Branch::hides_folds(const BranchPoint& from, const BranchPoint& to, double step) {
+  const double scale = from.scale(from.scale.size() - 1), rise = (to.parameter - from.parameter) / scale;
+  const double at_from = step * from.parameter_direction(), at_to = step * to.parameter_direction();
+  if (at_from * at_to <= 0) return false;
+  // slope (1 − t)² a + t² b + 2 t (1 − t) c, by its values at the ends and the rise between them
+  const double sign = at_from > 0 ? 1 : -1, a = sign * at_from, b = sign * at_to, c = 3 * sign * rise - a - b;
+  return c < 0 && c * c >= a * b;
+}
+
 std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from, double low, double high) const {
   constexpr int most = 60;
   constexpr double near = 1e-9;  // of the change of λ: Newton's method at fixed λ does the rest

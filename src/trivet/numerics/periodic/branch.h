@@ -52,6 +52,9 @@ class Branch {
   /// Length from a point to one near it on the branch, as `after` counts it.
   [[nodiscard]] static double length(const BranchPoint& from, const BranchPoint& to);
 
+  /// Does the cubic through both ends of a step, with their directions, turn twice between them?
+  [[nodiscard]] static bool hides_folds(const BranchPoint& from, const BranchPoint& to, double step);
+
   /// The solution at λ between two lengths from a point, where the branch passes λ once. Empty if it does not.
   [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, double low, double high) const;
 

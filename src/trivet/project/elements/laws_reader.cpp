@@ -36,6 +36,8 @@ std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bo
 void read_axis(TableReader& reader, int axis, double centre, const model::Span& span, model::Element& element) {
   model::NonlinearPart part{axis, centre, {}};
   const bool is_rotation = axis >= 3;
+  const std::size_t before = reader.errors();
+  reader.also_known({"quadratic", "cubic", "polynomial", "gap_stop"});
   if (const auto polynomial = read_polynomial(reader, is_rotation)) part.laws.emplace_back(*polynomial);
   if (const Node* table = reader.table("gap_stop")) {
     TableReader stop(*table, reader.path() + ".gap_stop", reader.problems());
@@ -52,7 +54,6 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
     }
     stop.finish();
   }
-  const std::size_t before = reader.errors();
   reader.finish();
   if (part.laws.empty() && reader.errors() == before)
     reader.error("", "no law", "it is a sum of quadratic, cubic, polynomial and gap_stop", "give one, or remove it");
