@@ -112,7 +112,7 @@ MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections,
 MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections, double from, double to,
                                   double omega) const {
   constexpr int per_period = 32, most = 512;
-  constexpr double accurate = 1e-9;
+  constexpr double accurate = 1e-7;  // change by the last extrapolation, which is that of the result without it
   int steps = std::max(4, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
   MatrixXd coarse = split(laws, deflections, from, to, omega, steps),
            middle = split(laws, deflections, from, to, omega, 2 * steps);

@@ -116,6 +116,7 @@ class Course {
       if (now.iterations <= 4) step = std::min(longest_step, 1.4 * step);
       if (progress) progress("steady motion", std::clamp((now.parameter - options_.from) / width(), 0.0, 1.0));
     }
+    if (!options_.with_results) return found;
     for (Fold& fold : found.folds) fold.lands = landing(fold, pieces, found);
     add_linear(found);
     return found;
@@ -192,11 +193,12 @@ class Course {
     SteadyPoint result;
     result.angular_frequency = point.parameter;
     result.deflections = point.unknowns.reshaped(balance_.coefficients(), machine_.size());
+    found.left_out = std::max(found.left_out, balance_.left_out(point.unknowns, point.parameter));
+    if (!options_.with_results) return result;
     result.results = observer_.at(balance_.forces(point.unknowns), point.parameter);
     result.multipliers = stability_.multipliers(balance_.laws(), point.unknowns, point.parameter);
     constexpr double round_off = 1e-8;  // an undamped machine has multipliers of magnitude 1
     result.stable = (result.multipliers.cwiseAbs().array() < 1 + round_off).all();
-    found.left_out = std::max(found.left_out, balance_.left_out(point.unknowns, point.parameter));
     return result;
   }
 

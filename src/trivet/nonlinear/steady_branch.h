@@ -20,6 +20,7 @@ struct SteadyOptions {
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   std::vector<double> at;  ///< also exactly at these [rad/s], wherever the branch passes them
   int most_points = 20000;
+  bool with_results = true;  ///< false: motions and `left_out` only, without results, stability and jumps
 };
 
 /// A periodic motion on the branch.

@@ -38,11 +38,12 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
-  nonlinear::SteadyBranch branch = nonlinear::steady_branch(c.system, options, c.progress);
-  while (asked.harmonics == 0 && branch.left_out > asked.tolerance && options.harmonics < most_harmonics) {
-    options.harmonics = std::min(most_harmonics, 2 * options.harmonics);
-    branch = nonlinear::steady_branch(c.system, options, c.progress);
-  }
+  const bool seek = asked.harmonics == 0;
+  for (options.with_results = false; seek && options.harmonics < most_harmonics;
+       options.harmonics = std::min(most_harmonics, 2 * options.harmonics))
+    if (nonlinear::steady_branch(c.system, options, c.progress).left_out <= asked.tolerance) break;
+  options.with_results = true;
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(c.system, options, c.progress);
   if (branch.left_out > asked.tolerance)
     warnings.warning("analyses.steady",
                      fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
