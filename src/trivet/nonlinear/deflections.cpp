@@ -91,8 +91,6 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
       const Eigen::Matrix<double, 1, 12> row =
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
       Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)],
-                            part.axis < 3 ? "m" : "rad",
-                            part.at_rest,
                             Eigen::VectorXd::Zero(assembled.matrices.size()),
                             Eigen::VectorXd::Zero(assembled.ground.size()),
                             LawAbout(part.laws, part.at_rest, references[found.size()])};

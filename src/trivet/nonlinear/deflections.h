@@ -12,9 +12,7 @@ namespace trivet::nonlinear {
 
 /// One deflection with nonlinear forces, as a deviation from rest.
 struct Deflection {
-  std::string name;  ///< "mount.deflection.z"
-  std::string unit;
-  double at_rest = 0;              ///< the whole deflection in the position of rest
+  std::string name;                ///< "mount.deflection.z"
   Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
   Eigen::VectorXd on_ground;       ///< ground coordinates
   LawAbout law;                    ///< beyond the tangents that the assembled machine contains

@@ -16,6 +16,8 @@ struct ObservedMotion {
   Eigen::VectorXcd harmonics;        ///< complex amplitudes of harmonic 1, 2, …
   double largest = 0, smallest = 0;  ///< over a period
   double rms = 0;                    ///< of the deviation from the mean
+
+  [[nodiscard]] double half_of_range() const { return (largest - smallest) / 2; }
 };
 
 /// Results of periodic motions: channels of the machine, with the forces of its nonlinear parts.

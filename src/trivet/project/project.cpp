@@ -8,8 +8,6 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/deflections.h"
-#include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/analyses/analyses_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/question_sizes.h"
@@ -28,6 +26,7 @@
 #include "trivet/project/questions.h"
 #include "trivet/project/rest_of_clearances.h"
 #include "trivet/project/settings.h"
+#include "trivet/project/settled_system.h"
 #include "trivet/project/suspicions.h"
 #include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/changes.h"
@@ -96,37 +95,6 @@ foundation::Problems beyond_reading(const foundation::Problems& found, const fou
   return result;
 }
 
-/// Warns of questions that large motions decide, but that are answered for small motions about rest.
-void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
-  if (!nonlinear::is_nonlinear(system)) return;
-  const auto warn = [&](const std::string& subject) {
-    problems.warning(
-        subject, "a nonlinear machine",
-        "it is answered for small motions about rest: they pass through the gaps of stops, and mounts do not "
-        "harden",
-        "compare with steady");
-  };
-  if (!asked.limits.empty() || !asked.limit_lines.empty()) warn(asked.limits.empty() ? "limit_lines" : "limits");
-  if (asked.requirements) warn("requirements");
-  for (const char* name : {"transient", "random", "orders", "earthquake"})
-    if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
-}
-
-/// A nonlinear machine about its position of rest.
-void settle(model::System& system, foundation::Problems& problems) {
-  try {
-    nonlinear::RestPosition rest = nonlinear::rest_position(system);
-    for (const double share : rest.limit_loads)
-      problems.warning("elements", fmt::format("limit load at {:.4g} of the static load", share),
-                       "the machine snaps through there on its way to the position of rest",
-                       "check gaps, coefficients and loads");
-    system = std::move(rest.system);
-  } catch (const foundation::NotComputable& reason) {
-    problems.error("elements", reason.what(), "the analyses of a nonlinear machine are about its position of rest",
-                   "check loads, gaps and coefficients");
-  }
-}
-
 /// Reads one variant of the document and adds all problems; none if there are errors. A map that equals that of `base`
 /// is not checked again.
 std::optional<Case> read_case(const Node& written, const std::string& name, std::string& title,
@@ -167,8 +135,7 @@ std::optional<Case> read_case(const Node& written, const std::string& name, std:
   foundation::Problems physical = beyond_reading(system ? system->warnings() : system.error(), reading,
                                                  every_body_was_read, every_element_was_read);
   if (!system) name_slips(bodies, document, physical);
-  if (system && every_body_was_read && every_element_was_read && nonlinear::is_nonlinear(*system))
-    settle(*system, physical);
+  if (system && every_body_was_read && every_element_was_read) settle(*system, physical);
   if (system) physical.add(too_large(system->description(), counted_part(questions, analyses)));
   if (system && !reading.has_errors()) {
     check_questions(*system, analyses, physical);

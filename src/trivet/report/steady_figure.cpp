@@ -24,8 +24,6 @@ using nonlinear::SteadyPoint;
 constexpr std::size_t most_figures = 24;
 constexpr Eigen::Index most_harmonics = 4;
 
-double half_of_range(const ObservedMotion& motion) { return (motion.largest - motion.smallest) / 2; }
-
 /// Points of the branch in their order, folds included.
 std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
   std::vector<const SteadyPoint*> course;
@@ -84,8 +82,8 @@ bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, 
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
     const SteadyPoint& other = branch.folds[i].point;
     const bool near_x = std::abs(other.angular_frequency - here.angular_frequency) < room * width,
-               near_y =
-                   std::abs(half_of_range(other.results[result]) - half_of_range(here.results[result])) < room * height;
+               near_y = std::abs(other.results[result].half_of_range() - here.results[result].half_of_range()) <
+        room * height;
     if (i != fold && near_x && near_y) return false;
   }
   return true;
@@ -99,13 +97,13 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Sh
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
     const Fold& fold = branch.folds[i];
     const double at = results::shown_frequency(display, fold.point.angular_frequency),
-                 from = unit.factor * half_of_range(fold.point.results[result]);
+                 from = unit.factor * fold.point.results[result].half_of_range();
     const bool has_text = has_room(branch, i, result, width, largest / unit.factor);
     row.marks.push_back(
         {at, from, "#D55E00",
          has_text ? fmt::format("{} {:.4g} {}", fold.upper ? "▶" : "◀", at, results::frequency_unit(display)) : ""});
     if (!fold.lands) continue;
-    const double to = unit.factor * half_of_range(fold.lands->results[result]);
+    const double to = unit.factor * fold.lands->results[result].half_of_range();
     PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
     if (key) jump.key = {"jumps: ▶ as the frequency", "rises, ◀ as it falls"};
     key = false;
@@ -124,7 +122,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
     }
     row.curves.push_back(std::move(linear));
   }
-  const auto value = [&](const SteadyPoint& point) { return unit.factor * half_of_range(point.results[result]); };
+  const auto value = [&](const SteadyPoint& point) { return unit.factor * point.results[result].half_of_range(); };
   const std::vector<PanelCurve> motion = pieces(branch, display, value, "#0072B2", "stable");
   double largest = 0;
   for (PanelCurve piece : motion) {
@@ -163,7 +161,7 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
   std::vector<double> largest;
   for (std::size_t c = 0; c < branch->results.size(); ++c) {
     double range = 0;
-    for (const SteadyPoint& point : branch->points) range = std::max(range, half_of_range(point.results[c]));
+    for (const SteadyPoint& point : branch->points) range = std::max(range, point.results[c].half_of_range());
     largest.push_back(range);
   }
   std::vector<Figure> figures;
@@ -192,14 +190,14 @@ std::string steady_tables(const study::Answers& answers) {
   std::vector<std::vector<Cell>> rows;
   for (const Fold& fold : branch->folds)
     for (std::size_t c = 0; c < branch->results.size(); ++c) {
-      const double from = half_of_range(fold.point.results[c]);
+      const double from = fold.point.results[c].half_of_range();
       if (!(from > 0)) continue;
       rows.push_back(
           {{fold.upper ? "rising frequency" : "falling frequency"},
            frequency_cell(fold.point.angular_frequency, answers.display),
            {branch->results[c]},
            quantity_cell(from, branch->units[c]),
-           fold.lands ? quantity_cell(half_of_range(fold.lands->results[c]), branch->units[c]) : right("–")});
+           fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
     }
   const std::string about = hint(fmt::format(
       "Periodic motions at the frequency of the excitation, connected with the one at the lower end of the band; "

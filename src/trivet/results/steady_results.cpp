@@ -40,8 +40,6 @@ constexpr Course courses[] = {{"mean", [](const ObservedMotion& m) { return m.me
                               {"smallest", [](const ObservedMotion& m) { return m.smallest; }},
                               {"rms", [](const ObservedMotion& m) { return m.rms; }}};
 
-double half_of_range(const ObservedMotion& motion) { return (motion.largest - motion.smallest) / 2; }
-
 }  // namespace
 
 namespace json {
@@ -118,7 +116,7 @@ std::optional<std::size_t> main_result(const SteadyBranch& branch) {
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     if (found && branch.units[c] != branch.units[*found]) continue;
     double range = 0;
-    for (const SteadyPoint& point : branch.points) range = std::max(range, half_of_range(point.results[c]));
+    for (const SteadyPoint& point : branch.points) range = std::max(range, point.results[c].half_of_range());
     if (range <= largest) continue;
     largest = range;
     found = c;
@@ -132,9 +130,9 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
   if (!told) return "";
   const DisplayUnit unit = display_unit(display, branch.units[*told]);
   const std::string from =
-      fmt::format("{} from {}", branch.results[*told], value_text(half_of_range(fold.point.results[*told]), unit));
+      fmt::format("{} from {}", branch.results[*told], value_text(fold.point.results[*told].half_of_range(), unit));
   return from +
-      (fold.lands ? " to " + value_text(half_of_range(fold.lands->results[*told]), unit)
+      (fold.lands ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
                   : "; this branch has no other stable motion there, or several");
 }
 
@@ -209,7 +207,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     table.add({branch.results[c], value_text(top.results[c].largest, shown), hertz(top.angular_frequency),
                value_text(smallest, shown),
-               value_text(without_round_off(top.results[c].mean, half_of_range(top.results[c])), shown),
+               value_text(without_round_off(top.results[c].mean, top.results[c].half_of_range()), shown),
                value_text(of_all, shown)});
   }
   return text + table.text();

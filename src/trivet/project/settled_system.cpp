@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/settled_system.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/rest_position.h"
+
+namespace trivet::project {
+
+void settle(model::System& system, foundation::Problems& problems) {
+  if (!nonlinear::is_nonlinear(system)) return;
+  try {
+    nonlinear::RestPosition rest = nonlinear::rest_position(system);
+    for (const double share : rest.limit_loads)
+      problems.warning("elements", fmt::format("limit load at {:.4g} of the static load", share),
+                       "the machine snaps through there on its way to the position of rest",
+                       "check gaps, coefficients and loads");
+    system = std::move(rest.system);
+  } catch (const foundation::NotComputable& reason) {
+    problems.error("elements", reason.what(), "the analyses of a nonlinear machine are about its position of rest",
+                   "check loads, gaps and coefficients");
+  }
+}
+
+void warn_of_small_motions(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
+  if (!nonlinear::is_nonlinear(system)) return;
+  const auto warn = [&](const std::string& subject) {
+    problems.warning(
+        subject, "a nonlinear machine",
+        "it is answered for small motions about rest: they pass through the gaps of stops, and mounts do not "
+        "harden",
+        "compare with steady");
+  };
+  if (!asked.limits.empty() || !asked.limit_lines.empty()) warn(asked.limits.empty() ? "limit_lines" : "limits");
+  if (asked.requirements) warn("requirements");
+  for (const char* name : {"transient", "random", "orders", "earthquake"})
+    if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
+}
+
+}  // namespace trivet::project
