@@ -8,6 +8,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
+#include "trivet/report/curve_groups.h"
 #include "trivet/report/curve_panel.h"
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
