@@ -19,12 +19,6 @@ using foundation::two_pi;
 
 bool is_empty(const StiffnessTable& table) { return table.storage.size() == 0 && table.loss.size() == 0; }
 
-/// Interval i of a grid with x_i ≤ x ≤ x_{i+1}.
-std::size_t interval(const std::vector<double>& grid, double x) {
-  const auto above = std::upper_bound(grid.begin() + 1, grid.end() - 1, x);
-  return to_size(above - grid.begin()) - 1;
-}
-
 void require_inside(const std::vector<double>& grid, double x, const char* quantity, double unit_size,
                     const char* unit) {
   if (!grid.empty() && !(x >= grid.front() && x <= grid.back()))
@@ -33,31 +27,13 @@ void require_inside(const std::vector<double>& grid, double x, const char* quant
                     x / unit_size, unit, grid.front() / unit_size, grid.back() / unit_size, unit));
 }
 
-/// Slope at knot i: weighted harmonic mean of the secants, 0 at an extremum (Fritsch and Butland 1984); at an end
-/// three-point, limited.
-double slope(const std::vector<double>& x, const Eigen::Ref<const Eigen::VectorXd>& y, std::size_t i) {
-  const auto secant = [&](std::size_t k) { return (y(to_index(k) + 1) - y(to_index(k))) / (x[k + 1] - x[k]); };
-  const auto end_slope = [](double h0, double h1, double d0, double d1) {
-    const double three_point = ((2 * h0 + h1) * d0 - h0 * d1) / (h0 + h1);
-    if (three_point * d0 <= 0) return 0.0;
-    return d0 * d1 <= 0 && std::abs(three_point) > 3 * std::abs(d0) ? 3 * d0 : three_point;
-  };
-  const std::size_t last = x.size() - 1;
-  if (last == 1) return secant(0);
-  if (i == 0) return end_slope(x[1] - x[0], x[2] - x[1], secant(0), secant(1));
-  if (i == last) return end_slope(x[last] - x[last - 1], x[last - 1] - x[last - 2], secant(last - 1), secant(last - 2));
-  const double before = secant(i - 1), after = secant(i), h0 = x[i] - x[i - 1], h1 = x[i + 1] - x[i];
-  if (before * after <= 0) return 0;
-  return 3 * (h0 + h1) / ((2 * h1 + h0) / before + (h1 + 2 * h0) / after);
-}
-
 double over_frequency(const StiffnessTable& t, const Eigen::Ref<const Eigen::VectorXd>& column, double x) {
   if (t.angular_frequencies.empty()) return column(0);
   const std::vector<double>& grid = t.angular_frequencies;
   const std::size_t i = interval(grid, x);
   const double h = grid[i + 1] - grid[i], s = (x - grid[i]) / h, y0 = column(to_index(i)), y1 = column(to_index(i) + 1);
   if (t.interpolation == Interpolation::linear) return y0 + s * (y1 - y0);
-  const double d0 = slope(grid, column, i), d1 = slope(grid, column, i + 1);
+  const double d0 = knot_slope(grid, column, i), d1 = knot_slope(grid, column, i + 1);
   return y0 + s * s * (3 - 2 * s) * (y1 - y0) + h * s * (1 - s) * ((1 - s) * d0 - s * d1);
 }
 

@@ -6,15 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "trivet/elements/knot_curve.h"
 #include "trivet/elements/law.h"
 #include "trivet/foundation/problems.h"
 
 /// Elements given only by tables of dynamic stiffness (air springs, wire-rope isolators, hydraulic mounts): k*(ω,
 /// amplitude) per direction, interpolated and never extrapolated. Causality of the data is not checked here.
 namespace trivet::elements {
-
-/// Interpolation between the frequencies of the table. The monotone cubic (Fritsch–Butland) has no overshoot.
-enum class Interpolation { linear, monotone_cubic };
 
 /// k' + i k'' of one direction over angular frequency [rad/s] and, if it matters, zero-to-peak amplitude of the
 /// relative motion [m or rad]. An empty list of either means that the stiffness does not depend on it (one row or one
