@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/elements/hysteresis.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/numerics/periodic/gauss_nodes.h"
+
+namespace trivet::elements {
+namespace {
+
+// All laws are odd: a travel downwards from f_0 is the mirror image of one upwards from −f_0.
+
+ForceOnTravel upwards(const Slider& law, double start, double travel) {
+  constexpr double round_off = 1e-13;  // a loop that just reaches the limit slips there
+  const double stuck = start + law.stiffness * travel;
+  if (stuck >= law.slip * (1 - round_off)) return {law.slip, 0, 0};
+  return {stuck, law.stiffness, 1};
+}
+
+ForceOnTravel upwards(const BergFriction& law, double start, double travel) {
+  const double missing = 1 - start / law.force, reach = law.deflection * missing, sum = reach + travel;
+  if (!(sum > 0)) return {law.force, 0, 0};
+  const double share = travel / sum;
+  return {start + share * law.force * missing, law.force * missing * reach / (sum * sum), 1 - share * share};
+}
+
+/// The travel ∫ dx/(1 − c x^n) from 0 to z, in units of F/k. c may have either sign; c z^n < 1.
+class BoucWenTravel {
+ public:
+  BoucWenTravel(double c, double n) : c_(c), n_(n) {}
+
+  [[nodiscard]] double rate(double z) const { return 1 - c_ * std::pow(z, n_); }
+
+  [[nodiscard]] double operator()(double z) const {
+    constexpr double by_series = 0.5;  // of |c| z^n
+    const double ratio = std::abs(c_) * std::pow(z, n_);
+    if (ratio <= by_series) return series(z);
+    const double middle = z * std::pow(by_series / ratio, 1 / n_);
+    return series(middle) + (c_ > 0 ? near_limit(middle, z) : integrated(middle, z));
+  }
+
+ private:
+  [[nodiscard]] double series(double z) const {
+    constexpr double smallest = 1e-17;
+    const double ratio = c_ * std::pow(z, n_);
+    double sum = 0, power = 1;
+    for (int j = 0; std::abs(power) > smallest; ++j, power *= ratio) sum += power / (n_ * j + 1);
+    return z * sum;
+  }
+
+  template <typename Integrand>
+  static double gauss(double from, double to, const Integrand& integrand) {
+    constexpr double longest = 0.25;
+    double sum = 0;
+    numerics::each_gauss_node(from, to, longest, [&](double at, double weight) { sum += weight * integrand(at); });
+    return sum;
+  }
+
+  /// z = z_max (1 − e^{−p}): smooth in p up to the limit.
+  [[nodiscard]] double near_limit(double from, double to) const {
+    const double limit = std::pow(c_, -1 / n_);
+    const auto place = [&](double z) { return -std::log1p(-std::min(z / limit, 1 - 1e-16)); };
+    return limit * gauss(place(from), place(to), [this](double p) {
+             const double left = std::exp(-p);  // 1 − z/z_max
+             return left / -std::expm1(n_ * std::log1p(-left));
+           });
+  }
+
+  /// In the logarithm of z.
+  [[nodiscard]] double integrated(double from, double to) const {
+    return gauss(std::log(from), std::log(to), [this](double x) { return std::exp(x) / rate(std::exp(x)); });
+  }
+
+  double c_, n_;
+};
+
+/// z ≥ 0 at a travel ≥ 0 from z = 0.
+double reached(const BoucWenTravel& travel_to, double travel, double limit) {
+  double low = 0, high = limit, z = std::min(travel, 0.5 * limit);
+  constexpr int most = 100;
+  constexpr double accurate = 1e-15;
+  for (int i = 0; i < most; ++i) {
+    const double missing = travel - travel_to(z);
+    (missing > 0 ? low : high) = z;
+    const double newton = z + missing * travel_to.rate(z);
+    const double next = newton > low && newton < high ? newton : (low + high) / 2;
+    if (std::abs(next - z) <= accurate * limit) return next;
+    z = next;
+  }
+  return z;
+}
+
+double z_limit(const BoucWen& law) { return std::pow(law.beta + law.gamma, -1 / law.exponent); }
+double z_at(const BoucWen& law, double force) {
+  const double limit = z_limit(law);
+  return std::clamp(force / law.force, -limit, limit);
+}
+BoucWenTravel loading(const BoucWen& law) { return {law.beta + law.gamma, law.exponent}; }
+BoucWenTravel unloading(const BoucWen& law) { return {law.gamma - law.beta, law.exponent}; }
+
+ForceOnTravel upwards(const BoucWen& law, double start, double travel) {
+  const BoucWenTravel falls = unloading(law), grows = loading(law);
+  const double from = z_at(law, start), limit = z_limit(law), unit = law.force / law.stiffness;
+  const double rate_at_start = from < 0 ? falls.rate(-from) : grows.rate(from);
+  double left = travel / unit, z = 0, rate = 0;
+  const double to_zero = from < 0 ? falls(-from) : 0;
+  if (left < to_zero) {
+    z = -reached(falls, to_zero - left, limit);
+    rate = falls.rate(-z);
+  } else {
+    left += from < 0 ? -to_zero : grows(from);
+    z = reached(grows, left, limit);
+    rate = std::max(0.0, grows.rate(z));
+  }
+  constexpr double at_limit = 1e-14;
+  return {law.force * z, law.stiffness * rate,
+          rate_at_start > at_limit ? rate / rate_at_start : (travel > 0 ? 0.0 : 1.0)};
+}
+
+std::optional<double> kink_upwards(const Slider& law, double start) { return (law.slip - start) / law.stiffness; }
+std::optional<double> kink_upwards(const BergFriction&, double) { return std::nullopt; }
+std::optional<double> kink_upwards(const BoucWen& law, double start) {
+  if (start >= 0) return std::nullopt;
+  return unloading(law)(-z_at(law, start)) * law.force / law.stiffness;
+}
+
+}  // namespace
+
+ForceOnTravel force_on_travel(const HystereticForce& law, double start, double travel) {
+  return std::visit(
+      [&](const auto& one) {
+        const double sign = travel < 0 ? -1 : 1;
+        ForceOnTravel found = upwards(one, sign * start, sign * travel);
+        found.force *= sign;
+        return found;
+      },
+      law);
+}
+
+std::optional<double> kink_travel(const HystereticForce& law, double start, double direction) {
+  return std::visit(
+      [&](const auto& one) {
+        std::optional<double> found = kink_upwards(one, direction * start);
+        if (found) *found *= direction;
+        return found;
+      },
+      law);
+}
+
+double initial_stiffness(const HystereticForce& law) {
+  if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force / berg->deflection;
+  if (const auto* slider = std::get_if<Slider>(&law)) return slider->stiffness;
+  return std::get<BoucWen>(law).stiffness;
+}
+
+double force_limit(const HystereticForce& law) {
+  if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force;
+  if (const auto* slider = std::get_if<Slider>(&law)) return slider->slip;
+  const auto& smooth = std::get<BoucWen>(law);
+  return smooth.force * z_limit(smooth);
+}
+
+}  // namespace trivet::elements
