@@ -50,6 +50,7 @@ response = {band = ["2 Hz", "40 Hz"]}
 power = {band = ["2 Hz", "40 Hz"]}
 shapes = {at = ["9 Hz"]}
 steady = {band = ["2 Hz", "12 Hz"], harmonics = 3}
+backbone = {up_to = "5 mm", harmonics = 3}
 shock_spectrum = {band = ["5 Hz", "500 Hz"]}
 earthquake = {direction = "x", rows = [[0.02, 3], [0.1, 9], [0.5, 9], [2, 2]]}
 """

@@ -26,6 +26,7 @@ ASKED_IN = {
     "measurements": "measured_response/machine.toml",
     "static": "genset/load_cases.toml",
     "steady": "isolator/hardening.toml",
+    "backbone": "isolator/hardening.toml",
 }
 
 

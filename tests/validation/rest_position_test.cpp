@@ -157,4 +157,45 @@ power = 1.5
   EXPECT_THAT(system.elements()[0].nonlinear_parts[0].at_rest, RelativelyNear(8e-3 + closed, 1e-12));
 }
 
+/// −100 N/m beside 10⁶ N/m³: rest at 0, which is unstable, and at ±10 mm with 2.2508 Hz.
+TEST(RestPosition, PostBuckledElementHasThree) {
+  const std::string text = R"(trivet = 1
+[bodies.m]
+mass = 1
+free = ["x"]
+[elements.strut]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [50, 0, 0]
+laws.x = {polynomial = [-150, 0, 1e6]}
+)";
+  const project::Project project = test::project(text);
+  EXPECT_TRUE(std::any_of(project.base().warnings.list().begin(), project.base().warnings.list().end(),
+                          [](const auto& problem) { return problem.finding == "an unstable position of rest"; }));
+  const std::vector<nonlinear::RestState> states = nonlinear::rest_states(project.base().system);
+  ASSERT_EQ(states.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(states[i].stable, i != 1);
+    EXPECT_NEAR(states[i].deflections.at(0).second, -0.01 + 0.01 * static_cast<double>(i), 1e-12);
+  }
+}
+
+/// Two such parts side by side in series of bodies: 3 × 3 positions, of which four are stable.
+TEST(RestPosition, IndependentBodiesHaveAllCombinations) {
+  const std::string part = R"(
+type = "three_springs"
+at = [0, 0, 0]
+translation = [50, 0, 0]
+laws.x = {polynomial = [-150, 0, 1e6]}
+)";
+  const std::string text =
+      "trivet = 1\n[bodies.a]\nmass = 1\nfree = [\"x\"]\n[bodies.b]\nmass = 2\nfree = [\"x\"]\n"
+      "[elements.p]\non = \"a\"" +
+      part + "[elements.q]\non = \"b\"" + part;
+  const std::vector<nonlinear::RestState> states = nonlinear::rest_states(test::project(text).base().system);
+  EXPECT_EQ(states.size(), 9u);
+  EXPECT_EQ(std::count_if(states.begin(), states.end(), [](const auto& state) { return state.stable; }), 4);
+}
+
 }  // namespace

@@ -9,6 +9,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/nonlinear/steady_branch.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace {
 
@@ -179,6 +180,135 @@ TEST(SteadyMotion, BodyOnFourCubicMountsAgreesWithFullHarmonicBalance) {
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(largest_multiplier(found.at[i]), multipliers[i], digits);
     EXPECT_EQ(found.at[i].stable, i != 1);
+  }
+}
+
+/// Exact pieces between events [400 periods]; the harmonics left out fall as 1/k⁴.
+TEST(SteadyMotion, FrictionDamperAgreesWithPiecewiseExactMotions) {
+  const model::System system = oscillator(10, 8, 4e4, 50, elements::HystereticForce(elements::Slider{2e4, 30}));
+  nonlinear::SteadyOptions options{.from = 58, .to = 82, .harmonics = 41};
+  options.of = {"m1.x"};
+  options.at = {60, 64, 66, 68, 70, 75, 80};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  EXPECT_EQ(found.ended, "");
+  EXPECT_TRUE(found.folds.empty());
+  const double rows[][3] = {
+      {0.0038480808190535, 0.0038367492366979, 2.8018674e-05}, {0.024809957403191, 0.0247720587941003, 3.6428983e-05},
+      {0.0128837655357558, 0.0128492377313432, 3.2035479e-05}, {0.0087024777098448, 0.0086742683053945, 2.8144393e-05},
+      {0.0066465268830035, 0.0066246790236006, 2.4757238e-05}, {0.0042403402880353, 0.0042312860635265, 1.7871827e-05},
+      {0.0031154876948549, 0.0031144674155445, 1.2536595e-05}};
+  ASSERT_EQ(found.at.size(), std::size(rows));
+  for (std::size_t i = 0; i < found.at.size(); ++i) {
+    SCOPED_TRACE(found.at[i].angular_frequency);
+    EXPECT_TRUE(found.at[i].stable);
+    constexpr double truncation = 3e-7;  // of 41 harmonics: 1/k⁴
+    EXPECT_THAT(found.at[i].results[0].largest, RelativelyNear(rows[i][0], 1e-6));
+    EXPECT_THAT(amplitude(found.at[i], 1), RelativelyNear(rows[i][1], truncation));
+    EXPECT_THAT(amplitude(found.at[i], 3), RelativelyNear(rows[i][2], 1e-6));
+    // The force feeds what damper and slider lose: 4 slip (X − slip/k) with half of the range X.
+    const double omega = found.at[i].angular_frequency;
+    double lost = 4 * 30 * (found.at[i].results[0].half_of_range() - 30 / 2e4);
+    for (Eigen::Index k = 1; k <= 41; ++k)
+      lost += pi * 8 * omega * static_cast<double>(k * k) * std::pow(amplitude(found.at[i], k), 2);
+    EXPECT_THAT(pi * 50 * found.at[i].deflections(2, 0), RelativelyNear(lost, 1e-6));
+  }
+}
+
+TEST(SteadyMotion, OneHarmonicOfAFrictionDamperIsTheFormulaOfKrackAndGross) {
+  const model::System system = oscillator(10, 8, 4e4, 50, elements::HystereticForce(elements::Slider{2e4, 30}));
+  nonlinear::SteadyOptions options{.from = 58, .to = 82, .harmonics = 1};
+  options.at = {60, 64, 70, 80};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  const double first[] = {0.0038599903337061, 0.0248810707791693, 0.0066435316346812, 0.0031124831860031};
+  ASSERT_EQ(found.at.size(), std::size(first));
+  for (std::size_t i = 0; i < found.at.size(); ++i)
+    EXPECT_THAT(amplitude(found.at[i], 1), RelativelyNear(first[i], 1e-9));
+}
+
+/// Below the slip force a slider is a spring.
+TEST(SteadyMotion, SliderThatNeverSlipsIsASpringAndIsNamed) {
+  const model::System system = oscillator(10, 8, 4e4, 1, elements::HystereticForce(elements::Slider{2e4, 30}));
+  nonlinear::SteadyOptions options{.from = 50, .to = 60, .harmonics = 3};
+  options.at = {55};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  ASSERT_EQ(found.at.size(), 1u);
+  const std::complex<double> stiffness(6e4 - 10 * 55 * 55, 8 * 55);
+  EXPECT_THAT(amplitude(found.at[0], 1), RelativelyNear(1 / std::abs(stiffness), 1e-12));
+  EXPECT_THAT(found.sticking, testing::ElementsAre("k1.deflection.x"));
+  EXPECT_TRUE(found.at[0].stable);
+  EXPECT_NEAR(largest_multiplier(found.at[0]), std::exp(-8 / (2 * 10.0) * 2 * pi / 55), 1e-9);
+}
+
+TEST(SteadyMotion, QuadraticDamperAgreesWithShooting) {
+  const model::System system = oscillator(3, 0, 1200, 12, elements::DampingForce(elements::QuadraticDamping{60, 60}));
+  nonlinear::SteadyOptions options{.from = 9, .to = 42, .harmonics = 21};
+  options.of = {"m1.x"};
+  options.at = {10, 16, 20, 24, 40};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  const double rows[][3] = {{0.01331159204, 0.00011752999, 0.01333716586},
+                            {0.02302332333, 0.00023435127, 0.02308118696},
+                            {0.024291052, 0.00024279073, 0.02434974862},
+                            {0.01660793004, 0.00011122021, 0.0166259},
+                            {0.00332335253, 4.2836e-06, 0.00332348537}};
+  ASSERT_EQ(found.at.size(), std::size(rows));
+  for (std::size_t i = 0; i < found.at.size(); ++i) {
+    SCOPED_TRACE(found.at[i].angular_frequency);
+    EXPECT_TRUE(found.at[i].stable);
+    EXPECT_THAT(amplitude(found.at[i], 1), RelativelyNear(rows[i][0], 1e-6));
+    EXPECT_THAT(amplitude(found.at[i], 3), RelativelyNear(rows[i][1], 1e-5));  // five digits given for the last
+    EXPECT_THAT(found.at[i].results[0].largest, RelativelyNear(rows[i][2], 1e-6));
+    // Liouville: the states lose volume by the mean of the damping 2 c |v| / m.
+    const double omega = found.at[i].angular_frequency;
+    double mean = 0;
+    constexpr int samples = 4000;
+    for (int n = 0; n < samples; ++n)
+      mean += std::abs(omega *
+                       numerics::motion_at(21, 2 * pi * n / samples,
+                                           numerics::phase_derivative(found.at[i].deflections.col(0)))) /
+          samples;
+    EXPECT_THAT(std::abs(found.at[i].multipliers.prod()),
+                RelativelyNear(std::exp(-2 * 60 * mean / 3 * 2 * pi / omega), 1e-5));
+  }
+}
+
+/// m ẍ + c ẋ − k x + k₃ x³ = F cos ωt about x = 10 mm: shooting with monodromy matrix, root of multiplier + 1.
+TEST(SteadyMotion, PeriodDoublesAtTheLoadThatShootingFinds) {
+  model::Description description =
+      oscillator(1, 3, 100, 1, elements::ElasticForce(elements::PolynomialForce{{-200, 0, 1e6}})).description();
+  description.elements[0].nonlinear_parts[0].at_rest = 0.01;
+  const model::System system = model::System::checked(description).value();
+  nonlinear::SteadyOptions options{.from = 0.01, .to = 0.31, .over = nonlinear::Parameter::load_factor};
+  options.angular_frequency = 12.727922061357857;
+  options.harmonics = 15;
+  options.of = {"m1.x"};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  ASSERT_EQ(found.changes.size(), 1u);
+  const nonlinear::StabilityChange& change = found.changes[0];
+  EXPECT_EQ(change.kind, nonlinear::StabilityChange::Kind::period_doubling);
+  constexpr double digits = 1e-6;  // of the reference
+  EXPECT_THAT(change.point.load_factor, RelativelyNear(0.29884586401840224, digits));
+  EXPECT_THAT(change.point.results[0].smallest + 0.01, RelativelyNear(0.003385994878734, digits));
+  EXPECT_THAT(change.point.results[0].largest + 0.01, RelativelyNear(0.013423635214776, digits));
+  EXPECT_THAT(change.point.results[0].mean + 0.01, RelativelyNear(0.007844607525809, digits));
+  EXPECT_THAT(amplitude(change.point, 1), RelativelyNear(0.004943796978163, digits));
+  EXPECT_THAT(std::abs(change.point.multipliers.prod()), RelativelyNear(0.22741904, digits));
+  EXPECT_FALSE(found.points.back().stable);
+}
+
+/// A loss factor is a complex stiffness: with one harmonic, a cubic of the amplitude alone.
+TEST(SteadyMotion, LossFactorOfAHardeningSpringKeepsItsPhaseAtEveryFrequency) {
+  const double m = 1.5, k = 600, eta = 0.08, cubic = 2e5, F = 0.8;
+  const std::string excitation =
+      "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [0.8, 0, 0]\n";
+  const model::System system =
+      with_laws(test::chain({m}, {k, 0}, {0, 0}, {eta, 0}) + excitation,
+                {{0, 0.5, {elements::ElasticForce(elements::PolynomialForce{{0, 0, cubic}})}}});
+  nonlinear::SteadyOptions options{.from = 14, .to = 30, .harmonics = 1};
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  EXPECT_TRUE(found.stability_of_viscous_machine);
+  for (const SteadyPoint& point : found.points) {
+    const double a = amplitude(point, 1), w = point.angular_frequency;
+    EXPECT_THAT(std::hypot(k - m * w * w + 0.75 * cubic * a * a, eta * k) * a, RelativelyNear(F, 1e-10));
   }
 }
 

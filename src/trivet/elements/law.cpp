@@ -22,7 +22,9 @@ Matrix12 stiffness(const Law& law) {
   return law.nonlinear ? Matrix12(linear + law.nonlinear->tangent) : linear;
 }
 
-Matrix12 viscous_damping(const Law& law) {
+namespace {
+
+Matrix12 linear_damping(const Law& law) {
   if (const auto* proportional = std::get_if<ProportionalDamping>(&law.damping))
     return proportional->factor * (proportional->of_nominal ? 1.0 : law.scale) * law.nominal_stiffness;
   if (const auto* given = std::get_if<DampingMatrix>(&law.damping)) return given->matrix;
@@ -30,6 +32,13 @@ Matrix12 viscous_damping(const Law& law) {
     if (const auto* viscous = std::get_if<KelvinVoigt>(relaxing))
       return viscous->time * law.scale * law.nominal_stiffness;
   return Matrix12::Zero();
+}
+
+}  // namespace
+
+Matrix12 viscous_damping(const Law& law) {
+  const Matrix12 linear = linear_damping(law);
+  return law.nonlinear ? Matrix12(linear + law.nonlinear->damping) : linear;
 }
 
 double loss_factor(const Law& law) {

@@ -51,9 +51,10 @@ struct FrequencyDependence {
   std::vector<double> knots;  ///< boundaries between the pieces of a table [rad/s], ascending
 };
 
-/// The nonlinear parts of an element about its position of rest: tangent · u + offset on its ends.
+/// The nonlinear parts of an element about its position of rest: tangent · u + damping · u̇ + offset on its ends.
 struct Linearization {
   Matrix12 tangent = Matrix12::Zero();
+  Matrix12 damping = Matrix12::Zero();
   Vector12 offset = Vector12::Zero();
 };
 
@@ -70,7 +71,7 @@ struct Law {
 
 /// Stiffness at ω = 0, scaled, with the tangent of the nonlinear parts.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
-/// Viscous damping matrix at the ends.
+/// Viscous damping matrix at the ends, with that of the nonlinear parts.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);
 [[nodiscard]] double loss_factor(const Law& law);
 

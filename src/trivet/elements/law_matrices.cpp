@@ -117,7 +117,10 @@ Matrices matrices(const Law& law) {
     for (std::size_t i = 0; i < form.ratios.size(); ++i)
       if (form.ratios[i] > 0) add_branch(strain, form.ratios[i], form.times[i], m);
   }
-  if (law.nonlinear) m.stiffness.topLeftCorner<12, 12>() += law.nonlinear->tangent;
+  if (law.nonlinear) {
+    m.stiffness.topLeftCorner<12, 12>() += law.nonlinear->tangent;
+    m.damping.topLeftCorner<12, 12>() += law.nonlinear->damping;
+  }
   return m;
 }
 
@@ -140,7 +143,8 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
   }
   if (const auto* given = std::get_if<DampingMatrix>(&law.damping))
     result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
-  if (law.nonlinear) result += law.nonlinear->tangent.cast<Complex>();
+  if (law.nonlinear)
+    result += law.nonlinear->tangent.cast<Complex>() + Complex(0, 1) * omega * law.nonlinear->damping.cast<Complex>();
   return result;
 }
 

@@ -1,48 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <limits>
-#include <variant>
 #include <vector>
+
+#include "trivet/elements/damping_force.h"
+#include "trivet/elements/elastic_force.h"
+#include "trivet/elements/hysteresis.h"
 
 /// Forces over one deflection δ of an element, in addition to its 12×12: along or about one axis, in N over m or N m
 /// over rad. Positive forces act against positive deflections. Equations and sources: docs/nonlinear.md.
 namespace trivet::elements {
 
-/// f = Σ c_i δ^i, i = 1, 2, …
-struct PolynomialForce {
-  std::vector<double> coefficients;  ///< c_1, c_2, … [N/m, N/m², …]
-};
-
-/// Elastic stops at one or both ends of a gap: f = k (δ − g)^p beyond the gap g above, f = −k (−g' − δ)^p beyond the
-/// gap g' below, 0 between them. p = 1.5: Hertz.
-struct GapStop {
-  static constexpr double none = std::numeric_limits<double>::infinity();
-  double gap_above = none;                                      ///< g; negative: it bears at δ = 0
-  double gap_below = none;                                      ///< g'
-  double stiffness = std::numeric_limits<double>::quiet_NaN();  ///< k [N/m^p], > 0
-  double power = 1;                                             ///< p ≥ 1
-};
-
-using ScalarLaw = std::variant<PolynomialForce, GapStop>;
+using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce>;
 /// Forces over the same deflection add up.
 using ScalarLaws = std::vector<ScalarLaw>;
 
-struct ForceAndTangent {
-  double force = 0;
-  double tangent = 0;  ///< df/dδ; at a kink that of larger |δ|
-};
-[[nodiscard]] ForceAndTangent force_and_tangent(const ScalarLaws& laws, double deflection);
+/// Force of a slow deflection from 0: hysteretic parts under virgin loading.
+[[nodiscard]] ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection);
 
-/// ∫ f dδ from 0 [J].
+/// What the laws are for motions of vanishing amplitude about a deflection: hysteretic parts stick.
+struct SmallMotion {
+  double stiffness = 0;  ///< [N/m or N m/rad]
+  double damping = 0;    ///< [N s/m or N m s/rad]
+};
+[[nodiscard]] SmallMotion small_motion(const ScalarLaws& laws, double deflection);
+
+/// ∫ f dδ from 0 of the elastic parts [J].
 [[nodiscard]] double elastic_energy(const ScalarLaws& laws, double deflection);
 
-/// Does the force never fall as the deflection grows? False also if it is not known.
+/// Does the force at rest never fall as the deflection grows? False also if it is not known.
 [[nodiscard]] bool is_monotone(const ScalarLaws& laws);
-/// Is the tangent constant between kinks?
-[[nodiscard]] bool is_piecewise_linear(const ScalarLaws& laws);
 
-/// Deflections at which the force is not smooth, ascending.
-[[nodiscard]] std::vector<double> kinks(const ScalarLaws& laws);
+/// Deflections at which the force at rest is not smooth, ascending.
+[[nodiscard]] std::vector<double> kinks_at_rest(const ScalarLaws& laws);
+
+/// The laws of one kind.
+template <typename Kind>
+[[nodiscard]] std::vector<Kind> only(const ScalarLaws& laws) {
+  std::vector<Kind> found;
+  for (const ScalarLaw& law : laws)
+    if (const auto* one = std::get_if<Kind>(&law)) found.push_back(*one);
+  return found;
+}
 
 }  // namespace trivet::elements

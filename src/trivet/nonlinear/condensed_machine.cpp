@@ -51,14 +51,26 @@ CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const s
   static_receptance_ = rows.transpose() * all_receptance_;
 }
 
-VectorXcd CondensedMachine::coordinates(double omega, bool excited, const VectorXcd& force) const {
+MatrixXcd CondensedMachine::coordinates(const MatrixXd& forces, double omega, double factor) const {
+  const Index harmonics = (forces.rows() - 1) / 2;
+  MatrixXcd all(all_receptance_.rows(), harmonics + 1);
+  for (Index k = 0; k <= harmonics; ++k) {
+    VectorXcd force(forces.cols());
+    for (Index j = 0; j < forces.cols(); ++j)
+      force(j) = k == 0 ? Complex(forces(0, j)) : Complex(forces(2 * k - 1, j), -forces(2 * k, j));
+    all.col(k) = coordinates_at(static_cast<double>(k) * omega, k == 1 ? factor : 0, force);
+  }
+  return all;
+}
+
+VectorXcd CondensedMachine::coordinates_at(double omega, double factor, const VectorXcd& force) const {
   if (omega == 0) return -(all_receptance_.cast<Complex>() * force);
   const Complex s(0, omega);
   VectorXcd weights = VectorXcd::Zero(static_part_.cols());
   weights.head(size()) = -force;
-  if (excited)
+  if (factor != 0)
     for (const Term& term : terms_)
-      weights(term.column) = numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
+      weights(term.column) = factor * numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
   const VectorXcd inverse = (s - poles_.array()).inverse().matrix();
   return all_shapes_ * (inverse.asDiagonal() * (participation_ * weights)) + all_static_ * weights;
 }

@@ -36,11 +36,17 @@ class CondensedMachine {
   /// At ω = 0, without losses.
   [[nodiscard]] const Eigen::MatrixXd& static_receptance() const { return static_receptance_; }
 
-  /// All coordinates at one harmonic under the forces of the nonlinear parts, and at the first one the excitation too.
-  /// @param omega  of the harmonic [rad/s]; 0: the mean
-  [[nodiscard]] Eigen::VectorXcd coordinates(double omega, bool excited, const Eigen::VectorXcd& force) const;
+  /// All coordinates at each harmonic, under the forces of the nonlinear parts and the excitation.
+  /// @param forces  Fourier coefficients × deflections
+  /// @param omega   of the first harmonic [rad/s]
+  /// @param factor  on the excitation
+  /// @return coordinates × harmonics 0, 1, …
+  [[nodiscard]] Eigen::MatrixXcd coordinates(const Eigen::MatrixXd& forces, double omega, double factor) const;
 
  private:
+  /// @param omega   of the harmonic [rad/s]; 0: the mean
+  /// @param factor  on the excitation; 0: it does not act at this harmonic
+  [[nodiscard]] Eigen::VectorXcd coordinates_at(double omega, double factor, const Eigen::VectorXcd& force) const;
   /// A term s^power e^{−s delay} of the excitation: its column among the right sides of the poles.
   struct Term {
     int power;

@@ -17,22 +17,33 @@ void each_part(const std::vector<model::Element>& elements, const Visit& visit) 
     for (const model::NonlinearPart& part : element.nonlinear_parts) visit(element, part);
 }
 
+bool is_slack(const model::NonlinearPart& part) {
+  return !elements::only<elements::DampingForce>(part.laws).empty() &&
+      !(elements::small_motion(part.laws, part.at_rest).damping > 0);
+}
+
 /// Positive, and of the size of its forces over deflections of a millimetre or a milliradian. It only conditions the
 /// equations.
-double positive_reference(const model::NonlinearPart& part) {
+elements::SmallMotion positive_reference(const model::NonlinearPart& part) {
   constexpr double small = 1e-3;
-  const double tangent = elements::force_and_tangent(part.laws, part.at_rest).tangent;
-  if (tangent > 0) return tangent;
+  constexpr double small_rate = 0.1;
+  elements::SmallMotion about_rest = elements::small_motion(part.laws, part.at_rest);
+  if (is_slack(part)) {
+    for (const elements::DampingForce& damper : elements::only<elements::DampingForce>(part.laws))
+      for (const double rate : {-small_rate, small_rate})
+        about_rest.damping += std::abs(elements::force_of_rate(damper, rate).force) / (2 * small_rate);
+  }
+  if (about_rest.stiffness > 0) return about_rest;
   double largest = 0;
-  std::vector<double> from = elements::kinks(part.laws);
+  std::vector<double> from = elements::kinks_at_rest(part.laws);
   from.push_back(part.at_rest);
   for (const double place : from)
     for (const double step : {-small, small})
       largest = std::max(largest,
-                         std::abs(elements::force_and_tangent(part.laws, place + step).force -
-                                  elements::force_and_tangent(part.laws, place).force) /
+                         std::abs(elements::force_at_rest(part.laws, place + step).force -
+                                  elements::force_at_rest(part.laws, place).force) /
                              small);
-  return largest;
+  return {largest, about_rest.damping};
 }
 
 }  // namespace
@@ -42,10 +53,17 @@ bool is_nonlinear(const model::System& system) {
                      [](const model::Element& element) { return !element.nonlinear_parts.empty(); });
 }
 
+bool has_slack_dampers(const model::System& system) {
+  bool found = false;
+  each_part(system.elements(),
+            [&](const model::Element&, const model::NonlinearPart& part) { found = found || is_slack(part); });
+  return found;
+}
+
 References tangents_at_rest(const model::System& system) {
   References found;
   each_part(system.elements(), [&](const model::Element&, const model::NonlinearPart& part) {
-    found.push_back(elements::force_and_tangent(part.laws, part.at_rest).tangent);
+    found.push_back(elements::small_motion(part.laws, part.at_rest));
   });
   return found;
 }
@@ -68,9 +86,10 @@ model::System with_references(const model::System& system, const References& ref
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       const elements::Vector12 row =
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
-      const double reference = references[next++];
-      sum.tangent += reference * row * row.transpose();
-      sum.offset += (elements::force_and_tangent(part.laws, part.at_rest).force - reference * part.at_rest) * row;
+      const elements::SmallMotion& reference = references[next++];
+      sum.tangent += reference.stiffness * row * row.transpose();
+      sum.damping += reference.damping * row * row.transpose();
+      sum.offset += (elements::force_at_rest(part.laws, part.at_rest).force - reference.stiffness * part.at_rest) * row;
     }
     element.law.nonlinear = sum;
   }

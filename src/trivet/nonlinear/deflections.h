@@ -18,15 +18,16 @@ struct Deflection {
   LawAbout law;                    ///< beyond the tangents that the assembled machine contains
 };
 
-/// Stiffness in place of a nonlinear part.
-using References = std::vector<double>;  ///< one per nonlinear part, in the order of the elements
+/// Stiffness and damping in place of a nonlinear part.
+using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear part, in the order of the elements
 
-/// Tangents of the nonlinear parts at rest.
+/// Tangents of the nonlinear parts at rest, for motions of vanishing amplitude.
 [[nodiscard]] References tangents_at_rest(const model::System& system);
-/// The same, but positive also where a part has no stiffness at rest: its secant to a small deflection.
+/// The same, but the stiffness positive also where a part has none at rest, by its secant to a small deflection, and
+/// the damping of dampers that have none at small rates by their secant to a small rate.
 [[nodiscard]] References positive_references(const model::System& system);
 
-/// The machine with these stiffnesses in place of its nonlinear parts. In the position of rest it has the forces of the
+/// The machine with these in place of its nonlinear parts. In the position of rest it has the forces of the
 /// parts, so that static results are those of the nonlinear machine.
 [[nodiscard]] model::System with_references(const model::System& system, const References& references);
 
@@ -34,6 +35,9 @@ using References = std::vector<double>;  ///< one per nonlinear part, in the ord
 [[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
                                                             const assembly::Assembled& assembled,
                                                             const References& references);
+
+/// Has any part dampers without damping at small rates?
+[[nodiscard]] bool has_slack_dampers(const model::System& system);
 
 [[nodiscard]] bool is_nonlinear(const model::System& system);
 

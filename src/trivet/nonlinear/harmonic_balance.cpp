@@ -33,8 +33,8 @@ HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vec
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 
-VectorXd HarmonicBalance::linear_motion(double omega) const {
-  const Eigen::VectorXcd motion = machine_.linear_motion(omega).motion;
+VectorXd HarmonicBalance::linear_motion(const Driving& driving) const {
+  const Eigen::VectorXcd motion = driving.factor * machine_.linear_motion(driving.omega).motion;
   VectorXd unknowns = VectorXd::Zero(size());
   for (Index j = 0; j < motion.size(); ++j) {
     unknowns(j * coefficients() + 1) = motion(j).real();
@@ -43,18 +43,21 @@ VectorXd HarmonicBalance::linear_motion(double omega) const {
   return unknowns;
 }
 
-void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
+void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving, Parameter parameter,
+                               numerics::Equations& equations) const {
+  const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
   equations.value = unknowns;
   equations.by_unknowns = MatrixXd::Identity(size(), size());
   equations.by_parameter = VectorXd::Zero(size());
   std::vector<ForceHarmonics> forces;
-  for (Index j = 0; j < m; ++j) forces.push_back(laws_[to_size(j)].at(unknowns.segment(j * C, C)));
+  for (Index j = 0; j < m; ++j) forces.push_back(laws_[to_size(j)].at(unknowns.segment(j * C, C), omega));
   const MatrixXd& at_rest = machine_.static_receptance();
   for (Index i = 0; i < m; ++i)
     for (Index j = 0; j < m; ++j) {
       equations.value(i * C) += at_rest(i, j) * forces[to_size(j)].force(0);
       equations.by_unknowns.block(i * C, j * C, 1, C) += at_rest(i, j) * forces[to_size(j)].tangent.topRows<1>();
+      equations.by_parameter(i * C) += at_rest(i, j) * forces[to_size(j)].by_omega(0);
     }
   for (Index k = 1; k <= harmonics_; ++k) {
     const Receptance linear = machine_.receptance(static_cast<double>(k) * omega);
@@ -64,24 +67,29 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, double omega, numerics:
         const Eigen::Matrix2d slope = static_cast<double>(k) * on_pair(linear.slope(i, j));
         const Eigen::Vector2d force = forces[to_size(j)].force.segment<2>(2 * k - 1);
         equations.value.segment<2>(i * C + 2 * k - 1) += G * force;
-        equations.by_parameter.segment<2>(i * C + 2 * k - 1) += slope * force;
+        equations.by_parameter.segment<2>(i * C + 2 * k - 1) +=
+            slope * force + G * forces[to_size(j)].by_omega.segment<2>(2 * k - 1);
         equations.by_unknowns.block(i * C + 2 * k - 1, j * C, 2, C) +=
             G * forces[to_size(j)].tangent.middleRows<2>(2 * k - 1);
       }
   }
   const LinearMotion motion = machine_.linear_motion(omega);
+  if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (Index i = 0; i < m; ++i) {
-    equations.value(i * C + 1) -= motion.motion(i).real();
-    equations.value(i * C + 2) += motion.motion(i).imag();
-    equations.by_parameter(i * C + 1) -= motion.slope(i).real();
-    equations.by_parameter(i * C + 2) += motion.slope(i).imag();
+    const std::complex<double> value = driving.factor * motion.motion(i),
+                               slope = parameter == Parameter::load_factor ? motion.motion(i)
+                                                                           : driving.factor * motion.slope(i);
+    equations.value(i * C + 1) -= value.real();
+    equations.value(i * C + 2) += value.imag();
+    equations.by_parameter(i * C + 1) -= slope.real();
+    equations.by_parameter(i * C + 2) += slope.imag();
   }
 }
 
-MatrixXd HarmonicBalance::forces(const VectorXd& unknowns) const {
+MatrixXd HarmonicBalance::forces(const VectorXd& unknowns, double omega) const {
   MatrixXd all(coefficients(), machine_.size());
   for (Index j = 0; j < machine_.size(); ++j)
-    all.col(j) = laws_[to_size(j)].force_at(unknowns.segment(j * coefficients(), coefficients()));
+    all.col(j) = laws_[to_size(j)].force_at(unknowns.segment(j * coefficients(), coefficients()), omega);
   return all;
 }
 
@@ -91,7 +99,7 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   for (Index j = 0; j < m; ++j) {
     VectorXd padded = VectorXd::Zero(forces.rows());
     padded.head(C) = unknowns.segment(j * C, C);
-    forces.col(j) = wider_[to_size(j)].force_at(padded);
+    forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
   }
   double sum = 0;
   for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {

@@ -10,9 +10,15 @@
 
 namespace trivet::nonlinear {
 
+struct Driving {
+  double omega = 0;   ///< [rad/s]
+  double factor = 1;  ///< on the excitation
+};
+enum class Parameter { frequency, load_factor };
+
 /// Harmonic balance in the nonlinear deflections alone: δ_k − motion_k + G(kω) f_k(δ) = 0 for k = 0 … H. The linear
 /// machine enters by its receptance G only. Unknowns: the Fourier coefficients of one deflection after another
-/// (numerics/periodic/fourier_basis.h); parameter: ω of the excitation [rad/s].
+/// (numerics/periodic/fourier_basis.h); parameter: ω of the excitation [rad/s], or a factor on it at fixed ω.
 class HarmonicBalance {
  public:
   /// The machine must outlive the balance.
@@ -21,12 +27,13 @@ class HarmonicBalance {
   [[nodiscard]] Eigen::Index harmonics() const { return harmonics_; }
   [[nodiscard]] Eigen::Index coefficients() const;  ///< of one deflection
   [[nodiscard]] Eigen::Index size() const { return coefficients() * machine_.size(); }
-  void evaluate(const Eigen::VectorXd& unknowns, double omega, numerics::Equations& equations) const;
+  void evaluate(const Eigen::VectorXd& unknowns, const Driving& driving, Parameter parameter,
+                numerics::Equations& equations) const;
   /// Coefficients of the linear motion, without the nonlinear forces.
-  [[nodiscard]] Eigen::VectorXd linear_motion(double omega) const;
+  [[nodiscard]] Eigen::VectorXd linear_motion(const Driving& driving) const;
   [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
   /// Coefficients × deflections: the forces over a motion.
-  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns, double omega) const;
   /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
   /// truncation leaves out, to first order.
   [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;

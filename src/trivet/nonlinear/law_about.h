@@ -8,36 +8,51 @@
 
 namespace trivet::nonlinear {
 
-/// Forces over the deviation x from a state, beyond those that the linear machine contains:
-/// f(state + x) − f(state) − reference · x.
+/// Laws over the deviation x from a state and its rate v, beyond the stiffness and damping that the linear machine
+/// contains in their place: f(state + x, v) − f(state) − stiffness · x − damping · v.
 class LawAbout {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): laws about the undeformed state
-  LawAbout(elements::ScalarLaws laws, double state = 0, double reference = 0)
-      : laws_(std::move(laws)),
-        state_(state),
-        offset_(elements::force_and_tangent(laws_, state).force),
-        reference_(reference) {}
+  LawAbout(elements::ScalarLaws laws, double state = 0, elements::SmallMotion reference = {});
 
-  [[nodiscard]] elements::ForceAndTangent at(double deviation) const {
-    const elements::ForceAndTangent whole = elements::force_and_tangent(laws_, state_ + deviation);
-    return {whole.force - offset_ - reference_ * deviation, whole.tangent - reference_};
-  }
+  struct Force {
+    double force = 0, by_deviation = 0, by_rate = 0;
+  };
+  /// Of the parts without memory: elastic ones and dampers, with both references.
+  [[nodiscard]] Force without_memory(double deviation, double rate) const;
+  /// Of all parts in slow motion from the undeformed state.
+  [[nodiscard]] elements::ForceAndTangent at_rest(double deviation) const;
 
-  /// Of the whole force, with the reference.
+  /// ∫ of the elastic parts, with the reference stiffness, over the deviation from 0 [J].
+  [[nodiscard]] double energy(double deviation) const;
+
+  struct Hysteretic {
+    elements::HystereticForce law;
+    double at_state = 0;  ///< its force at the state
+  };
+  [[nodiscard]] const std::vector<Hysteretic>& hysteretic() const { return hysteretic_; }
+
+  /// Does the force at rest never fall as the deflection grows?
   [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
-  [[nodiscard]] bool is_piecewise_linear() const { return elements::is_piecewise_linear(laws_); }
+  /// Are all tangents constant between kinks?
+  [[nodiscard]] bool is_piecewise_linear() const;
+  [[nodiscard]] bool has_dampers() const { return !dampers_.empty(); }
 
-  /// Deviations at which the force is not smooth, ascending.
-  [[nodiscard]] std::vector<double> kinks() const {
-    std::vector<double> found = elements::kinks(laws_);
-    for (double& kink : found) kink -= state_;
-    return found;
-  }
+  /// Deviations and rates at which the parts without memory are not smooth, ascending.
+  [[nodiscard]] const std::vector<double>& kinks() const { return kinks_; }
+  [[nodiscard]] const std::vector<double>& rate_kinks() const { return rate_kinks_; }
+
+  /// Deviations for which all forces are known.
+  [[nodiscard]] std::pair<double, double> range() const;
 
  private:
   elements::ScalarLaws laws_;
-  double state_, offset_, reference_;
+  std::vector<elements::ElasticForce> elastic_;
+  std::vector<elements::DampingForce> dampers_;
+  std::vector<Hysteretic> hysteretic_;
+  double state_ = 0, offset_ = 0;
+  elements::SmallMotion reference_;
+  std::vector<double> kinks_, rate_kinks_;
 };
 
 }  // namespace trivet::nonlinear

@@ -2,11 +2,11 @@
 #include "trivet/nonlinear/law_harmonics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/gauss_nodes.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -45,39 +45,19 @@ Eigen::MatrixXd tangent_matrix(const VectorXd& spectrum, Index harmonics) {
   return matrix;
 }
 
-/// A zero of a trigonometric polynomial minus a level in a bracket, by Newton's method inside it.
-double zero_between(const VectorXd& motion, const VectorXd& slope, double level, double low, double high) {
-  const Index harmonics = (motion.size() - 1) / 2;
-  const auto at = [&](double phase) { return numerics::motion_at(harmonics, phase, motion) - level; };
-  double value_low = at(low), phase = (low + high) / 2;
-  constexpr int most = 80;
-  for (int i = 0; i < most && high - low > 1e-15 * two_pi; ++i) {
-    const double value = at(phase);
-    if (value == 0) return phase;
-    if ((value < 0) == (value_low < 0)) {
-      low = phase;
-      value_low = value;
-    } else {
-      high = phase;
-    }
-    const double newton = phase - value / numerics::motion_at(harmonics, phase, slope);
-    const double next = newton > low && newton < high ? newton : (low + high) / 2;
-    if (std::abs(next - phase) < 1e-16 * two_pi) return next;
-    phase = next;
+/// Of a matrix that acts on the coefficients of dx/dφ: the one that acts on those of x.
+Eigen::MatrixXd on_motion(const Eigen::MatrixXd& on_rate) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(on_rate.rows(), on_rate.cols());
+  for (Index k = 1; 2 * k < on_rate.cols(); ++k) {
+    matrix.col(2 * k - 1) = -static_cast<double>(k) * on_rate.col(2 * k);
+    matrix.col(2 * k) = static_cast<double>(k) * on_rate.col(2 * k - 1);
   }
-  return phase;
+  return matrix;
 }
-
-// Gauss's rule of 8 points on [−1, 1]: for pieces of up to one wave of the highest harmonic its error is below 1e-9.
-constexpr std::array<double, 4> gauss_places = {0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
-                                                0.96028985649753623168};
-constexpr std::array<double, 4> gauss_weights = {0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
-                                                 0.10122853629037625915};
 
 }  // namespace
 
-LawHarmonics::LawHarmonics(LawAbout law, Index harmonics)
-    : law_(std::move(law)), kinks_(law_.kinks()), harmonics_(harmonics) {
+LawHarmonics::LawHarmonics(LawAbout law, Index harmonics) : law_(std::move(law)), harmonics_(harmonics) {
   const Index samples = sample_count(harmonics);
   values_.resize(samples, numerics::coefficient_count(2 * harmonics));
   for (Index n = 0; n < samples; ++n)
@@ -85,85 +65,105 @@ LawHarmonics::LawHarmonics(LawAbout law, Index harmonics)
         numerics::fourier_row(2 * harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
 }
 
-ForceHarmonics LawHarmonics::at(const VectorXd& deflection) const {
-  Spectra found = spectra(deflection, true);
-  return {std::move(found.force), tangent_matrix(found.tangent, harmonics_)};
+LawCourse LawHarmonics::course(const VectorXd& deflection, double omega) const {
+  return {law_, deflection, omega, values_.leftCols(deflection.size())};
 }
 
-VectorXd LawHarmonics::force_at(const VectorXd& deflection) const { return spectra(deflection, false).force; }
+ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const {
+  Spectra found = spectra(deflection, omega, true);
+  ForceHarmonics result{std::move(found.force), tangent_matrix(found.by_deflection, harmonics_),
+                        VectorXd::Zero(deflection.size())};
+  if (found.by_memory.size() > 0) result.tangent += found.by_memory;
+  if (law_.has_dampers()) {
+    const Eigen::MatrixXd on_rate = tangent_matrix(found.by_rate, harmonics_);
+    result.tangent += omega * on_motion(on_rate);
+    result.by_omega = on_rate * numerics::phase_derivative(deflection);
+  }
+  return result;
+}
 
-LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, bool with_tangent) const {
-  Spectra sum{VectorXd::Zero(deflection.size()),
-              VectorXd::Zero(with_tangent ? numerics::coefficient_count(2 * harmonics_) : 0)};
-  const std::vector<double> phases = kink_phases(deflection);
-  if (phases.empty()) add_sampled(deflection, with_tangent, sum);
-  else add_between(phases, deflection, with_tangent, sum);
+VectorXd LawHarmonics::force_at(const VectorXd& deflection, double omega) const {
+  return spectra(deflection, omega, false).force;
+}
+
+LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double omega, bool with_tangent) const {
+  const Index twice = with_tangent ? numerics::coefficient_count(2 * harmonics_) : 0;
+  Spectra sum{with_tangent,
+              VectorXd::Zero(deflection.size()),
+              VectorXd::Zero(twice),
+              VectorXd::Zero(law_.has_dampers() ? twice : 0),
+              {}};
+  const LawCourse along = course(deflection, omega);
+  if (along.corners().empty()) add_sampled(deflection, omega, sum);
+  else add_between_corners(along, sum);
+  for (const HystereticLoop& loop : along.loops()) add_loop(along, loop, sum);
   sum.force(0) /= 2;
+  if (sum.by_memory.size() > 0) sum.by_memory.row(0) /= 2;
   return sum;
 }
 
-void LawHarmonics::add_sampled(const VectorXd& deflection, bool with_tangent, Spectra& sum) const {
-  const Index count = deflection.size();
+void LawHarmonics::add_sampled(const VectorXd& deflection, double omega, Spectra& sum) const {
+  const Index count = deflection.size(), samples = values_.rows();
+  const bool damped = law_.has_dampers();
   const VectorXd course = values_.leftCols(count) * deflection;
-  VectorXd force(course.size()), tangent(course.size());
-  for (Index n = 0; n < course.size(); ++n) {
-    const elements::ForceAndTangent found = law_.at(course(n));
-    force(n) = found.force;
-    tangent(n) = found.tangent;
-  }
-  const double weight = 2.0 / static_cast<double>(course.size());
-  sum.force.noalias() += weight * values_.leftCols(count).transpose() * force;
-  if (with_tangent) sum.tangent.noalias() += weight * values_.transpose() * tangent;
-}
-
-std::vector<double> LawHarmonics::kink_phases(const VectorXd& deflection) const {
-  if (kinks_.empty()) return {};
-  const VectorXd slope = numerics::phase_derivative(deflection);
-  const VectorXd course = values_.leftCols(deflection.size()) * deflection,
-                 rate = values_.leftCols(deflection.size()) * slope;
-  const VectorXd curvature = numerics::phase_derivative(slope);
-  const Index samples = course.size();
-  const double step = two_pi / static_cast<double>(samples);
-  std::vector<std::pair<double, double>> places;  // phase and deflection: samples, and extrema between them
+  const VectorXd rate = damped ? VectorXd(values_.leftCols(count) * (omega * numerics::phase_derivative(deflection)))
+                               : VectorXd::Zero(samples);
+  VectorXd force(samples), by_deflection(samples), by_rate(samples);
   for (Index n = 0; n < samples; ++n) {
-    const double phase = step * static_cast<double>(n);
-    places.emplace_back(phase, course(n));
-    const double next = rate((n + 1) % samples);
-    if ((rate(n) < 0) == (next < 0)) continue;
-    const double extremum = zero_between(slope, curvature, 0, phase, phase + step);
-    places.emplace_back(extremum, numerics::motion_at(harmonics_, extremum, deflection));
+    const LawAbout::Force found = law_.without_memory(course(n), rate(n));
+    force(n) = found.force;
+    by_deflection(n) = found.by_deviation;
+    by_rate(n) = found.by_rate;
   }
-  places.emplace_back(two_pi, course(0));
-  std::vector<double> phases;
-  for (std::size_t i = 0; i + 1 < places.size(); ++i)
-    for (const double kink : kinks_)
-      if ((places[i].second < kink) != (places[i + 1].second < kink))
-        phases.push_back(zero_between(deflection, slope, kink, places[i].first, places[i + 1].first));
-  std::sort(phases.begin(), phases.end());
-  return phases;
+  const double weight = 2.0 / static_cast<double>(samples);
+  sum.force.noalias() += weight * values_.leftCols(count).transpose() * force;
+  if (!sum.with_tangent) return;
+  sum.by_deflection.noalias() += weight * values_.transpose() * by_deflection;
+  if (damped) sum.by_rate.noalias() += weight * values_.transpose() * by_rate;
 }
 
-void LawHarmonics::add_between(const std::vector<double>& phases, const VectorXd& deflection, bool with_tangent,
-                               Spectra& sum) const {
-  const double longest = two_pi / static_cast<double>(2 * std::max<Index>(harmonics_, 2));
-  const Index count = deflection.size(), reach = with_tangent ? 2 * harmonics_ : harmonics_;
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const double from = phases[i], to = i + 1 < phases.size() ? phases[i + 1] : phases.front() + two_pi;
-    const double inside = numerics::motion_at(harmonics_, (from + to) / 2, deflection);
-    const elements::ForceAndTangent there = law_.at(inside);
-    if (there.force == 0 && there.tangent == 0) continue;  // an open gap
-    const auto pieces = static_cast<Index>(std::ceil((to - from) / longest));
-    const double half = (to - from) / static_cast<double>(2 * pieces);
-    for (Index p = 0; p < pieces; ++p)
-      for (std::size_t g = 0; g < gauss_places.size(); ++g)
-        for (const double side : {-1.0, 1.0}) {
-          const double phase = from + half * (static_cast<double>(2 * p + 1) + side * gauss_places[g]);
-          const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
-          const elements::ForceAndTangent found = law_.at(row.head(count).dot(deflection));
-          const double weight = gauss_weights[g] * half / (two_pi / 2);
-          sum.force += (weight * found.force) * row.head(count).transpose();
-          if (with_tangent) sum.tangent += (weight * found.tangent) * row.transpose();
-        }
+double LawHarmonics::longest_piece() const { return two_pi / static_cast<double>(2 * std::max<Index>(harmonics_, 2)); }
+
+void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) const {
+  const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
+  const std::vector<double>& corners = course.corners();
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double from = corners[i], to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + two_pi;
+    const LawAbout::Force there = course.at((from + to) / 2);
+    if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
+    numerics::each_gauss_node(from, to, longest_piece(), [&](double phase, double length) {
+      const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
+      const LawAbout::Force found = course.at(phase);
+      const double weight = length / (two_pi / 2);
+      sum.force += (weight * found.force) * row.head(count).transpose();
+      if (!sum.with_tangent) return;
+      sum.by_deflection += (weight * found.by_deviation) * row.transpose();
+      if (law_.has_dampers()) sum.by_rate += (weight * found.by_rate) * row.transpose();
+    });
+  }
+}
+
+void LawHarmonics::add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const {
+  const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
+  if (sum.with_tangent && sum.by_memory.size() == 0) sum.by_memory = Eigen::MatrixXd::Zero(count, count);
+  for (const HystereticLoop::Branch& branch : loop.branches()) {
+    VectorXd by_travel = VectorXd::Zero(count), by_start = VectorXd::Zero(count);
+    const auto add = [&](double phase, double length) {
+      const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
+      const elements::ForceOnTravel found = loop.at(branch, course.deflection_at(phase));
+      const double weight = length / (two_pi / 2);
+      sum.force += (weight * found.force) * row.head(count).transpose();
+      if (!sum.with_tangent) return;
+      sum.by_deflection += (weight * found.by_travel) * row.transpose();
+      by_travel += (weight * found.by_travel) * row.head(count).transpose();
+      by_start += (weight * found.by_start) * row.head(count).transpose();
+    };
+    const double middle = branch.kink.value_or(branch.to);
+    numerics::each_gauss_node(branch.from, middle, longest_piece(), add);
+    if (branch.kink) numerics::each_gauss_node(middle, branch.to, longest_piece(), add);
+    if (sum.with_tangent)
+      sum.by_memory +=
+          by_start * branch.force_slopes.transpose() - by_travel * numerics::fourier_row(harmonics_, branch.from);
   }
 }
 

@@ -4,46 +4,48 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "trivet/nonlinear/law_about.h"
+#include "trivet/nonlinear/law_course.h"
 
 namespace trivet::nonlinear {
 
-/// Fourier coefficients of the force of a law over a periodic deflection, and their derivatives by the coefficients of
-/// the deflection (numerics/periodic/fourier_basis.h).
+/// Fourier coefficients of the force of a law over a periodic deflection, and their derivatives
+/// (numerics/periodic/fourier_basis.h).
 struct ForceHarmonics {
-  Eigen::VectorXd force;    ///< coefficients × 1
-  Eigen::MatrixXd tangent;  ///< coefficients × coefficients
+  Eigen::VectorXd force;     ///< coefficients × 1
+  Eigen::MatrixXd tangent;   ///< by the coefficients of the deflection
+  Eigen::VectorXd by_omega;  ///< by the frequency of the motion, at the same coefficients
 };
 
-/// Computes them. Smooth forces are sampled evenly, which is exact for polynomials with enough samples. Where the
-/// deflection passes a kink of the force, the instants are found, and the smooth pieces between them integrated by
-/// Gauss's rule: the error then falls exponentially too, and not like that of samples across the kink.
+/// Computes them. Smooth forces are sampled evenly, which is exact for polynomials with enough samples. Where a force
+/// is not smooth, the instants are found, and the smooth pieces between them integrated by Gauss's rule: the error then
+/// falls exponentially too, and not like that of samples across a kink. Hysteretic forces are those of closed loops.
 class LawHarmonics {
  public:
   LawHarmonics(LawAbout law, Eigen::Index harmonics);
 
-  [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection) const;
+  /// @param omega  of the first harmonic [rad/s]
+  [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection, double omega) const;
   /// The force alone.
-  [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection) const;
+  [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega) const;
 
-  /// Phases at which the deflection passes a kink of the law, ascending in [0, 2π).
-  [[nodiscard]] std::vector<double> kink_phases(const Eigen::VectorXd& deflection) const;
-
+  [[nodiscard]] LawCourse course(const Eigen::VectorXd& deflection, double omega) const;
   [[nodiscard]] const LawAbout& law() const { return law_; }
 
  private:
-  /// Fourier integrals of force and tangent over a period, the tangent to twice the harmonics.
+  /// Fourier integrals over a period; those of the tangents to twice the harmonics.
   struct Spectra {
-    Eigen::VectorXd force;    ///< coefficients
-    Eigen::VectorXd tangent;  ///< coefficients; the first one is twice the mean
+    bool with_tangent = false;
+    Eigen::VectorXd force;  ///< coefficients; the first one is twice the mean
+    Eigen::VectorXd by_deflection, by_rate;
+    Eigen::MatrixXd by_memory;  ///< what the force owes to past turning points, by the coefficients
   };
-  [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, bool with_tangent) const;
-  void add_sampled(const Eigen::VectorXd& deflection, bool with_tangent, Spectra& sum) const;
-  void add_between(const std::vector<double>& phases, const Eigen::VectorXd& deflection, bool with_tangent,
-                   Spectra& sum) const;
+  [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
+  void add_sampled(const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_between_corners(const LawCourse& course, Spectra& sum) const;
+  void add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const;
+  [[nodiscard]] double longest_piece() const;
 
   LawAbout law_;
-  std::vector<double> kinks_;
   Eigen::Index harmonics_;
   Eigen::MatrixXd values_;  ///< samples × coefficients, to twice the harmonics
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -27,7 +28,9 @@ std::vector<double> forces_at_rest(const model::System& system, const assembly::
 }
 
 MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled,
-                       const std::vector<std::string>& of, assembly::MotionQuantity quantity, Index parts) {
+                       const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
+  Index parts = 0;
+  for (const model::Element& element : system.elements()) parts += to_index(element.nonlinear_parts.size());
   const std::vector<double> without = forces_at_rest(system, assembled, of, quantity);
   MatrixXd direct(to_index(without.size()), parts);
   Index column = 0;
@@ -72,15 +75,14 @@ double largest_of(const VectorXd& coefficients, const MatrixXd& samples) {
 
 }  // namespace
 
-Observer::Observer(const model::System& system, const assembly::Assembled& assembled, const CondensedMachine& machine,
-                   const assembly::Loading& loading, const std::vector<std::string>& of,
-                   assembly::MotionQuantity quantity)
-    : machine_(machine),
-      ground_(loading.motion),
+Observer::Observer(const model::System& system, const assembly::Assembled& assembled, numerics::Load ground,
+                   const std::vector<std::string>& of, assembly::MotionQuantity quantity)
+    : ground_(std::move(ground)),
       channels_(assembly::channels(system, assembled, of, quantity)),
-      direct_(direct_forces(system, assembled, of, quantity, machine.size())) {}
+      direct_(direct_forces(system, assembled, of, quantity)) {}
 
-std::vector<ObservedMotion> Observer::at(const MatrixXd& forces, double omega) const {
+std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, const MatrixXd& forces, double omega,
+                                         double factor) const {
   const Index harmonics = (forces.rows() - 1) / 2;
   std::vector<VectorXd> courses(channels_.size(), VectorXd::Zero(forces.rows()));
   for (Index k = 0; k <= harmonics; ++k) {
@@ -88,11 +90,11 @@ std::vector<ObservedMotion> Observer::at(const MatrixXd& forces, double omega) c
     VectorXcd force(forces.cols());
     for (Index j = 0; j < forces.cols(); ++j)
       force(j) = k == 0 ? Complex(forces(0, j)) : Complex(forces(2 * k - 1, j), -forces(2 * k, j));
-    const VectorXcd q = machine_.coordinates(s.imag(), k == 1, force);
+    const VectorXcd q = coordinates.col(k);
     VectorXcd ground = VectorXcd::Zero(ground_.size());
     if (k == 1)
       for (const numerics::LoadTerm& term : ground_.terms())
-        ground += numerics::integer_power(s, term.power) * std::exp(-s * term.delay) * term.value;
+        ground += factor * numerics::integer_power(s, term.power) * std::exp(-s * term.delay) * term.value;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       const assembly::Channel& channel = channels_[c];
       Complex value = observed(channel, s, q) + (direct_.row(to_index(c)).cast<Complex>() * force)(0);

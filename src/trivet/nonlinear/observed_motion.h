@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
-#include "trivet/nonlinear/condensed_machine.h"
+#include "trivet/numerics/linalg/load.h"
 
 namespace trivet::nonlinear {
 
@@ -23,18 +23,21 @@ struct ObservedMotion {
 /// Results of periodic motions: channels of the machine, with the forces of its nonlinear parts.
 class Observer {
  public:
-  /// The machine must outlive it. @throws foundation::InvalidInput for an unknown name
-  Observer(const model::System& system, const assembly::Assembled& assembled, const CondensedMachine& machine,
-           const assembly::Loading& loading, const std::vector<std::string>& of, assembly::MotionQuantity quantity);
+  /// @param ground  motion of the ground at the first harmonic
+  /// @throws foundation::InvalidInput for an unknown name
+  Observer(const model::System& system, const assembly::Assembled& assembled, numerics::Load ground,
+           const std::vector<std::string>& of, assembly::MotionQuantity quantity);
 
   [[nodiscard]] const std::vector<assembly::Channel>& channels() const { return channels_; }
 
-  /// @param forces  Fourier coefficients × nonlinear parts, beyond the tangents of the machine
-  /// @param omega   of the first harmonic [rad/s]
-  [[nodiscard]] std::vector<ObservedMotion> at(const Eigen::MatrixXd& forces, double omega) const;
+  /// @param coordinates  free coordinates × harmonics 0, 1, …: complex amplitudes
+  /// @param forces       Fourier coefficients × nonlinear parts, beyond the tangents of the machine
+  /// @param omega        of the first harmonic [rad/s]
+  /// @param factor       on the motion of the ground
+  [[nodiscard]] std::vector<ObservedMotion> at(const Eigen::MatrixXcd& coordinates, const Eigen::MatrixXd& forces,
+                                               double omega, double factor) const;
 
  private:
-  const CondensedMachine& machine_;
   numerics::Load ground_;
   std::vector<assembly::Channel> channels_;
   Eigen::MatrixXd direct_;  ///< channels × nonlinear parts: their forces in results that are forces

@@ -8,6 +8,8 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/general_eigen.h"
+#include "trivet/numerics/linalg/generalized_modes.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/response/transient/exponential_step.h"
 #include "trivet/response/transient/state_space.h"
@@ -26,13 +28,76 @@ MatrixXd flow_over(const numerics::LinearFlow& flow, const MatrixXd& F, double t
   return flow.is_diagonalizable() ? flow.at(time) : MatrixXd(response::ExponentialStep(F, time, 0).state(0));
 }
 
+/// The nearest viscous machine: between modes i and j the damping φ_iᵀ K_loss φ_j / √(ω_i ω_j).
+numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
+  if (!matrices.lossy()) return matrices;
+  const numerics::GeneralizedModes modes = numerics::generalized_modes(matrices.K, matrices.A, matrices.symmetric);
+  std::vector<Index> moving;
+  for (Index i = 0; i < modes.lambda.size(); ++i)
+    if (modes.lambda(i) > 0) moving.push_back(i);
+  const MatrixXd shapes = modes.shapes(Eigen::all, moving);
+  const VectorXd lambda = modes.lambda(moving);
+  const VectorXd share = lambda.array().pow(-0.25).matrix();
+  const MatrixXd weighted = matrices.A * shapes;
+  matrices.B += weighted * (share.asDiagonal() * (shapes.transpose() * matrices.K_loss * shapes) * share.asDiagonal()) *
+      weighted.transpose();
+  matrices.K_loss.resize(0, 0);
+  return matrices;
+}
+
 }  // namespace
 
+struct PeriodicStability::Motion {
+  Motion(const std::vector<LawHarmonics>& laws, const VectorXd& deflections, double frequency) : omega(frequency) {
+    const Index C = deflections.size() / to_index(laws.size());
+    for (std::size_t j = 0; j < laws.size(); ++j) {
+      courses.push_back(laws[j].course(deflections.segment(to_index(j) * C, C), omega));
+      is_piecewise_linear = is_piecewise_linear && laws[j].law().is_piecewise_linear();
+    }
+    for (std::size_t j = 0; j < courses.size(); ++j)
+      for (const HystereticLoop& loop : courses[j].loops())
+        (loop.sticks() ? sticking : loops).push_back({to_index(j), &loop});
+  }
+  struct Loop {
+    Index deflection;
+    const HystereticLoop* loop;
+  };
+  double omega;
+  bool is_piecewise_linear = true;
+  std::vector<LawCourse> courses;
+  std::vector<Loop> loops;     ///< with memory
+  std::vector<Loop> sticking;  ///< as springs
+};
+
+/// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
+/// f_turn) of its loops.
+struct PeriodicStability::Tangents {
+  VectorXd by_deflection, by_rate;
+  VectorXd by_travel, by_start;  ///< one per loop
+
+  [[nodiscard]] std::vector<double> list() const {
+    std::vector<double> all;
+    for (const VectorXd* part : {&by_deflection, &by_rate, &by_travel, &by_start})
+      all.insert(all.end(), part->begin(), part->end());
+    return all;
+  }
+  /// Deflections × states: values, rates and memory to forces.
+  [[nodiscard]] MatrixXd forces(const Motion& motion, const MatrixXd& values, const MatrixXd& rates) const {
+    const Index n = values.cols();
+    MatrixXd rows = MatrixXd::Zero(values.rows(), n + 2 * by_travel.size());
+    rows.leftCols(n) = by_deflection.asDiagonal() * values + by_rate.asDiagonal() * rates;
+    for (Index h = 0; h < by_travel.size(); ++h) {
+      const Index j = motion.loops[to_size(h)].deflection;
+      rows.row(j).head(n) += by_travel(h) * values.row(j);
+      rows(j, n + 2 * h) = -by_travel(h);
+      rows(j, n + 2 * h + 1) = by_start(h);
+    }
+    return rows;
+  }
+};
+
 PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections)
-    : flow_(MatrixXd()) {
-  if (assembled.matrices.lossy())
-    throw foundation::NotComputable(
-        "stability with loss factors: they define no motion in time; replace them by viscous damping");
+    : replaced_losses_(assembled.matrices.lossy()), flow_(MatrixXd()) {
   const Index n = assembled.matrices.size();
   std::vector<response::Drive> drives;
   for (const Deflection& deflection : deflections) {
@@ -40,13 +105,16 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
     drive.force.col(response::of_value) = -deflection.on_coordinates;
     drives.push_back(std::move(drive));
   }
-  const response::StateSpace states(assembled.matrices, drives);
+  const response::StateSpace states(without_losses(assembled.matrices), drives);
   F_ = states.F();
   force_.resize(states.size(), to_index(deflections.size()));
   values_.resize(to_index(deflections.size()), states.size());
+  rates_.resize(values_.rows(), values_.cols());
+  const MatrixXd velocities = states.derivative(states.displacements()).on_state;
   for (Index j = 0; j < force_.cols(); ++j) {
     force_.col(j) = states.G(to_size(j)).col(response::of_value);
     values_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * states.displacements().on_state;
+    rates_.row(j) = deflections[to_size(j)].on_coordinates.transpose() * velocities;
   }
   constexpr double round_off = 1e-12;
   const double at_once = (values_ * force_).cwiseAbs().maxCoeff();
@@ -56,33 +124,47 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   if (!flow_.is_diagonalizable()) return;
   kick_ = flow_.from_states() * force_;
   seen_ = values_ * flow_.to_states();
+  seen_rates_ = rates_ * flow_.to_states();
 }
 
-VectorXd PeriodicStability::tangents(const Laws& laws, const VectorXd& deflections, double phase) const {
-  const Index C = deflections.size() / force_.cols();
-  VectorXd found(force_.cols());
-  for (Index j = 0; j < found.size(); ++j)
-    found(j) =
-        laws[to_size(j)].law().at(numerics::motion_at((C - 1) / 2, phase, deflections.segment(j * C, C))).tangent;
+PeriodicStability::Tangents PeriodicStability::tangents(const Motion& motion, double phase) {
+  const Index count = to_index(motion.courses.size()), loops = to_index(motion.loops.size());
+  Tangents found{VectorXd(count), VectorXd(count), VectorXd(loops), VectorXd(loops)};
+  for (Index j = 0; j < count; ++j) {
+    const LawAbout::Force here = motion.courses[to_size(j)].at(phase);
+    found.by_deflection(j) = here.by_deviation;
+    found.by_rate(j) = here.by_rate;
+  }
+  const auto on_loop = [&](const Motion::Loop& one) {
+    return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
+  };
+  for (const Motion::Loop& one : motion.sticking) found.by_deflection(one.deflection) += on_loop(one).by_travel;
+  for (Index h = 0; h < loops; ++h) {
+    const elements::ForceOnTravel here = on_loop(motion.loops[to_size(h)]);
+    found.by_travel(h) = here.by_travel;
+    found.by_start(h) = here.by_start;
+  }
   return found;
 }
 
-MatrixXd PeriodicStability::with_constant_tangents(const Laws& laws, const VectorXd& deflections, double from,
-                                                   double to, double omega) const {
-  const VectorXd tangent = tangents(laws, deflections, (from + to) / 2);
-  const MatrixXd F = F_ + force_ * tangent.asDiagonal() * values_;
-  const auto [found, is_new] =
-      flows_.try_emplace(std::vector<double>(tangent.begin(), tangent.end()), numerics::LinearFlow(MatrixXd()));
+MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double from, double to) const {
+  const Tangents tangent = tangents(motion, (from + to) / 2);
+  const Index n = F_.rows();
+  const MatrixXd forces = tangent.forces(motion, values_, rates_);
+  MatrixXd F = MatrixXd::Zero(forces.cols(), forces.cols());
+  F.topRows(n) = force_ * forces;
+  F.topLeftCorner(n, n) += F_;
+  const auto [found, is_new] = flows_.try_emplace(tangent.list(), numerics::LinearFlow(MatrixXd()));
   if (is_new) found->second = numerics::LinearFlow(F);
-  return flow_over(found->second, F, (to - from) / omega);
+  return flow_over(found->second, F, (to - from) / motion.omega);
 }
 
-MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections, double from, double to, double omega,
-                                  int steps) const {
-  const double phase_step = (to - from) / steps, step = phase_step / omega;
-  const Index n = F_.rows(), m = force_.cols();
+MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, int steps) const {
+  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
+  const Index n = F_.rows(), m = force_.cols(), all = n + 2 * to_index(motion.loops.size());
   const bool in_modes = flow_.is_diagonalizable();
-  const MatrixXd &kick = in_modes ? kick_ : force_, &seen = in_modes ? seen_ : values_;
+  const MatrixXd &kick = in_modes ? kick_ : force_, &seen = in_modes ? seen_ : values_,
+                 &seen_rates = in_modes ? seen_rates_ : rates_;
   numerics::LinearFlow::Step half, whole;
   MatrixXd dense_half, dense_whole;
   if (in_modes) {
@@ -96,28 +178,36 @@ MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections,
     if (in_modes) flow_.apply(by_whole ? whole : half, y);
     else y = (by_whole ? dense_whole : dense_half) * y;
   };
-  MatrixXd result = MatrixXd::Identity(n, n);
-  flow(false, result);
-  MatrixXd moved(m, n);
+  const MatrixXd rates_by_force = rates_ * force_;
+  MatrixXd machine = MatrixXd::Identity(n, all), memory = MatrixXd::Zero(all - n, all);
+  memory.rightCols(all - n).setIdentity();
+  if (in_modes) machine.leftCols(n) = flow_.from_states();
+  flow(false, machine);
+  MatrixXd moved(m, all);
   for (int i = 0; i < steps; ++i) {
-    const VectorXd tangent = step * tangents(laws, deflections, from + (i + 0.5) * phase_step);
-    moved.noalias() = seen * result;
-    moved = (tangent.asDiagonal() * moved).eval();
-    result.noalias() += kick * moved;
-    flow(i + 1 < steps, result);
+    const Tangents tangent = tangents(motion, from + (i + 0.5) * phase_step);
+    const MatrixXd forces = tangent.forces(motion, seen, seen_rates);
+    moved.noalias() = forces.leftCols(n) * machine;
+    if (all > n) moved.noalias() += forces.rightCols(all - n) * memory;
+    if (!tangent.by_rate.isZero(0)) {  // implicit midpoint rule: the kick changes the rates that it depends on
+      MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (tangent.by_rate.asDiagonal() * rates_by_force);
+      moved = numerics::PivotedLu<double>(left).solve(moved);
+    }
+    machine.noalias() += kick * (step * moved);
+    flow(i + 1 < steps, machine);
   }
-  return in_modes ? MatrixXd(flow_.to_states() * result * flow_.from_states()) : result;
+  MatrixXd result(all, all);
+  result << (in_modes ? MatrixXd(flow_.to_states() * machine) : machine), memory;
+  return result;
 }
 
-MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections, double from, double to,
-                                  double omega) const {
+MatrixXd PeriodicStability::split(const Motion& motion, double from, double to) const {
   constexpr int per_period = 32, most = 512;
   constexpr double accurate = 1e-7;  // change by the last extrapolation, which is that of the result without it
   int steps = std::max(4, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
-  MatrixXd coarse = split(laws, deflections, from, to, omega, steps),
-           middle = split(laws, deflections, from, to, omega, 2 * steps);
+  MatrixXd coarse = split(motion, from, to, steps), middle = split(motion, from, to, 2 * steps);
   for (;;) {
-    const MatrixXd fine = split(laws, deflections, from, to, omega, 4 * steps);
+    const MatrixXd fine = split(motion, from, to, 4 * steps);
     const MatrixXd first = (4 * middle - coarse) / 3, second = (4 * fine - middle) / 3;  // errors h², h⁴ removed
     const MatrixXd found = (16 * second - first) / 15;
     steps *= 2;
@@ -127,23 +217,39 @@ MatrixXd PeriodicStability::split(const Laws& laws, const VectorXd& deflections,
   }
 }
 
-Eigen::VectorXcd PeriodicStability::multipliers(const Laws& laws, const VectorXd& deflections, double omega) const {
-  const Index C = deflections.size() / force_.cols();
+/// At a turning point the memory of a loop becomes its deflection and force there.
+void PeriodicStability::turn(const Motion& motion, std::size_t loop, double phase, MatrixXd& states) const {
+  const Index n = F_.rows(), row = n + 2 * to_index(loop);
+  const Motion::Loop& one = motion.loops[loop];
+  const double deflection = motion.courses[to_size(one.deflection)].deflection_at(phase);
+  constexpr double before = 1e-9;
+  const elements::ForceOnTravel end =
+      one.loop->at(one.loop->branch_at(phase > before ? phase - before : phase - before + two_pi), deflection);
+  const Eigen::RowVectorXd turned = values_.row(one.deflection) * states.topRows(n);
+  const Eigen::RowVectorXd force = end.by_travel * (turned - states.row(row)) + end.by_start * states.row(row + 1);
+  states.row(row) = turned;
+  states.row(row + 1) = force;
+}
+
+Eigen::VectorXcd PeriodicStability::multipliers(const std::vector<LawHarmonics>& laws, const VectorXd& deflections,
+                                                double omega) const {
+  const Motion motion(laws, deflections, omega);
   std::vector<double> corners = {0, two_pi};
-  bool constant = true;
-  for (Index j = 0; j < force_.cols(); ++j) {
-    for (const double phase : laws[to_size(j)].kink_phases(deflections.segment(j * C, C))) corners.push_back(phase);
-    constant = constant && laws[to_size(j)].law().is_piecewise_linear();
-  }
+  for (const LawCourse& course : motion.courses)
+    for (const double phase : course.all_corners()) corners.push_back(phase);
   std::sort(corners.begin(), corners.end());
-  MatrixXd period = MatrixXd::Identity(F_.rows(), F_.cols());
+  const Index all = F_.rows() + 2 * to_index(motion.loops.size());
+  MatrixXd period = MatrixXd::Identity(all, all);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];
-    if (to - from < 1e-14) continue;
-    period = ((constant ? with_constant_tangents(laws, deflections, from, to, omega)
-                        : split(laws, deflections, from, to, omega)) *
-              period)
-                 .eval();
+    for (std::size_t h = 0; h < motion.loops.size(); ++h)
+      for (const HystereticLoop::Branch& branch : motion.loops[h].loop->branches())
+        if (branch.from == from && (i == 0 || corners[i - 1] != from)) turn(motion, h, from, period);
+    constexpr double nothing = 1e-14;
+    if (to - from < nothing) continue;
+    period =
+        ((motion.is_piecewise_linear ? with_constant_tangents(motion, from, to) : split(motion, from, to)) * period)
+            .eval();
   }
   return numerics::general_eigenvalues(period).values;
 }

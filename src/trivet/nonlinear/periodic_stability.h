@@ -13,14 +13,15 @@
 namespace trivet::nonlinear {
 
 /// Stability of periodic motions of a machine with finitely many states: the linear machine ẋ = F x with the tangent of
-/// every law along the motion, over one period, from kink to kink of the laws. If all tangents are constant between the
-/// kinks, each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine
-/// around a kick by the tangents (splitting), extrapolated from three step lengths.
-/// [Strang 1968; Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4]
+/// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
+/// the variations of deflection and force at its last turning point. If all tangents are constant between the corners,
+/// each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine around
+/// a kick by the tangents (splitting), extrapolated from three step lengths. [Strang 1968; Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, II.4]
 class PeriodicStability {
  public:
-  /// @throws foundation::NotComputable with loss factors, which have no motion in time, or if a law acts on a
-  /// coordinate without mass
+  /// Loss factors, which define no motion in time, are replaced by viscous damping that is the same in every mode at
+  /// its own frequency. @throws foundation::NotComputable if a law acts on a coordinate without mass
   PeriodicStability(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections);
 
   /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
@@ -29,22 +30,26 @@ class PeriodicStability {
   [[nodiscard]] Eigen::VectorXcd multipliers(const std::vector<LawHarmonics>& laws, const Eigen::VectorXd& deflections,
                                              double omega) const;
 
- private:
-  using Laws = std::vector<LawHarmonics>;
-  [[nodiscard]] Eigen::VectorXd tangents(const Laws& laws, const Eigen::VectorXd& deflections, double phase) const;
-  /// State transition between two phases: of constant tangents; by splitting.
-  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Laws& laws, const Eigen::VectorXd& deflections,
-                                                       double from, double to, double omega) const;
-  [[nodiscard]] Eigen::MatrixXd split(const Laws& laws, const Eigen::VectorXd& deflections, double from, double to,
-                                      double omega) const;
-  [[nodiscard]] Eigen::MatrixXd split(const Laws& laws, const Eigen::VectorXd& deflections, double from, double to,
-                                      double omega, int steps) const;
+  /// Is it that of the machine with its loss factors replaced?
+  [[nodiscard]] bool is_of_viscous_machine() const { return replaced_losses_; }
 
+ private:
+  struct Motion;    // the courses of all laws, and their loops
+  struct Tangents;  // of all laws and loops at a phase
+  [[nodiscard]] static Tangents tangents(const Motion& motion, double phase);
+  /// State transition between two phases: of constant tangents; by splitting.
+  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
+  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to) const;
+  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
+  void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+
+  bool replaced_losses_;
   Eigen::MatrixXd F_;       ///< states × states
   Eigen::MatrixXd force_;   ///< states × deflections: ẋ per unit of each nonlinear force
   Eigen::MatrixXd values_;  ///< deflections × states
+  Eigen::MatrixXd rates_;   ///< their rates
   numerics::LinearFlow flow_;
-  Eigen::MatrixXd kick_, seen_;  ///< `force_` and `values_` in the coordinates of the flow
+  Eigen::MatrixXd kick_, seen_, seen_rates_;  ///< `force_`, `values_` and `rates_` in the coordinates of the flow
   /// Flows with tangents that occurred: the states of contact.
   mutable std::map<std::vector<double>, numerics::LinearFlow> flows_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/model/system.h"
@@ -13,7 +14,16 @@ namespace trivet::nonlinear {
 struct RestPosition {
   model::System system;             ///< the machine, linear about this position (Law::nonlinear)
   std::vector<double> limit_loads;  ///< shares of the load at which it snaps through on the way, ascending
+  bool stable = true;               ///< the energy is least there
 };
+
+/// One of several positions of rest.
+struct RestState {
+  std::vector<std::pair<std::string, double>> deflections;  ///< names and values of all nonlinear ones [m, rad]
+  bool stable = true;
+};
+/// All positions of rest that a search from many starts finds.
+[[nodiscard]] std::vector<RestState> rest_states(const model::System& system);
 
 /// "mount: its laws have 1.061e+06 N/m along z at rest, at a deflection of -0.002845 m", for every nonlinear part,
 /// after a sentence that analyses are linear about rest; empty for a linear machine.

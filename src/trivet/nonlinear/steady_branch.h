@@ -8,24 +8,28 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/model/system.h"
+#include "trivet/nonlinear/harmonic_balance.h"
 #include "trivet/nonlinear/observed_motion.h"
 
 namespace trivet::nonlinear {
 
 struct SteadyOptions {
-  double from = 0, to = 0;  ///< band of the angular frequency [rad/s], 0 < from < to
+  double from = 0, to = 0;  ///< of the parameter: angular frequency [rad/s], or factor on the excitation; 0 < from < to
+  Parameter over = Parameter::frequency;
+  double angular_frequency = 0;  ///< over the load factor: the fixed one [rad/s]
   Eigen::Index harmonics = 9;
   std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones
   std::vector<std::string> of;           ///< results, as channels; empty: none
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
-  std::vector<double> at;  ///< also exactly at these [rad/s], wherever the branch passes them
+  std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
   int most_points = 20000;
   bool with_results = true;  ///< false: motions and `left_out` only, without results, stability and jumps
 };
 
 /// A periodic motion on the branch.
 struct SteadyPoint {
-  double angular_frequency = 0;         ///< of the excitation [rad/s]
+  double angular_frequency = 0;  ///< of the excitation [rad/s]
+  double load_factor = 1;
   Eigen::MatrixXd deflections;          ///< Fourier coefficients × nonlinear deflections
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
   Eigen::VectorXcd multipliers;
@@ -34,28 +38,49 @@ struct SteadyPoint {
   [[nodiscard]] double largest_multiplier() const { return multipliers.cwiseAbs().maxCoeff(); }
 };
 
-/// Where ω turns. Beyond it the motion jumps to another one at the same frequency.
+/// Where the parameter turns. Beyond it the motion jumps to another one at the same parameter.
 struct Fold {
   SteadyPoint point;
   std::size_t after = 0;             ///< index of the point of the branch before it
-  bool upper = false;                ///< ω is largest there: the jump of a rising frequency
-  std::optional<SteadyPoint> lands;  ///< the only stable motion of the branch at this frequency; empty if there are
+  bool upper = false;                ///< the parameter is largest there: the jump as it rises
+  std::optional<SteadyPoint> lands;  ///< the only stable motion of the branch at this parameter; empty if there are
                                      ///< several or none
 };
+
+/// Where the stability changes without a fold: a multiplier leaves the unit circle.
+struct StabilityChange {
+  enum class Kind {
+    period_doubling,  ///< at −1: motions of twice the period begin
+    quasi_periodic,   ///< a complex pair: motions with a second frequency begin (Neimark–Sacker)
+    branch_point      ///< at +1: another branch of motions begins, often one that is less symmetric
+  };
+  SteadyPoint point;
+  std::size_t after = 0;  ///< index of the point of the branch before it
+  Kind kind = Kind::branch_point;
+};
+[[nodiscard]] const char* words(StabilityChange::Kind kind);
 
 struct SteadyBranch {
   std::vector<std::string> deflections;  ///< names
   std::vector<std::string> results, units;
-  std::vector<SteadyPoint> points;  ///< along the branch, from `from`
-  std::vector<SteadyPoint> at;      ///< at the frequencies asked for, in the order of the branch
-  std::vector<Fold> folds;          ///< in the order of the branch
+  std::vector<SteadyPoint> points;       ///< along the branch, from `from`
+  std::vector<SteadyPoint> at;           ///< at the frequencies asked for, in the order of the branch
+  std::vector<Fold> folds;               ///< in the order of the branch
+  std::vector<StabilityChange> changes;  ///< in the order of the branch
+  Parameter over = Parameter::frequency;
   Eigen::Index harmonics = 0;
-  /// Amplitudes of the machine that is linear about rest, at these frequencies; empty if it does not hold all its
+  /// Amplitudes of the machine that is linear about rest, at these parameters; empty if it does not hold all its
   /// bodies.
   std::vector<double> linear_at;
-  Eigen::MatrixXd linear;  ///< frequencies × results
-  double left_out = 0;     ///< largest share of the deflections beyond the harmonics, at any point
-  std::string ended;       ///< why the branch ends before the end of the band; empty: it does not
+  Eigen::MatrixXd linear;  ///< parameters × results
+  [[nodiscard]] double parameter(const SteadyPoint& point) const {
+    return over == Parameter::frequency ? point.angular_frequency : point.load_factor;
+  }
+  double left_out = 0;                        ///< largest share of the deflections beyond the harmonics, at any point
+  bool stability_of_viscous_machine = false;  ///< loss factors were replaced for the multipliers
+  std::vector<std::string> sticking;  ///< deflections with a slider that never slips at some point: the mean of its
+                                      ///< force depends on what happened before
+  std::string ended;                  ///< why the branch ends before the end of the band; empty: it does not
 };
 
 /// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.

@@ -20,6 +20,10 @@ void settle(model::System& system, foundation::Problems& problems) {
       problems.warning("elements", fmt::format("limit load at {:.4g} of the static load", share),
                        "the machine snaps through there on its way to the position of rest",
                        "check gaps, coefficients and loads");
+    if (!rest.stable)
+      problems.warning("elements", "an unstable position of rest",
+                       "the machine would leave it for another one; all analyses are about the unstable one",
+                       "see all of them: static = {states = \"all\"}; check the signs of the laws");
     system = std::move(rest.system);
   } catch (const foundation::NotComputable& reason) {
     problems.error("elements", reason.what(), "the analyses of a nonlinear machine are about its position of rest",
@@ -37,7 +41,15 @@ void warn_of_small_motions(const model::System& system, const Analyses& asked, f
         "compare with steady");
   };
   if (!asked.limits.empty() || !asked.limit_lines.empty()) warn(asked.limits.empty() ? "limit_lines" : "limits");
-  if (asked.requirements) warn("requirements");
+  if (asked.requirements) {
+    Requirements of_small_motions = *asked.requirements;
+    of_small_motions.no_jump = of_small_motions.no_contact = of_small_motions.mount_load = false;
+    of_small_motions.steady.clear();
+    of_small_motions.statics.clear();
+    of_small_motions.price.reset();
+    of_small_motions.mass = 0;
+    if (!of_small_motions.is_empty()) warn("requirements");
+  }
   for (const char* name : {"transient", "random", "orders", "earthquake"})
     if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
 }

@@ -31,6 +31,7 @@ namespace trivet::report {
 
 /// Periodic motions of nonlinear machines, one figure per result: stable, unstable, jumps and harmonics.
 [[nodiscard]] std::vector<Figure> steady_figures(const study::Answers& answers);
+[[nodiscard]] std::vector<Figure> backbone_figures(const study::Answers& answers);
 
 /// Shock response spectra, one figure per excitation.
 [[nodiscard]] std::vector<Figure> shock_figures(const study::Answers& answers);

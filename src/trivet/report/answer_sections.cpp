@@ -38,6 +38,7 @@ const std::vector<Shown>& all_shown() {
       {"Transmissibility", transmissibility_table, {transmissibility_figures}},
       {"Power into the ground", power_table, {power_figures}},
       {"Steady motion of the nonlinear machine", steady_tables, {steady_figures}},
+      {"Nonlinear modes", backbone_tables, {backbone_figures}},
       {"Shock response spectrum", shock_table, {shock_figures}},
       {"Earthquake", earthquake_tables, {}},
       {"Limit lines", limit_line_table, {limit_figures}},

@@ -22,6 +22,7 @@ namespace trivet::report {
 
 /// Folds and largest motions of nonlinear machines.
 [[nodiscard]] std::string steady_tables(const study::Answers& answers);
+[[nodiscard]] std::string backbone_tables(const study::Answers& answers);
 
 /// Largest power at each mount.
 [[nodiscard]] std::string power_table(const study::Answers& answers);

@@ -24,6 +24,16 @@ using nonlinear::SteadyPoint;
 
 constexpr std::size_t most_figures = 24;
 constexpr Eigen::Index most_harmonics = 4;
+constexpr std::size_t most_labels = 3;  // of changes of stability, which would overlap
+
+/// Frequency in shown units, or load factor.
+double place(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display) {
+  return branch.over == nonlinear::Parameter::frequency ? results::shown_frequency(display, point.angular_frequency)
+                                                        : point.load_factor;
+}
+std::string place_heading(const SteadyBranch& branch, const project::ShownUnits& display) {
+  return branch.over == nonlinear::Parameter::frequency ? results::frequency_heading(display) : "load factor";
+}
 
 /// Points of the branch in their order, folds included.
 std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
@@ -44,7 +54,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
   const std::vector<const SteadyPoint*> course = course_of(branch);
   bool key_of_stable = true, key_of_unstable = true;
   for (std::size_t i = 0; i + 1 < course.size();) {
-    const bool rises = course[i + 1]->angular_frequency > course[i]->angular_frequency;
+    const bool rises = branch.parameter(*course[i + 1]) > branch.parameter(*course[i]);
     // A fold belongs to both sides: the next ordinary point says whether the piece is stable.
     const bool stable = i + 2 < course.size() || i == 0 ? course[i + 1]->stable : course[i]->stable;
     PanelCurve piece{{},
@@ -53,7 +63,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
                      fmt::format("stroke=\"{}\" stroke-width=\"{}\"{}", colour, stable ? 2 : 1.4,
                                  stable ? "" : " stroke-dasharray=\"5,4\"")};
     const auto add = [&](const SteadyPoint& point) {
-      piece.x.push_back(results::shown_frequency(display, point.angular_frequency));
+      piece.x.push_back(place(branch, point, display));
       piece.y.push_back(value(point));
     };
     add(*course[i]);
@@ -61,7 +71,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
       add(*course[i]);
       const bool last = i + 1 == course.size();
       if (last) break;
-      const bool same_way = (course[i + 1]->angular_frequency > course[i]->angular_frequency) == rises;
+      const bool same_way = (branch.parameter(*course[i + 1]) > branch.parameter(*course[i])) == rises;
       if (!same_way || course[i + 1]->stable != stable) break;
     }
     bool& key = stable ? key_of_stable : key_of_unstable;
@@ -82,7 +92,7 @@ bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, 
   const SteadyPoint& here = branch.folds[fold].point;
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
     const SteadyPoint& other = branch.folds[i].point;
-    const bool near_x = std::abs(other.angular_frequency - here.angular_frequency) < room * width,
+    const bool near_x = std::abs(branch.parameter(other) - branch.parameter(here)) < room * width,
                near_y = std::abs(other.results[result].half_of_range() - here.results[result].half_of_range()) <
         room * height;
     if (i != fold && near_x && near_y) return false;
@@ -94,19 +104,22 @@ bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, 
 void add_jumps(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
                const UnitPrefix& unit, double largest, PanelRow& row) {
   bool key = true;
-  const double width = std::abs(branch.points.back().angular_frequency - branch.points.front().angular_frequency);
+  const double width = std::abs(branch.parameter(branch.points.back()) - branch.parameter(branch.points.front()));
+  const std::string unit_of_place =
+      branch.over == nonlinear::Parameter::frequency ? " " + results::frequency_unit(display) : "";
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
     const Fold& fold = branch.folds[i];
-    const double at = results::shown_frequency(display, fold.point.angular_frequency),
+    const double at = place(branch, fold.point, display),
                  from = unit.factor * fold.point.results[result].half_of_range();
     const bool has_text = has_room(branch, i, result, width, largest / unit.factor);
     row.marks.push_back(
-        {at, from, "#D55E00",
-         has_text ? fmt::format("{} {:.4g} {}", fold.upper ? "▶" : "◀", at, results::frequency_unit(display)) : ""});
+        {at, from, "#D55E00", has_text ? fmt::format("{} {:.4g}{}", fold.upper ? "▶" : "◀", at, unit_of_place) : ""});
     if (!fold.lands) continue;
     const double to = unit.factor * fold.lands->results[result].half_of_range();
     PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
-    if (key) jump.key = {"jumps: ▶ as the frequency", "rises, ◀ as it falls"};
+    if (key)
+      jump.key = {branch.over == nonlinear::Parameter::frequency ? "jumps: ▶ as the frequency" : "jumps: ▶ as the load",
+                  "rises, ◀ as it falls"};
     key = false;
     row.curves.push_back(std::move(jump));
   }
@@ -118,7 +131,9 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
   if (!branch.linear_at.empty()) {
     PanelCurve linear{{"linear about rest"}, {}, {}, "stroke=\"#999999\" stroke-width=\"1\""};
     for (std::size_t i = 0; i < branch.linear_at.size(); ++i) {
-      linear.x.push_back(results::shown_frequency(display, branch.linear_at[i]));
+      linear.x.push_back(branch.over == nonlinear::Parameter::frequency
+                             ? results::shown_frequency(display, branch.linear_at[i])
+                             : branch.linear_at[i]);
       linear.y.push_back(unit.factor * branch.linear(to_index(i), to_index(result)));
     }
     row.curves.push_back(std::move(linear));
@@ -132,6 +147,10 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
     row.curves.push_back(std::move(piece));
   }
   add_jumps(branch, result, display, unit, largest, row);
+  for (const nonlinear::StabilityChange& change : branch.changes)
+    row.marks.push_back({place(branch, change.point, display),
+                         unit.factor * change.point.results[result].half_of_range(), "#CC79A7",
+                         branch.changes.size() <= most_labels ? nonlinear::words(change.kind) : ""});
   row.y = airy_axis(0, largest, "half of the range [" + unit.unit + "]");
   return row;
 }
@@ -175,10 +194,10 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
     const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(answers.display, branch->units[c]));
     std::vector<PanelRow> rows = {range_row(*branch, c, answers.display, unit),
                                   harmonics_row(*branch, c, answers.display, unit)};
-    const double from = results::shown_frequency(answers.display, branch->points.front().angular_frequency),
-                 to = results::shown_frequency(answers.display, branch->points.back().angular_frequency);
+    const double from = place(*branch, branch->points.front(), answers.display),
+                 to = place(*branch, branch->points.back(), answers.display);
     for (PanelRow& row : rows)
-      row.x = {std::min(from, to), std::max(from, to), false, results::frequency_heading(answers.display)};
+      row.x = {std::min(from, to), std::max(from, to), false, place_heading(*branch, answers.display)};
     figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], answers),
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
@@ -188,14 +207,16 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
 std::string steady_tables(const study::Answers& answers) {
   const auto* branch = answers.find<SteadyBranch>("steady");
   if (!branch) return "";
+  const bool over_load = branch->over == nonlinear::Parameter::load_factor;
   std::vector<std::vector<Cell>> rows;
   for (const Fold& fold : branch->folds)
     for (std::size_t c = 0; c < branch->results.size(); ++c) {
       const double from = fold.point.results[c].half_of_range();
       if (!(from > 0)) continue;
       rows.push_back(
-          {{fold.upper ? "rising frequency" : "falling frequency"},
-           frequency_cell(fold.point.angular_frequency, answers.display),
+          {{std::string(fold.upper ? "rising " : "falling ") + (over_load ? "load" : "frequency")},
+           over_load ? right(fmt::format("{:.6g}", fold.point.load_factor))
+                     : frequency_cell(fold.point.angular_frequency, answers.display),
            {branch->results[c]},
            quantity_cell(from, branch->units[c]),
            fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
@@ -205,9 +226,9 @@ std::string steady_tables(const study::Answers& answers) {
       "detached ones are not sought. {} harmonics, which leave out at most {:.2g} of the deflections. Motions are "
       "deviations from rest.{}",
       branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
-  if (rows.empty()) return about + hint("No folds: one motion at each frequency of this branch, no jumps.");
+  if (rows.empty()) return about + hint("No folds: one motion at each place of this branch, no jumps.");
   return html_table({{"jump of a"},
-                     frequency_cell_heading("at", answers.display),
+                     over_load ? right("at the load factor") : frequency_cell_heading("at", answers.display),
                      {"half of the range of"},
                      right("before"),
                      right("after")},

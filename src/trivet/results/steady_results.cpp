@@ -8,6 +8,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
+#include "trivet/results/motion_numbers.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
@@ -21,6 +22,21 @@ using nonlinear::SteadyPoint;
 
 namespace {
 
+std::string jump_of(const SteadyBranch& branch, const Fold& fold) {
+  const char* varied = branch.over == nonlinear::Parameter::frequency ? "frequency" : "load";
+  return std::string(fold.upper ? "rising " : "falling ") + varied;
+}
+
+/// "12.3 Hz" or "1.2 × load", with digits.
+std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display,
+                       int digits) {
+  if (branch.over == nonlinear::Parameter::load_factor) return number_text(point.load_factor, digits);
+  return number_text(shown_frequency(display, point.angular_frequency), digits);
+}
+std::string place_unit(const SteadyBranch& branch, const project::ShownUnits& display) {
+  return branch.over == nonlinear::Parameter::frequency ? frequency_unit(display) : "times the load";
+}
+
 const SteadyBranch& branch_of(const study::Answers& answers) { return *answers.find<SteadyBranch>("steady"); }
 
 /// Numbers of one result along the branch.
@@ -31,32 +47,16 @@ std::vector<double> along(const SteadyBranch& branch, std::size_t result, const 
   return numbers;
 }
 
-struct Course {
-  const char* name;
-  double (*value)(const ObservedMotion& motion);
-};
-constexpr Course courses[] = {{"mean", [](const ObservedMotion& m) { return m.mean; }},
-                              {"largest", [](const ObservedMotion& m) { return m.largest; }},
-                              {"smallest", [](const ObservedMotion& m) { return m.smallest; }},
-                              {"rms", [](const ObservedMotion& m) { return m.rms; }}};
-
 }  // namespace
 
 namespace json {
 namespace {
 
-Json motion(const ObservedMotion& m) {
-  return {{"mean", m.mean},
-          {"largest", m.largest},
-          {"smallest", m.smallest},
-          {"rms", m.rms},
-          {"harmonics", list(m.harmonics)}};
-}
-
 Json point(const SteadyPoint& p) {
   Json motions = Json::array();
   for (const ObservedMotion& m : p.results) motions.push_back(motion(m));
   return {{"angular_frequency", p.angular_frequency},
+          {"load_factor", p.load_factor},
           {"stable", p.stable},
           {"largest_multiplier", number(p.largest_multiplier())},
           {"results", std::move(motions)}};
@@ -64,20 +64,25 @@ Json point(const SteadyPoint& p) {
 
 Json steady(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
-  Json result{{"harmonics", branch.harmonics},
+  Json result{{"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
+              {"harmonics", branch.harmonics},
               {"left_out", number(branch.left_out)},
               {"ended", branch.ended},
+              {"stability_of_viscous_machine", branch.stability_of_viscous_machine},
               {"results", Json::array()},
               {"points", Json::array()},
               {"folds", Json::array()},
+              {"stability_changes", Json::array()},
               {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
   for (const SteadyPoint& p : branch.points) result["points"].push_back(point(p));
   for (const Fold& fold : branch.folds)
     result["folds"].push_back({{"point", point(fold.point)},
-                               {"jump_of", fold.upper ? "rising frequency" : "falling frequency"},
+                               {"jump_of", jump_of(branch, fold)},
                                {"lands", fold.lands ? point(*fold.lands) : Json(nullptr)}});
+  for (const nonlinear::StabilityChange& change : branch.changes)
+    result["stability_changes"].push_back({{"point", point(change.point)}, {"kind", nonlinear::words(change.kind)}});
   return result;
 }
 
@@ -88,21 +93,21 @@ namespace {
 
 std::string steady_csv(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
-  std::string text = "angular_frequency [rad/s],stable,largest multiplier";
+  std::string text = "angular_frequency [rad/s],load factor,stable,largest multiplier";
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     for (const char* part : {"re", "im"})
       text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], part, branch.units[c]));
-    for (const Course& course : courses)
+    for (const MotionNumber& course : motion_numbers)
       text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], course.name, branch.units[c]));
   }
   text += "\n";
   for (const SteadyPoint& point : branch.points) {
-    text += fmt::format("{},{},{}", point.angular_frequency, point.stable ? "yes" : "no",
+    text += fmt::format("{},{},{},{}", point.angular_frequency, point.load_factor, point.stable ? "yes" : "no",
                         csv_number(point.largest_multiplier()));
     for (const ObservedMotion& motion : point.results) {
       append_csv_number(text, motion.harmonics(0).real());
       append_csv_number(text, motion.harmonics(0).imag());
-      for (const Course& course : courses) append_csv_number(text, course.value(motion));
+      for (const MotionNumber& course : motion_numbers) append_csv_number(text, course.value(motion));
     }
     text += "\n";
   }
@@ -137,12 +142,10 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
 }
 
 std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (branch.folds.empty()) return "  no folds: one motion at each frequency of this branch, no jumps\n";
-  TextTable table({"fold", "at [" + frequency_unit(display) + "]", "half of the range jumps"});
+  if (branch.folds.empty()) return "  no folds: one motion at each place of this branch, no jumps\n";
+  TextTable table({"fold", "at [" + place_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
-    table.add({fold.upper ? "rising frequency" : "falling frequency",
-               number_text(shown_frequency(display, fold.point.angular_frequency), 9),
-               jump_words(fold, branch, display)});
+    table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
   return table.text();
 }
 
@@ -158,41 +161,34 @@ std::vector<const SteadyPoint*> stable_motions(const SteadyBranch& branch) {
   return stable;
 }
 
-/// "  stability changes without a fold near 4.99, 5.14 Hz …": there motions of another period begin.
-std::string changes_without_fold(const SteadyBranch& branch, const project::ShownUnits& display) {
-  std::vector<std::string> places;
-  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-    const bool at_fold =
-        std::any_of(branch.folds.begin(), branch.folds.end(), [i](const Fold& fold) { return fold.after == i; });
-    if (at_fold || branch.points[i].stable == branch.points[i + 1].stable) continue;
-    const double omega = (branch.points[i].angular_frequency + branch.points[i + 1].angular_frequency) / 2;
-    places.push_back(number_text(shown_frequency(display, omega), 4));
-  }
-  constexpr std::size_t most = 8;
-  if (places.empty()) return "";
-  return "  stability changes without a fold near " + foundation::comma_separated(places, most) + " " +
-      frequency_unit(display) + ": motions of another period, not computed\n";
+std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+  if (branch.changes.empty()) return "";
+  TextTable table({"stability changes", "at [" + place_unit(branch, display) + "]"});
+  for (const nonlinear::StabilityChange& change : branch.changes)
+    table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9)});
+  return table.text() + "  the motions that begin there are not computed\n";
 }
 
 std::string steady_text(const project::Case& variant, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   const project::ShownUnits& display = variant.display;
-  const auto hertz = [&](double omega) { return number_text(shown_frequency(display, omega), 5); };
-  const std::string unit = frequency_unit(display);
+  const std::string unit = place_unit(branch, display);
   const auto unstable =
       std::count_if(branch.points.begin(), branch.points.end(), [](const auto& p) { return !p.stable; });
   const auto [low, high] = std::minmax_element(
       branch.points.begin(), branch.points.end(),
-      [](const SteadyPoint& a, const SteadyPoint& b) { return a.angular_frequency < b.angular_frequency; });
+      [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
   std::string text =
       excited_at_once(variant, "steady") +
       fmt::format(
           "Periodic motions from {} to {} {}, connected with the one at the lower end (detached ones are not sought)\n"
           "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
-          hertz(low->angular_frequency), hertz(high->angular_frequency), unit, branch.points.size(), unstable,
-          branch.harmonics, branch.left_out);
+          place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit, branch.points.size(),
+          unstable, branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
-  text += changes_without_fold(branch, display) + folds_text(branch, display);
+  if (branch.stability_of_viscous_machine)
+    text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
+  text += changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
   const std::vector<const SteadyPoint*> stable = stable_motions(branch);
@@ -205,7 +201,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
     for (const SteadyPoint* point : stable) smallest = std::min(smallest, point->results[c].smallest);
     for (const SteadyPoint& point : branch.points) of_all = std::max(of_all, point.results[c].largest);
     const DisplayUnit shown = display_unit(display, branch.units[c]);
-    table.add({branch.results[c], value_text(top.results[c].largest, shown), hertz(top.angular_frequency),
+    table.add({branch.results[c], value_text(top.results[c].largest, shown), place_text(branch, top, display, 5),
                value_text(smallest, shown),
                value_text(without_round_off(top.results[c].mean, top.results[c].half_of_range()), shown),
                value_text(of_all, shown)});
@@ -215,10 +211,12 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
 
 void steady_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
   const SteadyBranch& branch = branch_of(answers);
-  const std::string axis = "angular_frequency";
+  const bool over_load = branch.over == nonlinear::Parameter::load_factor;
+  const std::string axis = over_load ? "load_factor" : "angular_frequency";
   const std::vector<SteadyPoint>& points = branch.points;
   const auto harmonics = to_size(branch.harmonics);
-  list.field(axis, "rad/s", axis, points, &SteadyPoint::angular_frequency);
+  if (over_load) list.column(axis, "1", axis, points, &SteadyPoint::load_factor);
+  list.field("angular_frequency", "rad/s", axis, points, &SteadyPoint::angular_frequency);
   list.column("stable", "1", axis, points, &SteadyPoint::stable);
   list.column("largest_multiplier", "1", axis, points, &SteadyPoint::largest_multiplier);
   list.count("harmonic", harmonics);
@@ -228,15 +226,21 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
     for (std::size_t i = 0; i < points.size(); ++i) first(to_index(i)) = points[i].results[c].harmonics(0);
     list.copy(name, unit, axis, std::move(first));
     list.mark_harmonic({name});
-    for (const Course& course : courses)
+    for (const MotionNumber& course : motion_numbers)
       list.copy(name + " " + course.name, unit, axis, along(branch, c, course.value));
     list.lists(name + " harmonics", unit, {axis, "harmonic"}, harmonics, points,
                [c](const SteadyPoint& point) -> const Eigen::VectorXcd& { return point.results[c].harmonics; });
   }
-  list.texts("fold", "fold", branch.folds,
-             [](const Fold& fold) { return fold.upper ? "rising frequency" : "falling frequency"; });
+  list.texts("fold", "fold", branch.folds, [&](const Fold& fold) { return jump_of(branch, fold); });
   list.column("fold.angular_frequency", "rad/s", "fold", branch.folds,
               [](const Fold& fold) { return fold.point.angular_frequency; });
+  list.column("fold.load_factor", "1", "fold", branch.folds, [](const Fold& fold) { return fold.point.load_factor; });
+  list.texts("change", "change", branch.changes,
+             [](const nonlinear::StabilityChange& change) { return nonlinear::words(change.kind); });
+  list.column("change.angular_frequency", "rad/s", "change", branch.changes,
+              [](const nonlinear::StabilityChange& change) { return change.point.angular_frequency; });
+  list.column("change.load_factor", "1", "change", branch.changes,
+              [](const nonlinear::StabilityChange& change) { return change.point.load_factor; });
   list.value("left_out", "1", branch.left_out);
 }
 

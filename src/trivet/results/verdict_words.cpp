@@ -30,7 +30,10 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
     case RequirementKind::no_peak:
     case RequirementKind::limit_line:
     case RequirementKind::decoupling:
+    case RequirementKind::no_contact:
       return fmt::format("{:.4g} %", 100 * *r.value);
+    case RequirementKind::no_jump:
+      return fmt::format("{:g}", *r.value);
     case RequirementKind::avoided_frequencies:
       return shown_frequency_words(*r.value, display);
     case RequirementKind::separation:

@@ -145,6 +145,7 @@ class CaseStudy {
         result.statics = response::static_response(
             c_.system, c_.assembled,
             assembly::channels(c_.system, c_.assembled, *analyses.static_of, assembly::MotionQuantity::displacement));
+        if (analyses.all_rest_states) result.rest_states = nonlinear::rest_states(c_.system);
       });
     answer_questions(analyses, attempt_question, result);
     return result;

@@ -11,6 +11,7 @@
 #include "trivet/foundation/interruption.h"
 #include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/project.h"
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/load_sharing.h"
@@ -79,6 +80,7 @@ struct Answers {
   std::optional<PeaksAnswer> peaks;
   std::optional<response::StaticResponse> statics;
   std::optional<response::LoadSharing> load_sharing;
+  std::vector<nonlinear::RestState> rest_states;  ///< if all were asked for
   std::vector<LimitLineResult> limit_lines;
   std::vector<MeasurementComparison> measurements;
   std::vector<LimitAnswer> limits;

@@ -73,6 +73,9 @@ project::Analyses differenced_alone(project::Analyses analyses, const std::vecto
   differenced.band = all.band;
   differenced.excitations = all.excitations;
   differenced.largest = all.largest;
+  differenced.no_jump = all.no_jump;
+  differenced.no_contact = all.no_contact;
+  differenced.steady = all.steady;
   if (RequirementSlopes::are_missing(RequirementKind::rms, system)) differenced.rms = all.rms;
   differenced.mount_load = std::any_of(given.begin(), given.end(), [](const RequirementResult& result) {
     return result.kind == RequirementKind::mount_shock_deflection;

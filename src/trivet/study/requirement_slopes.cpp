@@ -40,6 +40,9 @@ RequirementSlopes::RequirementSlopes(const CaseContext& context, const DesignNei
 bool RequirementSlopes::are_missing(RequirementKind kind, const model::System& system) {
   switch (kind) {
     case RequirementKind::largest:
+    case RequirementKind::no_jump:
+    case RequirementKind::no_contact:
+    case RequirementKind::steady:
     case RequirementKind::mount_shock_deflection:
     case RequirementKind::clearance:
       return true;

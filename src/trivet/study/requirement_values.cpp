@@ -8,6 +8,7 @@
 #include "trivet/study/mount_requirements.h"
 #include "trivet/study/mount_sums.h"
 #include "trivet/study/requirement_list.h"
+#include "trivet/study/steady_requirements.h"
 
 namespace trivet::study {
 
@@ -19,6 +20,7 @@ std::vector<RequirementResult> requirement_values(const CaseContext& context, co
   add_curve_requirements(context, analyses, list);
   add_frequency_requirements(context, required, list);
   add_motion_requirements(context, analyses, warnings, list);
+  add_steady_requirements(context, analyses, list);
   if (required.mount_load) add_mount_requirements(context, analyses, warnings, list);
   list.append(mount_sums(context.system, required));
   list.append(clearance_results(context, analyses, warnings));

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fmt/format.h>
+#include "trivet/study/steady_answer.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
-#include "trivet/nonlinear/steady_branch.h"
-#include "trivet/project/analyses/steady_question.h"
+#include "trivet/study/harmonics_search.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
 namespace {
-
-constexpr Eigen::Index first_harmonics = 5, most_harmonics = 60;
 
 /// From a tenth of the lowest to 1.5 times the highest natural frequency about rest.
 response::Band usual_band(const CaseContext& c) {
@@ -27,29 +24,54 @@ response::Band usual_band(const CaseContext& c) {
   return {0.1 * low, 1.5 * high};
 }
 
-nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
-                                      foundation::Problems& warnings) {
+}  // namespace
+
+nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked) {
   if (!nonlinear::is_nonlinear(c.system))
     throw foundation::InvalidInput(
         "steady: the machine is linear; take response, or give an element laws or a stop (docs/nonlinear.md)");
-  const response::Band band = asked.band ? *asked.band : usual_band(c);
-  nonlinear::SteadyOptions options{.from = band.from, .to = band.to};
-  options.harmonics = asked.harmonics > 0 ? asked.harmonics : first_harmonics;
+  nonlinear::SteadyOptions options;
+  if (asked.over_load_factor) {
+    options.over = nonlinear::Parameter::load_factor;
+    options.angular_frequency = asked.at;
+    options.from = asked.load_from;
+    options.to = asked.load_to;
+  } else {
+    const response::Band band = asked.band ? *asked.band : usual_band(c);
+    options.from = band.from;
+    options.to = band.to;
+  }
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
-  const bool seek = asked.harmonics == 0;
-  for (options.with_results = false; seek && options.harmonics < most_harmonics;
-       options.harmonics = std::min(most_harmonics, 2 * options.harmonics))
-    if (nonlinear::steady_branch(c.system, options, c.progress).left_out <= asked.tolerance) break;
-  options.with_results = true;
-  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(c.system, options, c.progress);
+  if (asked.harmonics == 0) {  // the motions alone are quicker
+    options.with_results = false;
+    options.harmonics = with_enough_harmonics(0, asked.tolerance, [&](Eigen::Index harmonics) {
+                          options.harmonics = harmonics;
+                          return nonlinear::steady_branch(c.system, options, c.progress);
+                        }).harmonics;
+    options.with_results = true;
+  } else {
+    options.harmonics = asked.harmonics;
+  }
+  return nonlinear::steady_branch(c.system, options, c.progress);
+}
+
+namespace {
+
+nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
+                                      foundation::Problems& warnings) {
+  const nonlinear::SteadyBranch branch = steady_motions(c, asked);
   if (branch.left_out > asked.tolerance)
     warnings.warning("analyses.steady",
                      fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
                      asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
                                          : "near grazing contact no number of harmonics is enough");
+  for (const std::string& name : branch.sticking)
+    warnings.warning("analyses.steady", name + ": a slider sticks all the time at some frequencies",
+                     "the mean of its force then depends on what happened before; here it has stuck since rest",
+                     "take such means as one of many");
   if (!branch.ended.empty())
     warnings.warning("analyses.steady", "the branch of motions ends before the end of the band", branch.ended,
                      "no motion beyond is computed; give another band");

@@ -23,9 +23,9 @@ TEST(ScalarLaw, TangentIsTheSlopeOfTheForceAndForceThatOfTheEnergy) {
   constexpr double step = 1e-4, truncation = 1e-6;  // step² times third derivatives
   for (const ScalarLaws& law : laws())
     for (const double x : {-0.9, -0.35, -0.15, 0.05, 0.25, 0.8}) {
-      const ForceAndTangent here = force_and_tangent(law, x);
-      EXPECT_NEAR((force_and_tangent(law, x + step).force - force_and_tangent(law, x - step).force) / (2 * step),
-                  here.tangent, truncation);
+      const ForceAndTangent here = force_at_rest(law, x);
+      EXPECT_NEAR((force_at_rest(law, x + step).force - force_at_rest(law, x - step).force) / (2 * step), here.tangent,
+                  truncation);
       EXPECT_NEAR((elastic_energy(law, x + step) - elastic_energy(law, x - step)) / (2 * step), here.force, truncation);
       EXPECT_EQ(elastic_energy(law, 0), 0);
     }
@@ -33,13 +33,13 @@ TEST(ScalarLaw, TangentIsTheSlopeOfTheForceAndForceThatOfTheEnergy) {
 
 TEST(ScalarLaw, StopActsBeyondItsGapOnly) {
   const ScalarLaws stop = {GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20}};
-  EXPECT_EQ(force_and_tangent(stop, 0.29).force, 0);
-  EXPECT_EQ(force_and_tangent(stop, -0.39).tangent, 0);
-  EXPECT_DOUBLE_EQ(force_and_tangent(stop, 0.5).force, 20 * (0.5 - 0.3));
-  EXPECT_DOUBLE_EQ(force_and_tangent(stop, -0.5).force, -20 * (0.5 - 0.4));
-  EXPECT_THAT(kinks(stop), ElementsAre(-0.4, 0.3));
-  EXPECT_THAT(kinks({GapStop{.gap_above = 0.3, .stiffness = 20}}), ElementsAre(0.3));
-  EXPECT_TRUE(kinks({PolynomialForce{{1}}}).empty());
+  EXPECT_EQ(force_at_rest(stop, 0.29).force, 0);
+  EXPECT_EQ(force_at_rest(stop, -0.39).tangent, 0);
+  EXPECT_DOUBLE_EQ(force_at_rest(stop, 0.5).force, 20 * (0.5 - 0.3));
+  EXPECT_DOUBLE_EQ(force_at_rest(stop, -0.5).force, -20 * (0.5 - 0.4));
+  EXPECT_THAT(kinks_at_rest(stop), ElementsAre(-0.4, 0.3));
+  EXPECT_THAT(kinks_at_rest({GapStop{.gap_above = 0.3, .stiffness = 20}}), ElementsAre(0.3));
+  EXPECT_TRUE(kinks_at_rest({PolynomialForce{{1}}}).empty());
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ TEST(LawHarmonics, CubeOfACosineHasAThirdHarmonic) {
   force(1) = 6;
   force(5) = 2;
   EXPECT_LT(
-      (LawHarmonics(elements::ScalarLaws{elements::PolynomialForce{{0, 0, 1}}}, 3).at(motion).force - force).norm(),
+      (LawHarmonics(elements::ScalarLaws{elements::PolynomialForce{{0, 0, 1}}}, 3).at(motion, 1).force - force).norm(),
       1e-14);
 }
 
@@ -36,7 +36,7 @@ TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
   VectorXd motion = VectorXd::Zero(numerics::coefficient_count(harmonics));
   motion(1) = a;
   const LawHarmonics law(elements::ScalarLaws{elements::GapStop{.gap_above = g, .stiffness = k}}, harmonics);
-  const nonlinear::ForceHarmonics found = law.at(motion);
+  const nonlinear::ForceHarmonics found = law.at(motion, 1);
   EXPECT_NEAR(found.force(0), k / pi * (a * std::sin(contact) - g * contact), 1e-13);
   for (Index n = 2; n <= harmonics; ++n) {
     const auto m = static_cast<double>(n);
@@ -45,7 +45,7 @@ TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
                 1e-9);  // of 8 points
     EXPECT_NEAR(found.force(2 * n), 0, 1e-12);
   }
-  const std::vector<double> phases = law.kink_phases(motion);
+  const std::vector<double> phases = law.course(motion, 1).corners();
   ASSERT_EQ(phases.size(), 2u);
   EXPECT_NEAR(phases[0], contact, 1e-14);
   EXPECT_NEAR(phases[1], 2 * pi - contact, 1e-14);
@@ -57,16 +57,49 @@ TEST(LawHarmonics, TangentIsTheDerivativeByTheCoefficients) {
   const elements::ScalarLaws cubic = {elements::PolynomialForce{{1, 2, -3}}};
   const elements::ScalarLaws stops = {elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2}};
   for (const nonlinear::LawAbout& one :
-       {nonlinear::LawAbout(cubic), nonlinear::LawAbout(stops), nonlinear::LawAbout(stops, 0.4, 1.5)}) {
+       {nonlinear::LawAbout(cubic), nonlinear::LawAbout(stops), nonlinear::LawAbout(stops, 0.4, {1.5, 0})}) {
     const LawHarmonics law(one, 4);
-    const Eigen::MatrixXd tangent = law.at(motion).tangent;
+    const Eigen::MatrixXd tangent = law.at(motion, 1).tangent;
     constexpr double step = 1e-6, truncation = 1e-7;
     for (Index j = 0; j < motion.size(); ++j) {
       const VectorXd change = step * VectorXd::Unit(motion.size(), j);
-      const VectorXd slope = (law.at(motion + change).force - law.at(motion - change).force) / (2 * step);
+      const VectorXd slope = (law.at(motion + change, 1).force - law.at(motion - change, 1).force) / (2 * step);
       EXPECT_LT((slope - tangent.col(j)).norm(), truncation);
     }
   }
+}
+
+/// Dampers and loops: derivatives by the coefficients and by the frequency.
+TEST(LawHarmonics, DerivativesOfDampersAndLoops) {
+  VectorXd motion(9);
+  motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
+  const auto loop = [](const elements::HystereticForce& law) { return elements::ScalarLaws{law}; };
+  const elements::ScalarLaws laws[] = {
+      {elements::DampingForce(elements::QuadraticDamping{3, 1})},
+      {elements::DampingForce(elements::DampingCurve{
+          elements::KnotCurve({-1, 0, 0.5, 2}, {-2, 0, 2, 3}, elements::Interpolation::monotone_cubic)})},
+      loop(elements::Slider{4, 1.5}),
+      loop(elements::Slider{4, 3.9}),  // hardly slips
+      loop(elements::Slider{4, 30}),   // sticks
+      loop(elements::BergFriction{3, 0.2}),
+      loop(elements::BoucWen{.stiffness = 4, .force = 2, .exponent = 1.5, .beta = 0.6, .gamma = 0.4})};
+  VectorXd twice_round = motion;  // four turning points
+  twice_round(3) = 1.1;
+  for (std::size_t i = 0; i < std::size(laws); ++i)
+    for (const VectorXd& at : {motion, twice_round}) {
+      SCOPED_TRACE(i);
+      const LawHarmonics law(nonlinear::LawAbout(laws[i], 0.15, {1.5, 0.2}), 4);
+      constexpr double omega = 1.3, step = 1e-6;
+      const double truncation = i < 5 ? 1e-6 : 5e-5;  // Gauss's rule where a smooth loop turns sharply
+      const nonlinear::ForceHarmonics found = law.at(at, omega);
+      for (Index j = 0; j < at.size(); ++j) {
+        const VectorXd change = step * VectorXd::Unit(at.size(), j);
+        const VectorXd slope = (law.force_at(at + change, omega) - law.force_at(at - change, omega)) / (2 * step);
+        EXPECT_LT((slope - found.tangent.col(j)).norm(), truncation) << "by coefficient " << j;
+      }
+      const VectorXd by_omega = (law.force_at(at, omega + step) - law.force_at(at, omega - step)) / (2 * step);
+      EXPECT_LT((by_omega - found.by_omega).norm(), truncation);
+    }
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ transmissibility = {force = "motor", band = ["1 Hz", "20 Hz"]}
 power = {band = ["2 Hz", "40 Hz"]}
 shapes = {at = ["7 Hz", "9 Hz"]}
 steady = {band = ["2 Hz", "9 Hz"], harmonics = 3}
+backbone = {modes = [1, 2], up_to = "2 mm", harmonics = 3}
 shock_spectrum = {band = ["5 Hz", "50 Hz"]}
 earthquake = {direction = "z", rows = [[0.15, 9], [0.5, 9], [2, 2]]}
 )";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/periodic/branch.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -93,6 +94,24 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) c
   return point;
 }
 
+std::optional<Branch::Advance> Branch::advance(const BranchPoint& from, double& step,
+                                               const StepControl& control) const {
+  constexpr int easy = 4;  // Newton steps
+  const auto is_good = [&](const BranchPoint& to) {
+    if (step < control.sharp_turns) return true;
+    const double cosine = from.tangent.dot(to.tangent.cwiseProduct(to.scale).cwiseQuotient(from.scale).normalized());
+    return cosine > control.least_cosine && (step < control.hidden_folds || !hides_folds(from, to, step));
+  };
+  for (; step >= control.shortest; step /= 2) {
+    std::optional<BranchPoint> to = after(from, step);
+    if (!to || !is_good(*to)) continue;
+    Advance found{std::move(*to), step};
+    if (found.to.iterations <= easy) step = std::min(control.longest, control.growth * step);
+    return found;
+  }
+  return std::nullopt;
+}
+
 double Branch::length(const BranchPoint& from, const BranchPoint& to) {
   const Eigen::Index n = from.unknowns.size();
   VectorXd change(n + 1);
@@ -104,6 +123,8 @@ bool Branch::hides_folds(const BranchPoint& from, const BranchPoint& to, double 
   const double scale = from.scale(from.scale.size() - 1), rise = (to.parameter - from.parameter) / scale;
   const double at_from = step * from.parameter_direction(), at_to = step * to.parameter_direction();
   if (at_from * at_to <= 0) return false;
+  constexpr double round_off = 1e-8;  // λ stays the same across the step
+  if (std::abs(at_from) + std::abs(at_to) + std::abs(rise) < round_off * std::abs(step)) return false;
   // slope (1 − t)² a + t² b + 2 t (1 − t) c, by its values at the ends and the rise between them
   const double sign = at_from > 0 ? 1 : -1, a = sign * at_from, b = sign * at_to, c = 3 * sign * rise - a - b;
   return c < 0 && c * c >= a * b;

@@ -31,6 +31,15 @@ struct BranchOptions {
   int most_iterations = 12;
 };
 
+/// Lengths of steps along a branch, without unit.
+struct StepControl {
+  double longest = 0.1, shortest = 1e-9;
+  double growth = 1.4;          ///< of the step after an easy one
+  double least_cosine = 0.966;  ///< between the directions at both ends of a step: 15°
+  double hidden_folds = 1e-4;   ///< a shorter step hides no pair of folds worth finding
+  double sharp_turns = 0;       ///< a shorter step may turn by any angle: the branch has a kink
+};
+
 /// Solutions of r(u, λ) = 0 along their branch by pseudo arc length: the predictor follows the tangent, and Newton's
 /// method corrects in the plane across it, so that turning points of λ (folds) are ordinary points.
 /// [Keller 1977; Allgower, Georg, Numerical Continuation Methods, 1990]
@@ -48,6 +57,14 @@ class Branch {
 
   /// The solution at the length `step` (negative: backwards) from a point. Empty if Newton's method does not converge.
   [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step) const;
+
+  struct Advance {
+    BranchPoint to;
+    double length = 0;
+  };
+  /// The next point. The step is halved until Newton's method converges and the branch is smooth enough across it, and
+  /// grows after an easy one. Empty if it would become shorter than the shortest.
+  [[nodiscard]] std::optional<Advance> advance(const BranchPoint& from, double& step, const StepControl& control) const;
 
   /// Length from a point to one near it on the branch, as `after` counts it.
   [[nodiscard]] static double length(const BranchPoint& from, const BranchPoint& to);

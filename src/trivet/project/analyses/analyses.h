@@ -77,6 +77,7 @@ struct Analyses {
   std::optional<ResponseRequest> response;
   std::optional<PeaksRequest> peaks;
   std::optional<std::vector<std::string>> static_of;
+  bool all_rest_states = false;
   bool load_sharing = false;
   std::optional<MapRequest> map;
   std::vector<LimitLineRequest> limit_lines;

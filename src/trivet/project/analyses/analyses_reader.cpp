@@ -118,12 +118,14 @@ int read_lowest(const Node& node, foundation::Problems& problems) {
 }
 
 std::vector<std::string> read_static(const Node& node, const ResultNames& names, const NamesInFile& in_file,
-                                     foundation::Problems& problems) {
+                                     bool& all_states, foundation::Problems& problems) {
   TableReader reader(node, "analyses.static", problems);
   std::vector<std::string> of = {"coordinates"};
   of.insert(of.end(), in_file.elements.begin(), in_file.elements.end());
   of.push_back("ground");
   read_of(reader, names, of);
+  const auto states = reader.choice("states", {"reached", "all"});
+  all_states = states && *states == "all";
   reader.finish();
   return of;
 }
@@ -156,10 +158,10 @@ Analyses read_analyses(TableReader& root, const NamesInFile& in_file) {
       analyses.peaks = read_peaks(*node, names, in_file, analyses.response, root.problems());
     }
     if (const Node* node = reader.table("static")) {
-      if (!root.has("gravity") && in_file.constant_excitations.empty())
+      analyses.static_of = read_static(*node, names, in_file, analyses.all_rest_states, root.problems());
+      if (!root.has("gravity") && in_file.constant_excitations.empty() && !analyses.all_rest_states)
         reader.error("static", "neither gravity nor a constant force", "a static analysis needs a load",
                      "give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
-      analyses.static_of = read_static(*node, names, in_file, root.problems());
       analyses.load_sharing = root.has("gravity");
     }
     read_questions(reader, names, in_file, analyses);

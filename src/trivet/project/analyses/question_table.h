@@ -19,6 +19,7 @@
   row(power) \
   row(shapes) \
   row(steady) \
+  row(backbone) \
   row(shock_spectrum) \
   row(earthquake)
 // clang-format on

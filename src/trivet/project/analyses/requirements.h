@@ -40,16 +40,21 @@ struct Requirements {
   std::vector<AmplitudeLimit> rms;          ///< under the random excitations
   std::vector<AmplitudeLimit> largest;      ///< magnitude over the transient
   std::vector<AmplitudeLimit> statics;      ///< magnitude under gravity and the constant forces
+  bool no_jump = false;                     ///< one stable steady motion at every frequency of the band
+  bool no_contact = false;                  ///< no steady motion closes a gap
+  std::vector<AmplitudeLimit> steady;       ///< magnitude over all stable steady motions
   bool mount_load = false;                  ///< every catalogue mount within its load and deflection
   std::optional<model::Price> price;        ///< largest sum over the catalogue mounts
   double mass = 0;                          ///< largest sum over them [kg]; 0: not required
   std::vector<std::string> hold_in = {""};  ///< cases in which a design has to hold; "" is the base model
 
+  [[nodiscard]] bool is_about_steady_motion() const { return no_jump || no_contact || !steady.empty(); }
+
   /// True if nothing is required.
   [[nodiscard]] bool is_empty() const {
     return limits.empty() && no_peak.empty() && limit_lines.empty() && avoided.empty() && separation == 0 &&
         damping_ratio == 0 && decoupling.empty() && rms.empty() && largest.empty() && statics.empty() && !mount_load &&
-        !price && mass == 0;
+        !price && mass == 0 && !is_about_steady_motion();
   }
   bool operator==(const Requirements&) const = default;
 };

@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
+#include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/text/price.h"
 
 namespace trivet::project {
@@ -206,7 +207,8 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
   const bool harmonic = !in_file.harmonic_excitations.empty();
   need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
-  need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+  for (const char* key : {"no_peak", "no_jump", "no_contact", "steady"})
+    need(reader, key, harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   need(reader, "rms", !in_file.random_excitations.empty(), "random excitation",
        "[excitations.NAME] with type = \"random\"");
   const bool moves_by_itself = result.questions.contains("transient");
@@ -227,7 +229,14 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   read_decoupling(reader, in_file, found);
   found.rms = read_amplitude_limits(reader, "rms", names, assembly::MotionQuantity::displacement);
   found.largest = read_amplitude_limits(reader, "largest", names, assembly::MotionQuantity::displacement);
+  found.no_jump = reader.boolean("no_jump").value_or(false);
+  found.no_contact = reader.boolean("no_contact").value_or(false);
+  found.steady = read_amplitude_limits(reader, "steady", names, assembly::MotionQuantity::displacement);
   found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement);
+  for (const AmplitudeLimit& limit : found.steady)
+    if (limit.quantity != assembly::MotionQuantity::displacement)
+      reader.error("steady", foundation::quoted(limit.name) + " as a velocity or an acceleration",
+                   "steady motions are judged by displacements and forces", "give a length, an angle or a force");
   for (const AmplitudeLimit& limit : found.statics)
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
@@ -251,6 +260,9 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (!asked.requirements) return;
   const Requirements& required = *asked.requirements;
+  if (required.is_about_steady_motion())
+    require_nonlinear("requirements", "remove no_jump, no_contact and steady, or give an element laws or a stop",
+                      system, problems);
   if (required.mount_load && has_mounts(system, "mount_load", problems))
     refuse_mounts(
         system, "mount_load", "no load range in the catalogue for ",

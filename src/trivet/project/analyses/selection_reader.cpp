@@ -211,8 +211,7 @@ std::vector<std::string> read_selected_harmonic(TableReader& reader, const Names
   return *names;
 }
 
-void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
-                    const std::string& kind, AnswerSelection& selection) {
+void read_results(TableReader& reader, const ResultNames& result_names, AnswerSelection& selection) {
   read_of(reader, result_names, selection.of);
   const auto quantity = reader.choice("quantity", {"displacement", "velocity", "acceleration"});
   if (quantity == "velocity") selection.quantity = assembly::MotionQuantity::velocity;
@@ -222,6 +221,11 @@ void read_selection(TableReader& reader, const ResultNames& result_names, const 
                   [&](const std::string& name) { return result_names.is_force(name); }))
     warn_of_idle_key(reader, "quantity", "\"" + *quantity + "\" of forces alone",
                      "it applies to motions only, and no motion is requested", "remove it, or request motions");
+}
+
+void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
+                    const std::string& kind, AnswerSelection& selection) {
+  read_results(reader, result_names, selection);
   if (reader.has("excitations")) selection.excitations = read_selected(reader, known, kind);
 }
 

@@ -42,6 +42,9 @@ class ResultNames {
 /// The names under `key`: each must name a result.
 void read_of(TableReader& reader, const ResultNames& names, std::vector<std::string>& of);
 
+/// `of` and `quantity`.
+void read_results(TableReader& reader, const ResultNames& result_names, AnswerSelection& selection);
+
 /// `of`, `quantity` and `excitations`, the latter out of the known names; `kind` is their type, for messages.
 void read_selection(TableReader& reader, const ResultNames& result_names, const std::vector<std::string>& known,
                     const std::string& kind, AnswerSelection& selection);

@@ -3,16 +3,42 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
-#include "trivet/nonlinear/deflections.h"
+#include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/text/band_reader.h"
 
 namespace trivet::project {
 namespace {
 
-constexpr int most_harmonics = 200;
+/// `over`, `at` and `load_factor`.
+void read_load_factor(TableReader& reader, SteadyQuestion& asked) {
+  const auto over = reader.choice("over", {"frequency", "load_factor"});
+  asked.over_load_factor = over && *over == "load_factor";
+  if (!asked.over_load_factor) {
+    for (const char* key : {"at", "load_factor"})
+      if (reader.has(key)) {
+        reader.also_known({key});
+        reader.error(key, "without over = \"load_factor\"", "the load factor is varied only then",
+                     std::string("add it, or remove ") + key);
+      }
+    return;
+  }
+  if (reader.has("band"))
+    reader.error("band", "over the load factor", "the frequency is fixed then", "remove band, and give at");
+  asked.at = reader.required_number("at", Quantity::angular_frequency);
+  if (reader.has("at") && !(asked.at > 0))
+    reader.error("at", fmt::format("{:.6g} rad/s", asked.at), "it is > 0", "correct it");
+  if (!reader.has("load_factor")) reader.missing("load_factor", "give its range: load_factor = [0.1, 2]");
+  const auto range = reader.numbers("load_factor", Quantity::pure);
+  if (!range) return;
+  if (range->size() == 2 && (*range)[0] > 0 && (*range)[1] > (*range)[0]) {
+    asked.load_from = (*range)[0];
+    asked.load_to = (*range)[1];
+  } else {
+    reader.error("load_factor", fmt::format("{} numbers", range->size()), "two that rise from above 0 are expected",
+                 "for instance load_factor = [0.1, 2]");
+  }
+}
 
 std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& names, const NamesInFile& in_file) {
   auto asked = std::make_unique<SteadyQuestion>();
@@ -21,30 +47,14 @@ std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& na
   if (asked->band && !(asked->band->from > 0))
     reader.error("band", "a band from 0", "the motions are followed over a frequency above 0",
                  "begin at a low frequency, such as a tenth of the first natural one");
-  if (const auto harmonics = reader.number("harmonics", Quantity::pure)) {
-    if (*harmonics >= 1 && *harmonics <= most_harmonics && *harmonics == std::floor(*harmonics))
-      asked->harmonics = static_cast<int>(*harmonics);
-    else
-      reader.error("harmonics", fmt::format("{:.6g}", *harmonics),
-                   fmt::format("a whole number from 1 to {} is expected", most_harmonics),
-                   "remove it: their number is found by `tolerance`");
-  }
-  if (const auto tolerance = reader.number("tolerance", Quantity::pure)) {
-    if (*tolerance > 0 && *tolerance < 1) asked->tolerance = *tolerance;
-    else
-      reader.error("tolerance", fmt::format("{:.6g}", *tolerance), "it is a share between 0 and 1",
-                   "for instance tolerance = 1e-3");
-    if (reader.has("harmonics"))
-      reader.error("tolerance", "harmonics and tolerance", "a given number of harmonics is not searched",
-                   "remove one of them");
-  }
+  read_load_factor(reader, *asked);
+  read_harmonics(reader, asked->harmonics, asked->tolerance);
   return asked;
 }
 
 void check_nonlinear(const Question&, const model::System& system, foundation::Problems& problems) {
-  if (!nonlinear::is_nonlinear(system))
-    problems.error("analyses.steady", "a linear machine", "steady motions are those of machines with nonlinear parts",
-                   "take response, or give an element laws or a stop (docs/nonlinear.md)");
+  require_nonlinear("analyses.steady", "take response, or give an element laws or a stop (docs/nonlinear.md)", system,
+                    problems);
 }
 
 }  // namespace
@@ -55,6 +65,9 @@ const QuestionReader steady_question = {
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
    "band": {"$ref": "#/$defs/band"},
+   "over": {"enum": ["frequency", "load_factor"], "description": "what is varied (default: the frequency)"},
+   "at": {"$ref": "#/$defs/number", "description": "rad/s: the frequency, over the load factor"},
+   "load_factor": {"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2, "description": "range of the factor on all excitations"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
    "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"}}})json"};
 

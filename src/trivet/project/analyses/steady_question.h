@@ -5,8 +5,11 @@
 
 namespace trivet::project {
 
-/// Periodic motions of a nonlinear machine under its harmonic excitations, over their frequency.
+/// Periodic motions of a nonlinear machine under its harmonic excitations, over their frequency or their load factor.
 struct SteadyQuestion : BandQuestion {
+  bool over_load_factor = false;
+  double at = 0;  ///< over the load factor: the fixed ω [rad/s]
+  double load_from = 0, load_to = 0;
   int harmonics = 0;        ///< 0: as many as `tolerance` needs
   double tolerance = 1e-3;  ///< share of the deflections that harmonics beyond the last one may add
 };

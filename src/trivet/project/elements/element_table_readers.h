@@ -29,9 +29,6 @@ void read_loops(TableReader& damping, model::Element& element);
 /// Reads `laws`: forces over the deflections of an element, in addition to its stiffness.
 void read_laws(TableReader& reader, const model::Span& span, model::Element& element);
 
-/// `gap` or `gaps`, `stiffness` and `power` of stops along or about an axis.
-[[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation);
-
 /// Distance from N to K [m]; none after reporting errors.
 using ElementLength = std::optional<double>;
 [[nodiscard]] ElementLength read_step_mount(TableReader& reader,

@@ -6,6 +6,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
+#include "trivet/project/elements/scalar_law_readers.h"
 
 /// Nonlinear laws of an element (docs/nonlinear.md).
 namespace trivet::project {
@@ -13,89 +14,54 @@ namespace {
 
 constexpr double half_way = 0.5;
 
-/// `quadratic`, `cubic` and `polynomial`: coefficients of δ, δ², …
-std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation) {
-  if (!reader.has("quadratic") && !reader.has("cubic") && !reader.has("polynomial")) return std::nullopt;
-  elements::PolynomialForce law;
-  law.coefficients = reader.numbers("polynomial", Quantity::pure).value_or(std::vector<double>());
-  if (law.coefficients.size() < 3) law.coefficients.resize(3, 0.0);
-  law.coefficients[1] +=
-      reader.number("quadratic", is_rotation ? Quantity::moment_per_angle_squared : Quantity::force_per_length_squared)
-          .value_or(0);
-  law.coefficients[2] +=
-      reader.number("cubic", is_rotation ? Quantity::moment_per_angle_cubed : Quantity::force_per_length_cubed)
-          .value_or(0);
-  while (!law.coefficients.empty() && law.coefficients.back() == 0) law.coefficients.pop_back();
-  constexpr std::size_t highest = 12;
-  if (law.coefficients.size() > highest)
-    reader.error("polynomial", fmt::format("degree {}", law.coefficients.size()),
-                 fmt::format("at most degree {}", highest), "such a polynomial oscillates between its points");
-  return law.coefficients.empty() ? std::nullopt : std::optional(law);
-}
-
 void read_axis(TableReader& reader, int axis, double centre, const model::Span& span, model::Element& element) {
   model::NonlinearPart part{axis, centre, {}};
   const bool is_rotation = axis >= 3;
   const std::size_t before = reader.errors();
-  reader.also_known({"quadratic", "cubic", "polynomial", "gap_stop"});
-  if (const auto polynomial = read_polynomial(reader, is_rotation)) part.laws.emplace_back(*polynomial);
-  if (const Node* table = reader.table("gap_stop")) {
-    TableReader stop(*table, reader.path() + ".gap_stop", reader.problems());
-    if (const auto law = read_gap_stop(stop, is_rotation)) {
-      part.laws.emplace_back(*law);
-      const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(axis, span.arm, span.n_from_k, centre);
-      const double own =
-          element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
-      if (law->power == 1 && law->stiffness < own)
-        reader.problems()
-            .warning(stop.path() + ".stiffness", fmt::format("{:.6g}", law->stiffness),
-                     fmt::format("the stop is softer than the element itself, {:.6g}", own), "check digits and unit")
-            .origin = table->origin;
-    }
-    stop.finish();
-  }
+  reader.also_known({"quadratic", "cubic", "polynomial", "gap_stop", "curve", "damping_curve", "friction", "bouc_wen"});
+  if (const auto polynomial = read_polynomial(reader, is_rotation))
+    part.laws.emplace_back(elements::ElasticForce(*polynomial));
+  const auto inside = [&](const char* key, const auto& read) {
+    const Node* table = reader.table(key);
+    if (!table) return;
+    TableReader law(*table, reader.path() + "." + key, reader.problems());
+    read(law);
+    law.finish();
+  };
+  inside("gap_stop", [&](TableReader& law) {
+    const auto stop = read_gap_stop(law, is_rotation);
+    if (!stop) return;
+    part.laws.emplace_back(elements::ElasticForce(*stop));
+    const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(axis, span.arm, span.n_from_k, centre);
+    const double own =
+        element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
+    if (stop->power == 1 && stop->stiffness < own)
+      reader.problems()
+          .warning(law.path() + ".stiffness", fmt::format("{:.6g}", stop->stiffness),
+                   fmt::format("the stop is softer than the element itself, {:.6g}", own), "check digits and unit")
+          .origin = law.content().origin;
+  });
+  inside("curve", [&](TableReader& law) {
+    if (auto curve = read_force_curve(law, is_rotation)) part.laws.emplace_back(elements::ElasticForce(*curve));
+  });
+  inside("damping_curve", [&](TableReader& law) {
+    if (auto curve = read_damping_curve(law, is_rotation)) part.laws.emplace_back(*curve);
+  });
+  inside("friction", [&](TableReader& law) {
+    for (const elements::ScalarLaw& one : read_friction(law, is_rotation)) part.laws.push_back(one);
+  });
+  inside("bouc_wen", [&](TableReader& law) {
+    if (const auto smooth = read_bouc_wen(law, is_rotation)) part.laws.emplace_back(elements::HystereticForce(*smooth));
+  });
   reader.finish();
   if (part.laws.empty() && reader.errors() == before)
-    reader.error("", "no law", "it is a sum of quadratic, cubic, polynomial and gap_stop", "give one, or remove it");
+    reader.error("", "no law",
+                 "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, damping_curve, friction and bouc_wen",
+                 "give one, or remove it");
   if (!part.laws.empty()) element.nonlinear_parts.push_back(std::move(part));
 }
 
 }  // namespace
-
-std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation) {
-  const std::size_t before = reader.errors();
-  elements::GapStop law;
-  const Quantity travel = is_rotation ? Quantity::angle : Quantity::length;
-  if (reader.has("gap") == reader.has("gaps"))
-    reader.error(reader.has("gap") ? "gaps" : "", reader.has("gap") ? "gap and gaps" : "neither gap nor gaps",
-                 "a stop has a gap in the positive direction, or gaps in both",
-                 "gap = \"6 mm\", or gaps = [\"6 mm\", \"9 mm\"]");
-  if (const auto gap = reader.number("gap", travel)) law.gap_above = *gap;
-  if (const auto gaps = reader.numbers("gaps", travel)) {
-    if (gaps->size() == 2) {
-      law.gap_above = (*gaps)[0];
-      law.gap_below = (*gaps)[1];
-    } else {
-      reader.error("gaps", fmt::format("{} numbers", gaps->size()),
-                   "two are expected: in the positive and in the negative direction", "complete or shorten the list");
-    }
-  }
-  for (const double gap : {law.gap_above, law.gap_below})
-    if (gap < 0)
-      reader.error(reader.has("gap") ? "gap" : "gaps", fmt::format("{:.6g} {}", gap, si_unit(travel)), "a gap is ≥ 0",
-                   "describe a preloaded stop by its rest position: gravity closes gaps");
-  law.power = reader.number("power", Quantity::pure).value_or(1);
-  if (!(law.power >= 1 && law.power <= 10))
-    reader.error("power", fmt::format("{:.6g}", law.power), "it is from 1 (linear) to 10; 1.5 is Hertz's contact",
-                 "correct it");
-  const Quantity stiffness = law.power != 1 ? Quantity::pure
-      : is_rotation                         ? Quantity::moment_per_angle
-                                            : Quantity::force_per_length;
-  law.stiffness = reader.required_number("stiffness", stiffness);
-  if (reader.errors() == before && !(law.stiffness > 0))
-    reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
-  return reader.errors() == before ? std::optional(law) : std::nullopt;
-}
 
 void read_laws(TableReader& reader, const model::Span& span, model::Element& element) {
   const Node* table = reader.table("laws");
@@ -113,10 +79,6 @@ void read_laws(TableReader& reader, const model::Span& span, model::Element& ele
     read_axis(inside, static_cast<int>(j), centre, span, element);
   }
   laws.finish();
-  if (!element.nonlinear_parts.empty() && elements::loss_factor(element.law) > 0)
-    reader.error("laws", "nonlinear laws beside a loss factor",
-                 "a loss factor defines no motion in time, which a nonlinear law needs",
-                 "give proportional damping: δ = η/ω at the frequency that matters");
 }
 
 namespace {
@@ -126,7 +88,8 @@ void read_stop(TableReader& reader, Placement&, model::Element& element) {
   if (!reader.has("axis") && !reader.has("orientation"))
     reader.missing("axis", "give the direction in which the body meets the stop: axis = \"z\" or \"-z\"");
   constexpr int along = 2;
-  if (const auto law = read_gap_stop(reader, false)) element.nonlinear_parts.push_back({along, 1.0, {*law}});
+  if (const auto law = read_gap_stop(reader, false))
+    element.nonlinear_parts.push_back({along, 1.0, {elements::ElasticForce(*law)}});
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ Largest largest(Quantity quantity) {
     case Quantity::force:
       return {1e15, of_force};
     case Quantity::moment:
+    case Quantity::energy:
       return {1e18, of_force};
     case Quantity::pressure:
       return {1e15, "diamond has 1.2e12 Pa"};
@@ -61,6 +62,8 @@ Largest largest(Quantity quantity) {
     case Quantity::moment_per_angle_cubed:
       return {1e27, of_stiffness};
     case Quantity::damping_force_per_length:
+    case Quantity::damping_force_per_velocity_squared:
+    case Quantity::damping_moment_per_velocity_squared:
       return {1e18, of_damping};
     case Quantity::damping_force_per_angle:
     case Quantity::damping_moment_per_length:

@@ -12,7 +12,7 @@
 
 namespace trivet::project {
 
-std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key) {
+std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key, Quantity x, Quantity y) {
   const Node* value = reader.node(key);
   if (!value) return std::nullopt;
   const auto refuse = [&](const std::string& finding) {
@@ -31,7 +31,7 @@ std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string
           row.kind == Node::Kind::array ? fmt::format("of {} numbers", row.items.size()) : kind_name(row.kind)));
     for (std::size_t j = 0; j < 2; ++j) {
       const auto entry =
-          reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), Quantity::pure);
+          reader.scalar(row.items[j], fmt::format("{}.{}[{}][{}]", reader.path(), key, i, j), j == 0 ? x : y);
       good = good && entry;
       pairs(to_index(i), to_index(j)) = entry.value_or(0);
     }

@@ -11,8 +11,9 @@
 /// Two columns of numbers, in the project file or in a file that it names.
 namespace trivet::project {
 
-/// `key = [[x, y], …]`, at least two rows, bare numbers; n × 2.
-[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key);
+/// `key = [[x, y], …]`, at least two rows, numbers of these quantities; n × 2.
+[[nodiscard]] std::optional<Eigen::MatrixXd> read_pairs(TableReader& reader, const std::string& key,
+                                                        Quantity x = Quantity::pure, Quantity y = Quantity::pure);
 
 /// `file = "….csv"` with the columns `x` and `y`; other names by the keys `x` and `y` of the table. A cell that was not
 /// measured is a problem. n × 2.

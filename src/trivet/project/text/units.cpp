@@ -302,6 +302,8 @@ const char* si_unit(Quantity quantity) {
       return "N";
     case Quantity::moment:
       return "N m";
+    case Quantity::energy:
+      return "J";
     case Quantity::acceleration:
       return "m/s2";
     case Quantity::velocity:
@@ -328,6 +330,10 @@ const char* si_unit(Quantity quantity) {
       return "N m/rad3";
     case Quantity::damping_force_per_length:
       return "N s/m";
+    case Quantity::damping_force_per_velocity_squared:
+      return "N s2/m2";
+    case Quantity::damping_moment_per_velocity_squared:
+      return "N m s2/rad2";
     case Quantity::damping_force_per_angle:
       return "N s/rad";
     case Quantity::damping_moment_per_length:

@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/backbone.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/modes.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/branch.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using numerics::BranchPoint;
+
+/// The machine of small motions about rest; undamped: with its elastic laws alone, sliders sticking.
+model::System about_rest(const model::System& given) { return with_references(given, tangents_at_rest(given)); }
+
+std::vector<Deflection> laws_of(const model::System& system, const assembly::Assembled& assembled, bool damped) {
+  std::vector<Deflection> found = nonlinear_deflections(system, assembled, tangents_at_rest(system));
+  if (damped) return found;
+  std::size_t next = 0;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      elements::ScalarLaws elastic;
+      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
+        elastic.emplace_back(law);
+      found[next++].law = LawAbout(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
+    }
+  return found;
+}
+
+/// (K − k²ω²A) q_k + i (k ω (B − 2 ζ ω A) + K_loss) q_k + W f_k = 0 for k = 0 … H in all coordinates (losses for k >
+/// 0). Undamped motions that begin at rest have cosines only. Unknowns: the cosines of all harmonics, harmonic by
+/// harmonic; damped, the sines from the first harmonic on as well, and a multiple of ζ. Parameter: ω.
+class FreeMotion {
+ public:
+  FreeMotion(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections, bool damped,
+             Index harmonics)
+      : A_(assembled.matrices.A),
+        B_(assembled.matrices.B),
+        K_(assembled.matrices.K),
+        K_loss_(assembled.matrices.K_loss),
+        damped_(damped),
+        harmonics_(harmonics),
+        across_(A_.rows(), to_index(deflections.size())) {
+    for (std::size_t j = 0; j < deflections.size(); ++j) {
+      across_.col(to_index(j)) = deflections[j].on_coordinates;
+      laws_.emplace_back(deflections[j].law, harmonics);
+      wider_.emplace_back(deflections[j].law, 3 * harmonics);
+    }
+  }
+
+  [[nodiscard]] Index coordinates() const { return A_.rows(); }
+  [[nodiscard]] Index size() const {
+    return damped_ ? coordinates() * (2 * harmonics_ + 1) + 1 : coordinates() * (harmonics_ + 1);
+  }
+  [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
+
+  /// Row of the Fourier coefficient c (numerics/periodic/fourier_basis.h) of the first coordinate among the unknowns;
+  /// negative if it is not one of them.
+  [[nodiscard]] Index place(Index coefficient) const {
+    const Index n = coordinates();
+    if (damped_) return n * coefficient;
+    return coefficient == 0 ? 0 : coefficient % 2 == 1 ? n * (coefficient + 1) / 2 : -1;
+  }
+
+  /// Fourier coefficients × coordinates.
+  [[nodiscard]] MatrixXd motion(const VectorXd& unknowns) const {
+    MatrixXd found = MatrixXd::Zero(numerics::coefficient_count(harmonics_), coordinates());
+    for (Index c = 0; c < found.rows(); ++c)
+      if (place(c) >= 0) found.row(c) = unknowns.segment(place(c), coordinates()).transpose();
+    return found;
+  }
+  [[nodiscard]] double damping_ratio(const VectorXd& unknowns) const {
+    return damped_ ? unknowns(size() - 1) / ratio_scale_ : 0;
+  }
+  [[nodiscard]] MatrixXd deflections(const VectorXd& unknowns) const { return motion(unknowns) * across_; }
+
+  [[nodiscard]] MatrixXd forces(const VectorXd& unknowns, double omega) const {
+    const MatrixXd course = deflections(unknowns);
+    MatrixXd found(course.rows(), course.cols());
+    for (Index j = 0; j < course.cols(); ++j) found.col(j) = laws_[to_size(j)].force_at(course.col(j), omega);
+    return found;
+  }
+
+  void evaluate(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
+    const Index n = coordinates(), count = numerics::coefficient_count(harmonics_);
+    const double ratio = damping_ratio(unknowns);
+    equations.value = VectorXd::Zero(size());
+    equations.by_unknowns = MatrixXd::Zero(size(), size());
+    equations.by_parameter = VectorXd::Zero(size());
+    for (Index c = 0; c < count; ++c) {
+      const Index row = place(c);
+      if (row < 0) continue;
+      const auto k = static_cast<double>((c + 1) / 2);
+      const MatrixXd stiffness = K_ - k * k * omega * omega * A_;
+      const auto q = unknowns.segment(row, n);
+      equations.value.segment(row, n) += stiffness * q;
+      equations.by_unknowns.block(row, row, n, n) += stiffness;
+      equations.by_parameter.segment(row, n) -= 2 * k * k * omega * (A_ * q);
+      if (!damped_ || c == 0) continue;
+      const bool is_cosine = c % 2 == 1;
+      const Index other = place(is_cosine ? c + 1 : c - 1);
+      const double sign = is_cosine ? 1 : -1;
+      const VectorXd beside = unknowns.segment(other, n);
+      MatrixXd damping = sign * k * omega * (B_ - 2 * ratio * omega * A_);
+      if (K_loss_.size() > 0) damping += sign * K_loss_;
+      equations.value.segment(row, n) += damping * beside;
+      equations.by_unknowns.block(row, other, n, n) += damping;
+      equations.by_unknowns.col(size() - 1).segment(row, n) -=
+          sign * 2 * k * omega * omega / ratio_scale_ * (A_ * beside);
+      equations.by_parameter.segment(row, n) += sign * k * ((B_ - 4 * ratio * omega * A_) * beside);
+    }
+    add_forces(unknowns, omega, equations);
+    if (damped_) {  // the phase: the rate of the first harmonic, weighted by its cosines, is zero at phase 0
+      const VectorXd weights = A_ * phase_;
+      equations.value(size() - 1) = weights.dot(unknowns.segment(place(2), n));
+      equations.by_unknowns.row(size() - 1).segment(place(2), n) = weights.transpose();
+    }
+  }
+
+  /// The mode whose rate at phase 0 is zero, and the value of its unknown for ζ = 1: of the size of the motion.
+  void set_mode(const VectorXd& shape, double ratio_scale) {
+    phase_ = shape;
+    ratio_scale_ = ratio_scale;
+  }
+
+  /// Largest amplitude that the harmonics from H + 1 to 3H add, as a share of the largest.
+  [[nodiscard]] double left_out(const VectorXd& unknowns, double omega) const {
+    const MatrixXd course = deflections(unknowns);
+    MatrixXd forces(numerics::coefficient_count(3 * harmonics_), course.cols());
+    for (Index j = 0; j < course.cols(); ++j) {
+      VectorXd padded = VectorXd::Zero(forces.rows());
+      padded.head(course.rows()) = course.col(j);
+      forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
+    }
+    double sum = 0;
+    for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
+      const double frequency = static_cast<double>(k) * omega;
+      const MatrixXd right = across_ * forces.middleRows(2 * k - 1, 2).transpose();
+      if (right.isZero(0)) continue;
+      sum += (across_.transpose() * numerics::PivotedLu<double>(K_ - frequency * frequency * A_).solve(right))
+                 .rowwise()
+                 .norm()
+                 .maxCoeff();
+    }
+    return sum / course.cwiseAbs().maxCoeff();
+  }
+
+ private:
+  void add_forces(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
+    const MatrixXd course = deflections(unknowns);
+    const Index n = coordinates();
+    for (Index j = 0; j < course.cols(); ++j) {
+      const ForceHarmonics force = laws_[to_size(j)].at(course.col(j), omega);
+      const VectorXd row_of = across_.col(j);
+      for (Index c = 0; c < course.rows(); ++c) {
+        if (place(c) < 0) continue;
+        equations.value.segment(place(c), n) += force.force(c) * row_of;
+        equations.by_parameter.segment(place(c), n) += force.by_omega(c) * row_of;
+        for (Index d = 0; d < course.rows(); ++d)
+          if (place(d) >= 0)
+            equations.by_unknowns.block(place(c), place(d), n, n) += force.tangent(c, d) * row_of * row_of.transpose();
+      }
+    }
+  }
+
+  MatrixXd A_, B_, K_, K_loss_;
+  bool damped_;
+  Index harmonics_;
+  MatrixXd across_;  ///< coordinates × deflections
+  std::vector<LawHarmonics> laws_, wider_;
+  VectorXd phase_;
+  double ratio_scale_ = 1;
+};
+
+class FreeCourse {
+ public:
+  FreeCourse(const model::System& given, const BackboneOptions& options)
+      : options_(options),
+        system_(about_rest(given)),
+        assembled_(assembly::assemble(system_)),
+        deflections_(laws_of(system_, assembled_, options.damped)),
+        motion_(assembled_, deflections_, options.damped, options.harmonics),
+        observer_(system_, assembled_, numerics::Load(assembled_.ground.size()), options.of, options.quantity) {
+    if (assembled_.frequency_dependent())
+      throw foundation::NotComputable(
+          "backbone: elements whose stiffness is a function of frequency; give them constant matrices or a Maxwell "
+          "model");
+    std::vector<modal::Mode> moving;
+    for (const modal::Mode& mode : modal::modes(system_, assembled_).list)
+      if (mode.angular_frequency && *mode.angular_frequency > 0) moving.push_back(mode);
+    if (options.mode < 0 || options.mode >= to_index(moving.size()))
+      throw foundation::NotComputable(fmt::format("backbone: mode {} does not exist; {} modes have a frequency above 0",
+                                                  options.mode + 1, moving.size()));
+    omega_ = *moving[to_size(options.mode)].angular_frequency;
+    shape_ = moving[to_size(options.mode)].coordinates;
+  }
+
+  Backbone follow(const foundation::Progress& progress) {
+    Backbone found{.mode = options_.mode, .angular_frequency = omega_, .harmonics = options_.harmonics};
+    for (const assembly::Channel& channel : observer_.channels()) {
+      found.results.push_back(channel.name);
+      found.units.push_back(channel.unit);
+    }
+    const VectorXd start = starting_shape();
+    motion_.set_mode(shape_, start.cwiseAbs().maxCoeff());
+    const numerics::Branch branch(
+        [this](const VectorXd& unknowns, double omega, numerics::Equations& equations) {
+          motion_.evaluate(unknowns, omega, equations);
+        },
+        smallest_scale(start), omega_);
+    std::optional<BranchPoint> now = first(branch, start);
+    if (!now) throw foundation::NotComputable("backbone: no motion of small amplitude was found");
+    found.points.push_back(observed(*now, found));
+    constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
+    double step = 0.05;
+    while (!reached(found.points.back())) {
+      if (static_cast<int>(found.points.size()) >= options_.most_points) {
+        found.ended = fmt::format("stopped after {} points", options_.most_points);
+        break;
+      }
+      const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
+      if (!advance || !(advance->to.parameter > 0)) {
+        found.ended = fmt::format(
+            "no further motion beyond {:.6g} rad/s and {:.4g} J: the step of the branch became "
+            "too short",
+            now->parameter, found.points.back().energy);
+        break;
+      }
+      const double energy = found.points.back().energy, next_energy = this->energy(advance->to);
+      for (const double wanted : options_.at_energy)
+        if ((energy < wanted) != (next_energy < wanted))
+          if (const auto there = at_energy(branch, wanted, *now, advance->length))
+            found.at_energy.push_back(observed(*there, found));
+      now = advance->to;
+      found.points.push_back(observed(*now, found));
+      if (progress) progress("backbone", std::clamp(share(found.points.back()), 0.0, 1.0));
+    }
+    return found;
+  }
+
+ private:
+  /// The mode with a small amplitude, as cosines of the first harmonic.
+  [[nodiscard]] VectorXd starting_shape() const {
+    constexpr double small = 1e-3;  // of the end
+    double factor = std::numeric_limits<double>::infinity();
+    double deflection = 0;
+    for (const Deflection& one : deflections_)
+      deflection = std::max(deflection, std::abs(one.on_coordinates.dot(shape_)));
+    if (deflection > 0) factor = small * options_.up_to / deflection;
+    factor = std::min(factor, small * std::sqrt(2 * options_.up_to_energy) / omega_);  // modal mass 1
+    if (!std::isfinite(factor))
+      throw foundation::NotComputable("backbone: the mode does not move the nonlinear parts, so it stays linear");
+    VectorXd unknowns = VectorXd::Zero(motion_.size());
+    unknowns.segment(motion_.place(1), motion_.coordinates()) = factor * shape_;
+    return unknowns;
+  }
+
+  /// Coordinates that stay near zero are compared with a hundredth of the largest; ζ with 1.
+  [[nodiscard]] VectorXd smallest_scale(const VectorXd& start) const {
+    constexpr double share = 1e-2;
+    return VectorXd::Constant(start.size(), share * start.cwiseAbs().maxCoeff());
+  }
+
+  /// From the mode about rest, along which its amplitude grows and its frequency stays.
+  [[nodiscard]] std::optional<BranchPoint> first(const numerics::Branch& branch, const VectorXd& start) const {
+    BranchPoint point{start, omega_, {}, {}, 0};
+    if (options_.damped) {
+      const MatrixXd& B = assembled_.matrices.B;
+      double loss = shape_.dot(B * shape_) / (2 * omega_);
+      if (assembled_.matrices.lossy()) loss += shape_.dot(assembled_.matrices.K_loss * shape_) / (2 * omega_ * omega_);
+      point.unknowns(start.size() - 1) = start.cwiseAbs().maxCoeff() * loss;
+    }
+    const double largest = start.cwiseAbs().maxCoeff();
+    point.scale = VectorXd::Constant(start.size() + 1, largest);
+    point.scale(start.size()) = omega_;
+    point.tangent = VectorXd::Zero(start.size() + 1);
+    point.tangent.head(start.size()) = start / largest;
+    point.tangent.normalize();
+    return branch.after(point, 0);
+  }
+
+  /// Above rest, at phase 0; all that moves, as if the damping fed and lost nothing.
+  [[nodiscard]] double energy(const BranchPoint& point) const {
+    const MatrixXd motion = motion_.motion(point.unknowns);
+    const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, 0);
+    VectorXd rates(motion.cols());
+    for (Index i = 0; i < motion.cols(); ++i)
+      rates(i) = point.parameter * row.dot(numerics::phase_derivative(motion.col(i)));
+    const VectorXd q = (row * motion).transpose();
+    double sum = (q.dot(assembled_.matrices.K * q) + rates.dot(assembled_.matrices.A * rates)) / 2;
+    for (const Deflection& deflection : deflections_) sum += deflection.law.energy(deflection.on_coordinates.dot(q));
+    return sum;
+  }
+
+  [[nodiscard]] BackbonePoint observed(const BranchPoint& point, Backbone& found) const {
+    BackbonePoint result;
+    result.angular_frequency = point.parameter;
+    result.energy = energy(point);
+    result.damping_ratio = motion_.damping_ratio(point.unknowns);
+    const MatrixXd motion = motion_.motion(point.unknowns);
+    result.coordinates.resize(motion.cols(), options_.harmonics + 1);
+    result.coordinates.col(0) = motion.row(0).transpose().cast<std::complex<double>>();
+    for (Index k = 1; k <= options_.harmonics; ++k)
+      for (Index i = 0; i < motion.cols(); ++i) result.coordinates(i, k) = {motion(2 * k - 1, i), -motion(2 * k, i)};
+    const MatrixXd course = motion_.deflections(point.unknowns);
+    constexpr int samples = 64;
+    for (int n = 0; n < samples; ++n)
+      result.deflection = std::max(
+          result.deflection,
+          (numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples) * course).cwiseAbs().maxCoeff());
+    result.results =
+        observer_.at(result.coordinates, motion_.forces(point.unknowns, point.parameter), point.parameter, 0);
+    found.left_out = std::max(found.left_out, motion_.left_out(point.unknowns, point.parameter));
+    return result;
+  }
+
+  [[nodiscard]] double share(const BackbonePoint& point) const {
+    return std::max(point.deflection / options_.up_to, point.energy / options_.up_to_energy);
+  }
+  [[nodiscard]] bool reached(const BackbonePoint& point) const { return share(point) >= 1; }
+
+  [[nodiscard]] std::optional<BranchPoint> at_energy(const numerics::Branch& branch, double wanted,
+                                                     const BranchPoint& from, double length) const {
+    constexpr int most = 60;
+    constexpr double accurate = 1e-13;
+    double low = 0, high = length;
+    std::optional<BranchPoint> there = branch.after(from, length);
+    double at_low = energy(from) - wanted, at_high = there ? energy(*there) - wanted : 0;
+    for (int i = 0; there && i < most && std::abs(at_high) > accurate * wanted; ++i) {  // regula falsi (Illinois)
+      const double place = (low * at_high - high * at_low) / (at_high - at_low);
+      there = branch.after(from, place);
+      if (!there) break;
+      const double value = energy(*there) - wanted;
+      if (value * at_high > 0) {
+        at_low /= 2;
+      } else {
+        low = high;
+        at_low = at_high;
+      }
+      high = place;
+      at_high = value;
+    }
+    return there;
+  }
+
+  const BackboneOptions& options_;
+  model::System system_;
+  assembly::Assembled assembled_;
+  std::vector<Deflection> deflections_;
+  FreeMotion motion_;
+  Observer observer_;
+  double omega_ = 0;
+  VectorXd shape_;
+};
+
+}  // namespace
+
+Backbone backbone(const model::System& system, const BackboneOptions& options, const foundation::Progress& progress) {
+  if (!(std::isfinite(options.up_to) || std::isfinite(options.up_to_energy)) ||
+      !(options.up_to > 0 && options.up_to_energy > 0))
+    throw foundation::InvalidInput("backbone: give an end above 0: a deflection or an energy");
+  if (options.harmonics < 1) throw foundation::InvalidInput("backbone: at least one harmonic");
+  return FreeCourse(system, options).follow(progress);
+}
+
+}  // namespace trivet::nonlinear

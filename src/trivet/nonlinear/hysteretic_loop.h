@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "trivet/nonlinear/law_about.h"
+
+namespace trivet::nonlinear {
+
+/// The closed loop of one hysteretic force over a periodic deflection: the force after one period is that before it,
+/// found by Newton's method on the force at the first turning point, not by marching.
+class HystereticLoop {
+ public:
+  /// @param deflection  Fourier coefficients of the deviation from the state
+  /// @param turns       phases of its turning points, ascending in [0, 2π)
+  HystereticLoop(const LawAbout::Hysteretic& part, const Eigen::VectorXd& deflection, const std::vector<double>& turns);
+
+  /// From one turning point to the next.
+  struct Branch {
+    double from = 0, to = 0;       ///< phases; that of the last branch ends beyond 2π
+    double deflection = 0;         ///< at the turning point
+    double force = 0;              ///< the whole force there
+    std::optional<double> kink;    ///< phase at which the force is not smooth
+    Eigen::VectorXd force_slopes;  ///< derivative of `force` by the coefficients of the deflection
+  };
+  /// Empty if the deflection does not move.
+  [[nodiscard]] const std::vector<Branch>& branches() const { return branches_; }
+  [[nodiscard]] const Branch& branch_at(double phase) const;
+
+  /// @return force beyond that at the state
+  [[nodiscard]] elements::ForceOnTravel at(const Branch& branch, double deflection) const;
+
+  /// Does a slider stick all the time? Its force is then an elastic one, and its mean depends on what happened before;
+  /// here on sticking since the state.
+  [[nodiscard]] bool sticks() const { return sticks_; }
+
+ private:
+  /// Smooth loops of two turning points: the force at one is the opposite of that at the other.
+  [[nodiscard]] bool is_symmetric() const;
+  /// Forces at all turning points from that at the first one. @return force and its derivative after one period
+  elements::ForceOnTravel around(double start);
+  [[nodiscard]] double closed(double guess);
+  void set_slopes(const Eigen::VectorXd& deflection);
+
+  LawAbout::Hysteretic part_;
+  std::vector<Branch> branches_;
+  bool sticks_ = false;
+};
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/law_about.h"
+
+#include <algorithm>
+
+namespace trivet::nonlinear {
+namespace {
+
+void make_ascending(std::vector<double>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+}  // namespace
+
+LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotion reference)
+    : laws_(std::move(laws)),
+      elastic_(elements::only<elements::ElasticForce>(laws_)),
+      dampers_(elements::only<elements::DampingForce>(laws_)),
+      state_(state),
+      offset_(elements::force_at_rest(laws_, state).force),
+      reference_(reference) {
+  for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(laws_))
+    hysteretic_.push_back({law, elements::force_on_travel(law, 0, state).force});
+  for (const elements::ElasticForce& law : elastic_)
+    for (const double kink : elements::kinks(law)) kinks_.push_back(kink - state);
+  for (const elements::DampingForce& law : dampers_)
+    for (const double kink : elements::kinks(law)) rate_kinks_.push_back(kink);
+  make_ascending(kinks_);
+  make_ascending(rate_kinks_);
+}
+
+LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
+  Force sum{-offset_ - reference_.stiffness * deviation - reference_.damping * rate, -reference_.stiffness,
+            -reference_.damping};
+  for (const Hysteretic& part : hysteretic_) sum.force += part.at_state;  // in the offset
+  for (const elements::ElasticForce& law : elastic_) {
+    const elements::ForceAndTangent found = elements::force_and_tangent(law, state_ + deviation);
+    sum.force += found.force;
+    sum.by_deviation += found.tangent;
+  }
+  for (const elements::DampingForce& law : dampers_) {
+    const elements::ForceOfRate found = elements::force_of_rate(law, rate);
+    sum.force += found.force;
+    sum.by_rate += found.by_rate;
+  }
+  return sum;
+}
+
+elements::ForceAndTangent LawAbout::at_rest(double deviation) const {
+  const elements::ForceAndTangent whole = elements::force_at_rest(laws_, state_ + deviation);
+  return {whole.force - offset_ - reference_.stiffness * deviation, whole.tangent - reference_.stiffness};
+}
+
+double LawAbout::energy(double deviation) const {
+  double sum = -reference_.stiffness * deviation * deviation / 2;
+  for (const elements::ElasticForce& law : elastic_)
+    sum += elements::elastic_energy(law, state_ + deviation) - elements::elastic_energy(law, state_) -
+        elements::force_and_tangent(law, state_).force * deviation;
+  return sum;
+}
+
+bool LawAbout::is_piecewise_linear() const {
+  const auto straight = [](const auto& law) { return elements::is_piecewise_linear(law); };
+  return std::all_of(elastic_.begin(), elastic_.end(), straight) &&
+      std::all_of(dampers_.begin(), dampers_.end(), straight) &&
+      std::all_of(hysteretic_.begin(), hysteretic_.end(),
+                  [](const Hysteretic& part) { return std::holds_alternative<elements::Slider>(part.law); });
+}
+
+std::pair<double, double> LawAbout::range() const {
+  std::pair<double, double> common = elements::range(elements::PolynomialForce{});
+  for (const elements::ElasticForce& law : elastic_) {
+    const auto [low, high] = elements::range(law);
+    common = {std::max(common.first, low - state_), std::min(common.second, high - state_)};
+  }
+  return common;
+}
+
+}  // namespace trivet::nonlinear

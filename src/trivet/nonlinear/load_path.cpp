@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/load_path.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/assembly/loads.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/symmetric_eigen.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using numerics::BranchPoint;
+
+LoadPath::LoadPath(const model::System& undeformed) {
+  const References references = positive_references(undeformed);
+  const model::System linear = with_references(undeformed, references);
+  const assembly::Assembled assembled = assembly::assemble(linear);
+  deflections_ = nonlinear_deflections(linear, assembled, references);
+  const Index count = to_index(deflections_.size());
+  stiffness_ = assembled.matrices.K;
+  across_.resize(stiffness_.rows(), count);
+  references_.resize(count);
+  for (Index j = 0; j < count; ++j) {
+    across_.col(j) = deflections_[to_size(j)].on_coordinates;
+    references_(j) = references[to_size(j)].stiffness;
+  }
+  const VectorXd load = assembly::static_load(linear, assembled);
+  const numerics::PivotedLu<double> stiffness(stiffness_);
+  constexpr double singular = 1e-13;
+  if (!(stiffness.reciprocal_condition() > singular)) {
+    if (load.isZero(0)) return;
+    throw foundation::NotComputable(
+        "static: the machine is free to move, so it has no position of rest; hold it by another element");
+  }
+  receptance_ = across_.transpose() * stiffness.solve(across_);
+  linear_ = across_.transpose() * stiffness.solve(load);
+}
+
+void LoadPath::evaluate(const VectorXd& deflections, double share, numerics::Equations& equations) const {
+  const Index count = deflections.size();
+  VectorXd force(count), tangent(count);
+  for (Index j = 0; j < count; ++j) {
+    const elements::ForceAndTangent found = deflections_[to_size(j)].law.at_rest(deflections(j));
+    force(j) = found.force;
+    tangent(j) = found.tangent;
+  }
+  equations.value = deflections + receptance_ * force - share * linear_;
+  equations.by_unknowns = MatrixXd::Identity(count, count) + receptance_ * tangent.asDiagonal();
+  equations.by_parameter = -linear_;
+}
+
+std::optional<VectorXd> LoadPath::only_one() const {
+  if (!std::all_of(deflections_.begin(), deflections_.end(), [](const Deflection& d) { return d.law.is_monotone(); }))
+    return std::nullopt;
+  if (std::optional<VectorXd> at_once = solved(linear_, 0)) return at_once;
+  std::optional<VectorXd> found = linear_;
+  for (const double held : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
+    found = solved(*found, held);
+    if (!found) return std::nullopt;
+  }
+  return found;
+}
+
+std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
+  constexpr int most = 100;
+  constexpr double accurate = 1e-13, least_step = 1e-6;
+  const MatrixXd added = held * receptance_ * references_.asDiagonal();
+  numerics::Equations equations;
+  const auto at = [&](const VectorXd& deflections) {
+    evaluate(deflections, 1, equations);
+    equations.value += added * deflections;
+    equations.by_unknowns += added;
+  };
+  at(now);
+  for (int i = 0; i < most; ++i) {
+    const VectorXd change = -numerics::PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+    if (!change.allFinite()) return std::nullopt;
+    if (change.norm() <= accurate * now.norm()) return now;
+    const double before = equations.value.norm();
+    double step = 1;
+    for (;; step /= 2) {
+      at(now + step * change);
+      if (equations.value.norm() < before || step < least_step) break;
+    }
+    now += step * change;
+  }
+  return std::nullopt;
+}
+
+std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
+  constexpr numerics::StepControl control{.longest = 0.5,
+                                          .shortest = 1e-10,
+                                          .growth = 1.5,
+                                          .least_cosine = 0.9,
+                                          .hidden_folds = 1e-4,
+                                          .sharp_turns = 1e-4};  // a stop closes
+  constexpr int most_points = 5000;
+  const numerics::Branch branch([this](const VectorXd& unknowns, double share,
+                                       numerics::Equations& equations) { evaluate(unknowns, share, equations); },
+                                VectorXd::Constant(linear_.size(), 1e-3 * linear_.cwiseAbs().maxCoeff()), 1.0);
+  std::vector<double> turns;
+  std::optional<BranchPoint> now = branch.start(VectorXd::Zero(linear_.size()), 0);
+  double step = 0.05, highest = 0;
+  for (int i = 0; now && i < most_points; ++i) {
+    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
+    if (!advance) break;
+    const BranchPoint& next = advance->to;
+    const bool turns_back = next.parameter_direction() < 0 && now->parameter_direction() > 0;
+    const std::optional<BranchPoint> fold = turns_back ? branch.fold(*now, advance->length) : std::nullopt;
+    highest = std::max({highest, next.parameter, fold ? fold->parameter : 0.0});
+    const double rising_to = fold ? numerics::Branch::length(*now, *fold) : advance->length;
+    if (highest >= 1) {
+      if (const std::optional<BranchPoint> whole = branch.at(1, *now, 0, rising_to)) return {whole->unknowns, turns};
+      step = advance->length / 2;
+      continue;
+    }
+    if (fold) turns.push_back(fold->parameter);
+    now = next;
+  }
+  throw foundation::NotComputable(fmt::format(
+      "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", highest));
+}
+
+std::vector<double> LoadPath::starts(Index j) const {
+  constexpr double smallest = 1e-7, largest = 10, ratio = 1.1;  // [m, rad]
+  const auto missing = [&](double x) {
+    return x + receptance_(j, j) * deflections_[to_size(j)].law.at_rest(x).force - linear_(j);
+  };
+  std::vector<double> grid = {0};
+  for (double x = smallest; x < largest; x *= ratio) {
+    grid.push_back(x);
+    grid.insert(grid.begin(), -x);
+  }
+  std::vector<double> found = {linear_(j)};
+  for (std::size_t i = 0; i + 1 < grid.size(); ++i)
+    if ((missing(grid[i]) < 0) != (missing(grid[i + 1]) < 0)) found.push_back((grid[i] + grid[i + 1]) / 2);
+  return found;
+}
+
+std::vector<VectorXd> LoadPath::all() const {
+  std::vector<VectorXd> found;
+  if (linear_.size() == 0) return found;
+  std::vector<std::vector<double>> choices;
+  for (Index j = 0; j < linear_.size(); ++j) choices.push_back(starts(j));
+  constexpr int most_starts = 2000;
+  std::vector<std::size_t> chosen(choices.size(), 0);
+  for (int i = 0; i < most_starts; ++i) {
+    VectorXd start(linear_.size());
+    for (std::size_t j = 0; j < choices.size(); ++j) start(to_index(j)) = choices[j][chosen[j]];
+    if (const std::optional<VectorXd> rest = solved(start, 0)) {
+      constexpr double same = 1e-6;
+      const bool is_known = std::any_of(found.begin(), found.end(), [&](const VectorXd& other) {
+        return (other - *rest).norm() <= same * std::max(other.norm(), rest->norm()) || other == *rest;
+      });
+      if (!is_known) found.push_back(*rest);
+    }
+    std::size_t place = 0;
+    while (place < chosen.size() && ++chosen[place] == choices[place].size()) chosen[place++] = 0;
+    if (place == chosen.size()) break;
+  }
+  std::sort(found.begin(), found.end(), [](const VectorXd& a, const VectorXd& b) { return a(0) < b(0); });
+  return found;
+}
+
+bool LoadPath::is_stable(const VectorXd& deflections) const {
+  VectorXd tangent(deflections.size());
+  for (Index j = 0; j < deflections.size(); ++j)
+    tangent(j) = deflections_[to_size(j)].law.at_rest(deflections(j)).tangent;
+  const MatrixXd stiffness = stiffness_ + across_ * tangent.asDiagonal() * across_.transpose();
+  const VectorXd scale = stiffness_.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  const MatrixXd scaled = scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
+  constexpr double round_off = 1e-12;
+  return numerics::symmetric_eigen(scaled).values.minCoeff() > -round_off;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/analyses/backbone_question.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "trivet/project/analyses/harmonics_reader.h"
+#include "trivet/project/analyses/question_reader.h"
+
+namespace trivet::project {
+namespace {
+
+std::unique_ptr<Question> read_backbone(TableReader& reader, const ResultNames& names, const NamesInFile&) {
+  auto asked = std::make_unique<BackboneQuestion>();
+  read_results(reader, names, asked->selection);
+  if (const auto modes = reader.numbers("modes", Quantity::pure)) {
+    asked->modes.clear();
+    for (const double mode : *modes) {
+      if (mode >= 1 && mode == std::floor(mode)) asked->modes.push_back(static_cast<int>(mode));
+      else
+        reader.error("modes", fmt::format("{:.6g}", mode), "numbers of modes as trivet modes lists them, from 1",
+                     "for instance modes = [1, 2]");
+    }
+    if (modes->empty()) reader.error("modes", "no mode", "at least one is expected", "remove it for the first mode");
+  }
+  const auto read_end = [&](const char* key, Quantity quantity, double& end) {
+    const auto value = reader.number(key, quantity);
+    if (value && !(*value > 0)) reader.error(key, fmt::format("{:.6g}", *value), "it is > 0", "correct it");
+    if (value) end = *value;
+  };
+  read_end("up_to", Quantity::length, asked->up_to);
+  read_end("up_to_energy", Quantity::energy, asked->up_to_energy);
+  if (!reader.has("up_to") && !reader.has("up_to_energy"))
+    reader.missing("up_to", "give the largest deflection of a nonlinear part, up_to = \"10 mm\", or up_to_energy");
+  asked->damped = reader.boolean("damped").value_or(false);
+  read_harmonics(reader, asked->harmonics, asked->tolerance);
+  return asked;
+}
+
+void check_nonlinear(const Question&, const model::System& system, foundation::Problems& problems) {
+  require_nonlinear("analyses.backbone", "take modes, or give an element laws or a stop (docs/nonlinear.md)", system,
+                    problems);
+}
+
+}  // namespace
+
+const QuestionReader backbone_question = {
+    .read = read_backbone, .check = check_nonlinear, .keys = R"json({"properties": {
+   "of": {"$ref": "#/$defs/answers_of"},
+   "quantity": {"$ref": "#/$defs/quantity"},
+   "modes": {"type": "array", "items": {"type": "integer", "minimum": 1}, "minItems": 1, "description": "numbers of modes about rest (default: [1])"},
+   "up_to": {"$ref": "#/$defs/number", "description": "m, rad: largest deflection of any nonlinear part"},
+   "up_to_energy": {"$ref": "#/$defs/number", "description": "J"},
+   "damped": {"type": "boolean", "description": "with the damping ratio over amplitude (default: false)"},
+   "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
+   "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"}}})json"};
+
+}  // namespace trivet::project

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/elements/scalar_law_readers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/project/text/pairs_reader.h"
+
+namespace trivet::project {
+
+namespace {
+
+/// CurvePoints with ascending x; empty with problems.
+struct CurvePoints {
+  std::vector<double> x, y;
+};
+
+/// The rows of a curve through (0, 0), from the project file or from a CSV file with these columns.
+std::optional<CurvePoints> read_points(TableReader& reader, const char* x_column, const char* y_column, Quantity x,
+                                       Quantity y) {
+  if (reader.has("rows") == reader.has("file")) {
+    reader.also_known({"rows", "file"});
+    reader.error("", reader.has("rows") ? "rows and file" : "neither rows nor file",
+                 fmt::format("a curve has rows [[{}, {}], …] or a CSV file with these columns", x_column, y_column),
+                 "give one of them");
+    return std::nullopt;
+  }
+  const char* source = reader.has("rows") ? "rows" : "file";
+  const auto pairs =
+      reader.has("rows") ? read_pairs(reader, "rows", x, y) : read_pairs_of_file(reader, x_column, y_column);
+  if (!pairs) return std::nullopt;
+  CurvePoints points;
+  double largest = 0;
+  for (Eigen::Index i = 0; i < pairs->rows(); ++i) {
+    points.x.push_back((*pairs)(i, 0));
+    points.y.push_back((*pairs)(i, 1));
+    largest = std::max(largest, std::abs(points.y.back()));
+    if (i > 0 && !((*pairs)(i, 0) > (*pairs)(i - 1, 0))) {
+      reader.error(source, fmt::format("row {}: {:.6g} after {:.6g}", i + 1, (*pairs)(i, 0), (*pairs)(i - 1, 0)),
+                   fmt::format("the {} increases from row to row", x_column), "sort the rows and remove repeats");
+      return std::nullopt;
+    }
+  }
+  if (points.x.size() < 2) {
+    reader.error(source, fmt::format("{} rows", points.x.size()), "a curve has at least two", "complete it");
+    return std::nullopt;
+  }
+  if (!(points.x.front() <= 0 && points.x.back() >= 0)) {
+    reader.error(source, fmt::format("a {} from {:.6g} to {:.6g}", x_column, points.x.front(), points.x.back()),
+                 "the curve contains 0", "begin at 0, or below it for both senses");
+    return std::nullopt;
+  }
+  const double at_zero = elements::KnotCurve(points.x, points.y, elements::Interpolation::linear).at(0).value;
+  constexpr double round_off = 1e-9;
+  if (std::abs(at_zero) > round_off * largest) {
+    reader.error(source, fmt::format("a {} of {:.6g} at 0", y_column, at_zero), "a curve passes 0 at 0",
+                 "describe a preload by `preload` of the element or a constant force");
+    return std::nullopt;
+  }
+  return points;
+}
+
+elements::Interpolation read_interpolation(TableReader& reader) {
+  const auto word = reader.choice("interpolation", {"linear", "monotone_cubic"});
+  return word && *word == "monotone_cubic" ? elements::Interpolation::monotone_cubic : elements::Interpolation::linear;
+}
+
+/// A number > 0 that must be there.
+double read_positive(TableReader& reader, const char* key, Quantity quantity) {
+  const std::size_t before = reader.errors();
+  const double value = reader.required_number(key, quantity);
+  if (reader.errors() == before && !(value > 0))
+    reader.error(key, fmt::format("{:.6g} {}", value, printed_si_unit(quantity)), "it is > 0", "correct it");
+  return value;
+}
+
+Quantity force_quantity(bool is_rotation) { return is_rotation ? Quantity::moment : Quantity::force; }
+Quantity travel_quantity(bool is_rotation) { return is_rotation ? Quantity::angle : Quantity::length; }
+Quantity stiffness_quantity(bool is_rotation) {
+  return is_rotation ? Quantity::moment_per_angle : Quantity::force_per_length;
+}
+
+}  // namespace
+
+std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation) {
+  if (!reader.has("quadratic") && !reader.has("cubic") && !reader.has("polynomial")) return std::nullopt;
+  elements::PolynomialForce law;
+  law.coefficients = reader.numbers("polynomial", Quantity::pure).value_or(std::vector<double>());
+  if (law.coefficients.size() < 3) law.coefficients.resize(3, 0.0);
+  law.coefficients[1] +=
+      reader.number("quadratic", is_rotation ? Quantity::moment_per_angle_squared : Quantity::force_per_length_squared)
+          .value_or(0);
+  law.coefficients[2] +=
+      reader.number("cubic", is_rotation ? Quantity::moment_per_angle_cubed : Quantity::force_per_length_cubed)
+          .value_or(0);
+  while (!law.coefficients.empty() && law.coefficients.back() == 0) law.coefficients.pop_back();
+  constexpr std::size_t highest = 12;
+  if (law.coefficients.size() > highest)
+    reader.error("polynomial", fmt::format("degree {}", law.coefficients.size()),
+                 fmt::format("at most degree {}", highest), "such a polynomial oscillates between its points");
+  return law.coefficients.empty() ? std::nullopt : std::optional(law);
+}
+
+std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::GapStop law;
+  const Quantity travel = is_rotation ? Quantity::angle : Quantity::length;
+  if (reader.has("gap") == reader.has("gaps"))
+    reader.error(reader.has("gap") ? "gaps" : "", reader.has("gap") ? "gap and gaps" : "neither gap nor gaps",
+                 "a stop has a gap in the positive direction, or gaps in both",
+                 "gap = \"6 mm\", or gaps = [\"6 mm\", \"9 mm\"]");
+  if (const auto gap = reader.number("gap", travel)) law.gap_above = *gap;
+  if (const auto gaps = reader.numbers("gaps", travel)) {
+    if (gaps->size() == 2) {
+      law.gap_above = (*gaps)[0];
+      law.gap_below = (*gaps)[1];
+    } else {
+      reader.error("gaps", fmt::format("{} numbers", gaps->size()),
+                   "two are expected: in the positive and in the negative direction", "complete or shorten the list");
+    }
+  }
+  for (const double gap : {law.gap_above, law.gap_below})
+    if (gap < 0)
+      reader.error(reader.has("gap") ? "gap" : "gaps", fmt::format("{:.6g} {}", gap, si_unit(travel)), "a gap is ≥ 0",
+                   "describe a preloaded stop by its rest position: gravity closes gaps");
+  law.power = reader.number("power", Quantity::pure).value_or(1);
+  if (!(law.power >= 1 && law.power <= 10))
+    reader.error("power", fmt::format("{:.6g}", law.power), "it is from 1 (linear) to 10; 1.5 is Hertz's contact",
+                 "correct it");
+  const Quantity stiffness = law.power != 1 ? Quantity::pure
+      : is_rotation                         ? Quantity::moment_per_angle
+                                            : Quantity::force_per_length;
+  law.stiffness = reader.required_number("stiffness", stiffness);
+  if (reader.errors() == before && !(law.stiffness > 0))
+    reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
+  return reader.errors() == before ? std::optional(law) : std::nullopt;
+}
+
+std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::ForceCurve law;
+  law.interpolation = read_interpolation(reader);
+  const auto beyond = reader.choice("beyond", {"slope", "refuse"});
+  law.is_limited = beyond && *beyond == "refuse";
+  const auto points =
+      read_points(reader, "deflection", "force", travel_quantity(is_rotation), force_quantity(is_rotation));
+  if (!points || reader.errors() > before) return std::nullopt;
+  law.force = elements::KnotCurve(points->x, points->y, law.interpolation);
+  law.rises = std::is_sorted(points->y.begin(), points->y.end());
+  return law;
+}
+
+std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  const Quantity quadratic =
+      is_rotation ? Quantity::damping_moment_per_velocity_squared : Quantity::damping_force_per_velocity_squared;
+  if (reader.has("quadratic") || reader.has("quadratics")) {
+    elements::QuadraticDamping law;
+    if (reader.has("quadratic") && reader.has("quadratics"))
+      reader.error("quadratics", "quadratic and quadratics", "one coefficient, or one for each sense",
+                   "remove one of them");
+    law.above = law.below = reader.number("quadratic", quadratic).value_or(0);
+    if (const auto both = reader.numbers("quadratics", quadratic)) {
+      if (both->size() == 2) {
+        law.above = (*both)[0];
+        law.below = (*both)[1];
+      } else {
+        reader.error("quadratics", fmt::format("{} numbers", both->size()),
+                     "two are expected: for positive and for negative rates", "complete or shorten the list");
+      }
+    }
+    for (const double c : {law.above, law.below})
+      if (c < 0) {
+        reader.error(reader.has("quadratic") ? "quadratic" : "quadratics", fmt::format("{:.6g}", c),
+                     "a damper does not feed energy: it is ≥ 0", "correct its sign");
+        break;
+      }
+    return reader.errors() == before ? std::optional<elements::DampingForce>(law) : std::nullopt;
+  }
+  elements::DampingCurve law;
+  law.interpolation = read_interpolation(reader);
+  const auto points =
+      read_points(reader, "velocity", "force", is_rotation ? Quantity::angular_velocity : Quantity::velocity,
+                  force_quantity(is_rotation));
+  if (!points || reader.errors() > before) return std::nullopt;
+  for (std::size_t i = 0; i < points->x.size(); ++i)
+    if (points->x[i] * points->y[i] < 0) {
+      reader.error(reader.has("rows") ? "rows" : "file",
+                   fmt::format("row {}: a force of {:.6g} at a velocity of {:.6g}", i + 1, points->y[i], points->x[i]),
+                   "a damper does not feed energy: both have the same sign", "correct the sign");
+      return std::nullopt;
+    }
+  law.force = elements::KnotCurve(points->x, points->y, law.interpolation);
+  return law;
+}
+
+elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::ScalarLaws laws;
+  reader.also_known({"slip", "stiffness", "sliders", "berg"});
+  const int given = static_cast<int>(reader.has("slip")) + static_cast<int>(reader.has("sliders")) +
+      static_cast<int>(reader.has("berg"));
+  if (given != 1) {
+    reader.error("", given == 0 ? "no law" : "several laws", "friction is one of slip, sliders and berg",
+                 R"(for instance friction = {slip = "40 N", stiffness = "400 N/mm"})");
+    return {};
+  }
+  if (reader.has("slip")) {
+    elements::Slider law;
+    law.slip = read_positive(reader, "slip", force_quantity(is_rotation));
+    if (reader.has("stiffness")) law.stiffness = read_positive(reader, "stiffness", stiffness_quantity(is_rotation));
+    else
+      reader.missing("stiffness",
+                     "give the stiffness of the joint before it slips; friction without any is not computed");
+    laws.emplace_back(elements::HystereticForce(law));
+  } else if (reader.has("stiffness")) {
+    reader.error("stiffness", "stiffness beside another law", "it belongs to slip", "remove it");
+  }
+  if (reader.has("sliders"))
+    if (const auto pairs = read_pairs(reader, "sliders", stiffness_quantity(is_rotation), force_quantity(is_rotation)))
+      for (Eigen::Index i = 0; i < pairs->rows(); ++i) {
+        const elements::Slider law{(*pairs)(i, 0), (*pairs)(i, 1)};
+        if (!(law.stiffness > 0 && law.slip > 0))
+          reader.error("sliders", fmt::format("row {}: {:.6g}, {:.6g}", i + 1, law.stiffness, law.slip),
+                       "[stiffness, slip] are both > 0", "correct the row");
+        laws.emplace_back(elements::HystereticForce(law));
+      }
+  if (const Node* table = reader.table("berg")) {
+    TableReader berg(*table, reader.path() + ".berg", reader.problems());
+    elements::BergFriction law;
+    law.force = read_positive(berg, "force", force_quantity(is_rotation));
+    law.deflection = read_positive(berg, "deflection", travel_quantity(is_rotation));
+    berg.finish();
+    laws.emplace_back(elements::HystereticForce(law));
+  }
+  return reader.errors() == before ? laws : elements::ScalarLaws();
+}
+
+std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::BoucWen law;
+  law.stiffness = read_positive(reader, "stiffness", stiffness_quantity(is_rotation));
+  law.force = read_positive(reader, "force", force_quantity(is_rotation));
+  law.exponent = reader.number("exponent", Quantity::pure).value_or(1);
+  law.beta = reader.number("beta", Quantity::pure).value_or(law.beta);
+  law.gamma = reader.number("gamma", Quantity::pure).value_or(law.gamma);
+  constexpr double highest = 20;
+  if (!(law.exponent >= 1 && law.exponent <= highest))
+    reader.error("exponent", fmt::format("{:.6g}", law.exponent), fmt::format("it is from 1 to {:g}", highest),
+                 "correct it");
+  if (!(law.beta > 0 && law.gamma > -law.beta && law.gamma <= law.beta))
+    reader.error(reader.has("gamma") ? "gamma" : "beta", fmt::format("beta {:.6g}, gamma {:.6g}", law.beta, law.gamma),
+                 "0 < beta and −beta < gamma ≤ beta: outside, some loops feed energy", "correct them");
+  return reader.errors() == before ? std::optional(law) : std::nullopt;
+}
+
+}  // namespace trivet::project

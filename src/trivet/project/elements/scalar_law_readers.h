@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "trivet/elements/scalar_law.h"
+#include "trivet/project/text/table_reader.h"
+
+/// Laws over one deflection (docs/nonlinear.md). All add their problems and return what could be read.
+namespace trivet::project {
+
+/// `quadratic`, `cubic` and `polynomial` of a table: coefficients of δ, δ², …
+[[nodiscard]] std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation);
+/// `gap` or `gaps`, `stiffness`, `power`.
+[[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation);
+/// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
+[[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);
+/// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
+[[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
+/// `slip` and `stiffness`, `sliders`, or `berg`.
+[[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
+/// `stiffness`, `force`, `exponent`, `beta`, `gamma`.
+[[nodiscard]] std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation);
+
+}  // namespace trivet::project

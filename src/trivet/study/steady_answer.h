@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/project/analyses/steady_question.h"
+#include "trivet/study/case_context.h"
+
+namespace trivet::study {
+
+/// The motions that a question asks for, with as many harmonics as it needs.
+/// @throws foundation::InvalidInput for a linear machine, foundation::NotComputable if there is no motion to begin with
+[[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyQuestion& asked);
+
+}  // namespace trivet::study

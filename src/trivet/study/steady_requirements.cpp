@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/steady_requirements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/study/margin.h"
+#include "trivet/study/steady_answer.h"
+
+namespace trivet::study {
+namespace {
+
+using foundation::infinity;
+using nonlinear::SteadyBranch;
+using nonlinear::SteadyPoint;
+
+/// Stable motions, and folds beside them.
+std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch) {
+  std::vector<const SteadyPoint*> stable;
+  for (const SteadyPoint& point : branch.points)
+    if (point.stable) stable.push_back(&point);
+  for (const nonlinear::Fold& fold : branch.folds) {
+    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
+    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
+  }
+  return stable;
+}
+
+/// The least and the greatest deviation from rest of one nonlinear deflection.
+std::pair<double, double> range_of(const SteadyPoint& point, std::size_t deflection) {
+  const Eigen::VectorXd motion = point.deflections.col(to_index(deflection));
+  const Eigen::Index harmonics = (motion.size() - 1) / 2, samples = 16 * (harmonics + 1);
+  double low = infinity, high = -infinity;
+  for (Eigen::Index n = 0; n < samples; ++n) {
+    const double value = numerics::motion_at(
+        harmonics, foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples), motion);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return {low, high};
+}
+
+/// A stop, with its gaps from rest.
+struct Stop {
+  std::string element;
+  std::size_t deflection;
+  double above, below;
+};
+
+std::vector<Stop> stops_of(const model::System& system) {
+  std::vector<Stop> stops;
+  std::size_t deflection = 0;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
+        if (const auto* stop = std::get_if<elements::GapStop>(&law))
+          stops.push_back({element.name, deflection, stop->gap_above - part.at_rest, stop->gap_below + part.at_rest});
+      ++deflection;
+    }
+  return stops;
+}
+
+project::SteadyQuestion question_of(const project::Analyses& analyses) {
+  const auto* of_file = analyses.find<project::SteadyQuestion>("steady");
+  project::SteadyQuestion asked = of_file && !of_file->over_load_factor ? *of_file : project::SteadyQuestion();
+  const project::Requirements& required = *analyses.requirements;
+  if (required.band && required.band->from > 0 && std::isfinite(required.band->to)) asked.band = required.band;
+  if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
+  asked.selection.of.clear();
+  return asked;
+}
+
+void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, std::size_t first,
+                  RequirementList& list) {
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    RequirementResult& result = list[first + i];
+    double share = 0;
+    for (const SteadyPoint* point : stable_points(branch)) {
+      const auto [low, high] = range_of(*point, stops[i].deflection);
+      const auto of_gap = [](double travel, double gap) {
+        if (std::isinf(gap) || travel <= 0) return gap > 0 ? 0.0 : infinity;
+        return gap > 0 ? travel / gap : infinity;
+      };
+      const double here = std::max(of_gap(high, stops[i].above), of_gap(-low, stops[i].below));
+      if (here <= share) continue;
+      share = here;
+      result.angular_frequency = point->angular_frequency;
+    }
+    result.value = share;
+    result.margin = std::isinf(share) ? 0 : margin_of(1, share);
+  }
+}
+
+void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
+  const std::size_t jumps = branch.folds.size() + branch.changes.size();
+  const bool always_stable =
+      std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
+  result.value = static_cast<double>(jumps);
+  result.margin = jumps == 0 && always_stable ? infinity : 0;
+  if (!branch.folds.empty()) result.angular_frequency = branch.folds.front().point.angular_frequency;
+  else if (!branch.changes.empty()) result.angular_frequency = branch.changes.front().point.angular_frequency;
+  result.detail = "detached motions are not sought";
+}
+
+}  // namespace
+
+void add_steady_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list) {
+  if (!analyses.requirements || !analyses.requirements->is_about_steady_motion()) return;
+  const project::Requirements& required = *analyses.requirements;
+  const std::size_t first = list.size();
+  const std::vector<Stop> stops = required.no_contact ? stops_of(context.system) : std::vector<Stop>();
+  if (required.no_jump) list.add(RequirementKind::no_jump, "", "no jumps of the steady motion", "1", 0);
+  for (const Stop& stop : stops)
+    list.add(RequirementKind::no_contact, stop.element, stop.element + " untouched: travel ≤ gap", "1", 1);
+  const std::size_t bounds = list.size();
+  list.add_bounds(context, RequirementKind::steady, required.steady, "steady ");
+  list.attempt(first, [&] {
+    project::SteadyQuestion asked = question_of(analyses);
+    for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
+    const SteadyBranch branch = steady_motions(context, asked);
+    if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
+    if (required.no_jump) set_jumps(branch, list[first]);
+    set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);
+    for (std::size_t i = 0; i < required.steady.size(); ++i) {
+      RequirementResult& result = list[bounds + i];
+      double largest = 0;
+      for (const SteadyPoint* point : stable_points(branch)) {
+        const nonlinear::ObservedMotion& motion = point->results[i];
+        const double here = std::max(motion.largest, -motion.smallest);
+        if (here <= largest) continue;
+        largest = here;
+        result.angular_frequency = point->angular_frequency;
+      }
+      result.value = largest;
+      result.margin = margin_of(result.allowed, largest);
+      result.quantity = required.steady[i].quantity;
+    }
+  });
+}
+
+}  // namespace trivet::study
