@@ -45,6 +45,9 @@ CondensedMachine::CondensedMachine(const assembly::Assembled& assembled, const s
   shapes_ = across * form.shapes;
   participation_ = form.participation;
   static_part_ = across * form.static_part;
+  residues_.resize(count * count, poles_.size());
+  for (Index p = 0; p < poles_.size(); ++p)
+    residues_.col(p) = (shapes_.col(p) * participation_.row(p).head(count)).reshaped();
   all_shapes_ = form.shapes;
   all_static_ = form.static_part;
   all_receptance_ = numerics::PivotedLu<double>(assembled.matrices.K).solve(rows);
@@ -84,10 +87,17 @@ MatrixXcd CondensedMachine::at(Complex s, Index first, Index columns, MatrixXcd&
   return value;
 }
 
-Receptance CondensedMachine::receptance(double omega) const {
-  Receptance found;
-  found.receptance = at({0, omega}, 0, size(), found.slope);
-  return found;
+void CondensedMachine::set_receptance(double omega, MatrixXcd& found) const {
+  const VectorXcd inverse = (Complex(0, omega) - poles_.array()).inverse().matrix();
+  found = static_part_.leftCols(size());
+  found.reshaped().noalias() += residues_ * inverse;
+}
+
+void CondensedMachine::set_receptance(double omega, Receptance& found) const {
+  set_receptance(omega, found.receptance);
+  const VectorXcd squares = Complex(0, -1) * (Complex(0, omega) - poles_.array()).inverse().square().matrix();
+  found.slope.resize(size(), size());
+  found.slope.reshaped().noalias() = residues_ * squares;
 }
 
 LinearMotion CondensedMachine::linear_motion(double omega) const {

@@ -31,7 +31,9 @@ class CondensedMachine {
 
   [[nodiscard]] Eigen::Index size() const { return static_receptance_.rows(); }
   /// @param omega  [rad/s], > 0
-  [[nodiscard]] Receptance receptance(double omega) const;
+  void set_receptance(double omega, Receptance& found) const;
+  /// Without the slope.
+  void set_receptance(double omega, Eigen::MatrixXcd& found) const;
   [[nodiscard]] LinearMotion linear_motion(double omega) const;
   /// At ω = 0, without losses.
   [[nodiscard]] const Eigen::MatrixXd& static_receptance() const { return static_receptance_; }
@@ -63,6 +65,7 @@ class CondensedMachine {
   Eigen::MatrixXcd shapes_;         ///< deflections × poles
   Eigen::MatrixXcd participation_;  ///< poles × right sides
   Eigen::MatrixXcd static_part_;    ///< deflections × right sides
+  Eigen::MatrixXcd residues_;       ///< entries of the receptance × poles
   std::vector<Term> terms_;
   numerics::Load ground_;  ///< deflections by the motion of the ground alone
   Eigen::MatrixXd static_receptance_;

@@ -10,18 +10,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-namespace {
-
-/// Of the complex product G f: real coefficients a, b with amplitude a − i b. G = g_r + i g_i acts on (a, b) as
-/// [g_r g_i; −g_i g_r].
-Eigen::Matrix2d on_pair(std::complex<double> g) {
-  Eigen::Matrix2d matrix;
-  matrix << g.real(), g.imag(), -g.imag(), g.real();
-  return matrix;
-}
-
-}  // namespace
-
 HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  Index harmonics)
     : machine_(machine), harmonics_(harmonics) {
@@ -48,29 +36,38 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
   equations.value = unknowns;
-  equations.by_unknowns = MatrixXd::Identity(size(), size());
-  equations.by_parameter = VectorXd::Zero(size());
+  equations.by_unknowns.setIdentity(size(), size());
+  equations.by_parameter.setZero(size());
   std::vector<ForceHarmonics> forces;
   for (Index j = 0; j < m; ++j) forces.push_back(laws_[to_size(j)].at(unknowns.segment(j * C, C), omega));
   const MatrixXd& at_rest = machine_.static_receptance();
   for (Index i = 0; i < m; ++i)
     for (Index j = 0; j < m; ++j) {
-      equations.value(i * C) += at_rest(i, j) * forces[to_size(j)].force(0);
-      equations.by_unknowns.block(i * C, j * C, 1, C) += at_rest(i, j) * forces[to_size(j)].tangent.topRows<1>();
-      equations.by_parameter(i * C) += at_rest(i, j) * forces[to_size(j)].by_omega(0);
+      const ForceHarmonics& force = forces[to_size(j)];
+      equations.value(i * C) += at_rest(i, j) * force.force(0);
+      equations.by_unknowns.block(i * C, j * C, 1, C) += at_rest(i, j) * force.tangent.topRows<1>();
+      equations.by_parameter(i * C) += at_rest(i, j) * force.by_omega(0);
     }
+  Receptance linear;
   for (Index k = 1; k <= harmonics_; ++k) {
-    const Receptance linear = machine_.receptance(static_cast<double>(k) * omega);
+    machine_.set_receptance(static_cast<double>(k) * omega, linear);
     for (Index i = 0; i < m; ++i)
       for (Index j = 0; j < m; ++j) {
-        const Eigen::Matrix2d G = on_pair(linear.receptance(i, j));
-        const Eigen::Matrix2d slope = static_cast<double>(k) * on_pair(linear.slope(i, j));
-        const Eigen::Vector2d force = forces[to_size(j)].force.segment<2>(2 * k - 1);
-        equations.value.segment<2>(i * C + 2 * k - 1) += G * force;
-        equations.by_parameter.segment<2>(i * C + 2 * k - 1) +=
-            slope * force + G * forces[to_size(j)].by_omega.segment<2>(2 * k - 1);
-        equations.by_unknowns.block(i * C + 2 * k - 1, j * C, 2, C) +=
-            G * forces[to_size(j)].tangent.middleRows<2>(2 * k - 1);
+        // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
+        const ForceHarmonics& force = forces[to_size(j)];
+        const std::complex<double> g = linear.receptance(i, j), slope = static_cast<double>(k) * linear.slope(i, j);
+        const Index row = i * C + 2 * k - 1, cosine = 2 * k - 1, sine = 2 * k;
+        const double fa = force.force(cosine), fb = force.force(sine), wa = force.by_omega(cosine),
+                     wb = force.by_omega(sine);
+        equations.value(row) += g.real() * fa + g.imag() * fb;
+        equations.value(row + 1) += g.real() * fb - g.imag() * fa;
+        equations.by_parameter(row) += slope.real() * fa + slope.imag() * fb + g.real() * wa + g.imag() * wb;
+        equations.by_parameter(row + 1) += slope.real() * fb - slope.imag() * fa + g.real() * wb - g.imag() * wa;
+        for (Index c = 0; c < C; ++c) {
+          const double ta = force.tangent(cosine, c), tb = force.tangent(sine, c);
+          equations.by_unknowns(row, j * C + c) += g.real() * ta + g.imag() * tb;
+          equations.by_unknowns(row + 1, j * C + c) += g.real() * tb - g.imag() * ta;
+        }
       }
   }
   const LinearMotion motion = machine_.linear_motion(omega);
@@ -102,10 +99,12 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
     forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
   }
   double sum = 0;
+  Eigen::VectorXcd force(m);
+  Eigen::MatrixXcd receptance;
   for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
-    Eigen::VectorXcd force(m);
     for (Index j = 0; j < m; ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
-    sum += (machine_.receptance(static_cast<double>(k) * omega).receptance * force).cwiseAbs().maxCoeff();
+    machine_.set_receptance(static_cast<double>(k) * omega, receptance);
+    sum += (receptance * force).cwiseAbs().maxCoeff();
   }
   return sum / unknowns.cwiseAbs().maxCoeff();
 }

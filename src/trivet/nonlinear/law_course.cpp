@@ -41,6 +41,8 @@ double LawCourse::deflection_at(double phase) const {
 
 double LawCourse::rate_at(double phase) const { return numerics::motion_at((rate_.size() - 1) / 2, phase, rate_); }
 
-LawAbout::Force LawCourse::at(double phase) const { return law_.without_memory(deflection_at(phase), rate_at(phase)); }
+LawAbout::Force LawCourse::at(double phase) const {
+  return law_.without_memory(deflection_at(phase), is_damped() ? rate_at(phase) : 0);
+}
 
 }  // namespace trivet::nonlinear

@@ -26,10 +26,15 @@ class LawCourse {
   /// `corners`, and the turning points and kinks of the loops, in no order.
   [[nodiscard]] std::vector<double> all_corners() const;
 
+  [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
   [[nodiscard]] double deflection_at(double phase) const;
   [[nodiscard]] double rate_at(double phase) const;  ///< by time
   /// Of the parts without memory.
   [[nodiscard]] LawAbout::Force at(double phase) const;
+  /// The same, with the row of the basis at a phase (set_fourier_row).
+  [[nodiscard]] LawAbout::Force at(const Eigen::RowVectorXd& row) const {
+    return law_.without_memory(row.dot(deflection_), is_damped() ? row.dot(rate_) : 0);
+  }
 
  private:
   const LawAbout& law_;

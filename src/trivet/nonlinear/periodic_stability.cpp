@@ -28,6 +28,20 @@ MatrixXd flow_over(const numerics::LinearFlow& flow, const MatrixXd& F, double t
   return flow.is_diagonalizable() ? flow.at(time) : MatrixXd(response::ExponentialStep(F, time, 0).state(0));
 }
 
+/// Adds a product of a few rows: without the blocks of large matrices, and without entries that are zero.
+void add_product(const MatrixXd& left, const numerics::RowMatrix& right, numerics::RowMatrix& product) {
+  const Index columns = right.cols();
+  for (Index i = 0; i < left.rows(); ++i) {
+    double* __restrict const to = product.row(i).data();
+    for (Index k = 0; k < left.cols(); ++k) {
+      const double factor = left(i, k);
+      if (factor == 0) continue;
+      const double* __restrict const from = right.row(k).data();
+      for (Index j = 0; j < columns; ++j) to[j] += factor * from[j];
+    }
+  }
+}
+
 /// The nearest viscous machine: between modes i and j the damping φ_iᵀ K_loss φ_j / √(ω_i ω_j).
 numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
   if (!matrices.lossy()) return matrices;
@@ -50,6 +64,7 @@ numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
 struct PeriodicStability::Motion {
   Motion(const std::vector<LawHarmonics>& laws, const VectorXd& deflections, double frequency) : omega(frequency) {
     const Index C = deflections.size() / to_index(laws.size());
+    harmonics = (C - 1) / 2;
     for (std::size_t j = 0; j < laws.size(); ++j) {
       courses.push_back(laws[j].course(deflections.segment(to_index(j) * C, C), omega));
       is_piecewise_linear = is_piecewise_linear && laws[j].law().is_piecewise_linear();
@@ -62,7 +77,11 @@ struct PeriodicStability::Motion {
     Index deflection;
     const HystereticLoop* loop;
   };
+  [[nodiscard]] bool is_damped() const {
+    return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); });
+  }
   double omega;
+  Index harmonics = 0;
   bool is_piecewise_linear = true;
   std::vector<LawCourse> courses;
   std::vector<Loop> loops;     ///< with memory
@@ -74,6 +93,7 @@ struct PeriodicStability::Motion {
 struct PeriodicStability::Tangents {
   VectorXd by_deflection, by_rate;
   VectorXd by_travel, by_start;  ///< one per loop
+  Eigen::RowVectorXd row;        ///< of the Fourier basis
 
   [[nodiscard]] std::vector<double> list() const {
     std::vector<double> all;
@@ -127,11 +147,15 @@ PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const
   seen_rates_ = rates_ * flow_.to_states();
 }
 
-PeriodicStability::Tangents PeriodicStability::tangents(const Motion& motion, double phase) {
+void PeriodicStability::set_tangents(const Motion& motion, double phase, Tangents& found) {
   const Index count = to_index(motion.courses.size()), loops = to_index(motion.loops.size());
-  Tangents found{VectorXd(count), VectorXd(count), VectorXd(loops), VectorXd(loops)};
+  found.by_deflection.resize(count);
+  found.by_rate.resize(count);
+  found.by_travel.resize(loops);
+  found.by_start.resize(loops);
+  numerics::set_fourier_row(motion.harmonics, phase, found.row);
   for (Index j = 0; j < count; ++j) {
-    const LawAbout::Force here = motion.courses[to_size(j)].at(phase);
+    const LawAbout::Force here = motion.courses[to_size(j)].at(found.row);
     found.by_deflection(j) = here.by_deviation;
     found.by_rate(j) = here.by_rate;
   }
@@ -144,11 +168,11 @@ PeriodicStability::Tangents PeriodicStability::tangents(const Motion& motion, do
     found.by_travel(h) = here.by_travel;
     found.by_start(h) = here.by_start;
   }
-  return found;
 }
 
 MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double from, double to) const {
-  const Tangents tangent = tangents(motion, (from + to) / 2);
+  Tangents tangent;
+  set_tangents(motion, (from + to) / 2, tangent);
   const Index n = F_.rows();
   const MatrixXd forces = tangent.forces(motion, values_, rates_);
   MatrixXd F = MatrixXd::Zero(forces.cols(), forces.cols());
@@ -174,46 +198,62 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
     dense_half = response::ExponentialStep(F_, step / 2, 0).state(0);
     dense_whole = dense_half * dense_half;
   }
-  const auto flow = [&](bool by_whole, MatrixXd& y) {
+  using numerics::RowMatrix;
+  const auto flow = [&](bool by_whole, RowMatrix& y) {
     if (in_modes) flow_.apply(by_whole ? whole : half, y);
     else y = (by_whole ? dense_whole : dense_half) * y;
   };
   const MatrixXd rates_by_force = rates_ * force_;
-  MatrixXd machine = MatrixXd::Identity(n, all), memory = MatrixXd::Zero(all - n, all);
+  RowMatrix machine = RowMatrix::Identity(n, all), memory = RowMatrix::Zero(all - n, all);
   memory.rightCols(all - n).setIdentity();
   if (in_modes) machine.leftCols(n) = flow_.from_states();
   flow(false, machine);
-  MatrixXd moved(m, all);
+  const bool damped = motion.is_damped();
+  Tangents tangent;
+  RowMatrix moved(m, all), rates(m, all);
   for (int i = 0; i < steps; ++i) {
-    const Tangents tangent = tangents(motion, from + (i + 0.5) * phase_step);
-    const MatrixXd forces = tangent.forces(motion, seen, seen_rates);
-    moved.noalias() = forces.leftCols(n) * machine;
-    if (all > n) moved.noalias() += forces.rightCols(all - n) * memory;
-    if (!tangent.by_rate.isZero(0)) {  // implicit midpoint rule: the kick changes the rates that it depends on
-      MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (tangent.by_rate.asDiagonal() * rates_by_force);
-      moved = numerics::PivotedLu<double>(left).solve(moved);
+    set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
+    moved.setZero();
+    add_product(seen, machine, moved);
+    for (Index h = 0; h < to_index(motion.loops.size()); ++h)
+      tangent.by_deflection(motion.loops[to_size(h)].deflection) += tangent.by_travel(h);
+    for (Index j = 0; j < m; ++j) moved.row(j) *= tangent.by_deflection(j);
+    for (Index h = 0; h < to_index(motion.loops.size()); ++h)
+      moved.row(motion.loops[to_size(h)].deflection) +=
+          tangent.by_start(h) * memory.row(2 * h + 1) - tangent.by_travel(h) * memory.row(2 * h);
+    if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
+      rates.setZero();
+      add_product(seen_rates, machine, rates);
+      for (Index j = 0; j < m; ++j) moved.row(j) += tangent.by_rate(j) * rates.row(j);
+      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (tangent.by_rate.asDiagonal() * rates_by_force);
+      moved = numerics::PivotedLu<double>(left).solve(MatrixXd(moved));
     }
-    machine.noalias() += kick * (step * moved);
+    moved *= step;
+    add_product(kick, moved, machine);
     flow(i + 1 < steps, machine);
   }
   MatrixXd result(all, all);
-  result << (in_modes ? MatrixXd(flow_.to_states() * machine) : machine), memory;
+  result << (in_modes ? MatrixXd(flow_.to_states() * machine) : MatrixXd(machine)), MatrixXd(memory);
   return result;
 }
 
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to) const {
-  constexpr int per_period = 32, most = 512;
-  constexpr double accurate = 1e-7;  // change by the last extrapolation, which is that of the result without it
+  constexpr int per_period = 16, most = 1024;
+  constexpr double accurate = 1e-6;  // change by the last column of the table, more than the error of the result
   int steps = std::max(4, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
-  MatrixXd coarse = split(motion, from, to, steps), middle = split(motion, from, to, 2 * steps);
+  // Romberg's table: errors in h², h⁴, … are removed from left to right.
+  std::vector<MatrixXd> row = {split(motion, from, to, steps)};
   for (;;) {
-    const MatrixXd fine = split(motion, from, to, 4 * steps);
-    const MatrixXd first = (4 * middle - coarse) / 3, second = (4 * fine - middle) / 3;  // errors h², h⁴ removed
-    const MatrixXd found = (16 * second - first) / 15;
     steps *= 2;
-    if ((found - second).norm() <= accurate * found.norm() || steps > most) return found;
-    coarse = std::move(middle);
-    middle = fine;
+    std::vector<MatrixXd> next = {split(motion, from, to, steps)};
+    double power = 1;
+    for (const MatrixXd& above : row) {
+      power *= 4;
+      next.push_back(next.back() + (next.back() - above) / (power - 1));
+    }
+    const double change = (next.back() - next[next.size() - 2]).norm();
+    row = std::move(next);
+    if (change <= accurate * row.back().norm() || steps > most) return row.back();
   }
 }
 

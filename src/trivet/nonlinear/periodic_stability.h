@@ -36,7 +36,7 @@ class PeriodicStability {
  private:
   struct Motion;    // the courses of all laws, and their loops
   struct Tangents;  // of all laws and loops at a phase
-  [[nodiscard]] static Tangents tangents(const Motion& motion, double phase);
+  static void set_tangents(const Motion& motion, double phase, Tangents& found);
   /// State transition between two phases: of constant tangents; by splitting.
   [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to) const;

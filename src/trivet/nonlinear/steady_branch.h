@@ -8,23 +8,10 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/model/system.h"
-#include "trivet/nonlinear/harmonic_balance.h"
 #include "trivet/nonlinear/observed_motion.h"
+#include "trivet/nonlinear/steady_options.h"
 
 namespace trivet::nonlinear {
-
-struct SteadyOptions {
-  double from = 0, to = 0;  ///< of the parameter: angular frequency [rad/s], or factor on the excitation; 0 < from < to
-  Parameter over = Parameter::frequency;
-  double angular_frequency = 0;  ///< over the load factor: the fixed one [rad/s]
-  Eigen::Index harmonics = 9;
-  std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones
-  std::vector<std::string> of;           ///< results, as channels; empty: none
-  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
-  std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
-  int most_points = 20000;
-  bool with_results = true;  ///< false: motions and `left_out` only, without results, stability and jumps
-};
 
 /// A periodic motion on the branch.
 struct SteadyPoint {

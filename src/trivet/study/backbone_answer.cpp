@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "trivet/nonlinear/steady_options.h"
 #include "trivet/project/analyses/backbone_question.h"
-#include "trivet/study/harmonics_search.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -15,10 +17,14 @@ nonlinear::Backbone one_mode(const CaseContext& c, const project::BackboneQuesti
   options.damped = asked.damped;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
-  return with_enough_harmonics(asked.harmonics, asked.tolerance, [&](Eigen::Index harmonics) {
-    options.harmonics = harmonics;
-    return nonlinear::backbone(c.system, options, c.progress);
-  });
+  constexpr Eigen::Index first = 5;
+  for (options.harmonics = asked.harmonics > 0 ? asked.harmonics : first;;
+       options.harmonics = std::min(nonlinear::most_steady_harmonics, 2 * options.harmonics)) {
+    nonlinear::Backbone found = nonlinear::backbone(c.system, options, c.progress);
+    if (asked.harmonics > 0 || found.left_out <= asked.tolerance ||
+        options.harmonics == nonlinear::most_steady_harmonics)
+      return found;
+  }
 }
 
 std::vector<nonlinear::Backbone> answer_backbone(const CaseContext& c, const project::BackboneQuestion& asked,

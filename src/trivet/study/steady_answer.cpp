@@ -5,7 +5,6 @@
 
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
-#include "trivet/study/harmonics_search.h"
 #include "trivet/study/question_answer.h"
 
 namespace trivet::study {
@@ -44,16 +43,8 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
-  if (asked.harmonics == 0) {  // the motions alone are quicker
-    options.with_results = false;
-    options.harmonics = with_enough_harmonics(0, asked.tolerance, [&](Eigen::Index harmonics) {
-                          options.harmonics = harmonics;
-                          return nonlinear::steady_branch(c.system, options, c.progress);
-                        }).harmonics;
-    options.with_results = true;
-  } else {
-    options.harmonics = asked.harmonics;
-  }
+  options.harmonics = asked.harmonics;
+  options.tolerance = asked.tolerance;
   return nonlinear::steady_branch(c.system, options, c.progress);
 }
 

@@ -40,15 +40,20 @@ VectorXd Branch::scale(const VectorXd& unknowns) const {
   return result;
 }
 
-bool Branch::set_direction(BranchPoint& point, const VectorXd& along, Equations& equations) const {
-  evaluate_(point.unknowns, point.parameter, equations);
-  VectorXd right = VectorXd::Zero(point.unknowns.size() + 1);
+namespace {
+
+/// The direction of the branch at a point, by the factors of its bordered matrix with columns times `scale`. They are
+/// those of the last Newton step, which changed the point by less than its tolerance.
+bool set_direction(BranchPoint& point, const PivotedLu<double>& factors, const VectorXd& scale) {
+  VectorXd right = VectorXd::Zero(scale.size());
   right(right.size() - 1) = 1;
-  const VectorXd tangent = PivotedLu<double>(bordered(equations, point.scale, along)).solve(right);
+  const VectorXd tangent = factors.solve(right).cwiseProduct(scale).cwiseQuotient(point.scale);
   if (!tangent.allFinite()) return false;
   point.tangent = tangent.normalized();
   return true;
 }
+
+}  // namespace
 
 std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter, bool downwards) const {
   BranchPoint point{guess, parameter, scale(guess), {}, 0};
@@ -64,35 +69,60 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
   }
   VectorXd along = VectorXd::Zero(guess.size() + 1);
   along(guess.size()) = downwards ? -1 : 1;
-  if (!set_direction(point, along, equations)) return std::nullopt;
+  evaluate_(point.unknowns, parameter, equations);
+  if (!set_direction(point, PivotedLu<double>(bordered(equations, point.scale, along)), point.scale))
+    return std::nullopt;
   return point;
 }
 
 std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step) const {
+  return after(from, step, false);
+}
+
+std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, bool exact_direction) const {
   constexpr double farthest = 10;  // in scaled lengths, of which steps are a small part: another branch
   const Index n = from.unknowns.size();
   VectorXd place(n + 1);
   place << from.unknowns, from.parameter;
   place += step * from.tangent.cwiseProduct(from.scale);
+  if (from.bend.size() > 0) place += step * step / 2 * from.bend.cwiseProduct(from.scale);
   Equations equations;
   BranchPoint point;
-  for (double last = 1; last > options_.tolerance; ++point.iterations) {
+  std::optional<PivotedLu<double>> factors;
+  bool done = false;
+  for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
     evaluate_(place.head(n), place(n), equations);
     VectorXd right = VectorXd::Zero(n + 1);
     right.head(n) = equations.value;  // the predictor already has the length `step` along the tangent
-    const VectorXd change = PivotedLu<double>(bordered(equations, from.scale, from.tangent)).solve(right);
+    factors.emplace(bordered(equations, from.scale, from.tangent));
+    const VectorXd change = factors->solve(right);
     if (!change.allFinite() || change.norm() > farthest) return std::nullopt;
     place -= change.cwiseProduct(from.scale);
-    last = change.norm();
+    // The next step would be smaller by the same factor at least; the direction is that of the place before the step.
+    constexpr double good_direction = 1e-5;
+    const double size = change.norm();
+    done = size <= options_.tolerance ||
+        (!exact_direction && size <= good_direction && size * size <= options_.tolerance * last);
+    last = size;
   }
   point.unknowns = place.head(n);
   point.parameter = place(n);
   point.scale = scale(point.unknowns);
-  const VectorXd along = from.tangent.cwiseProduct(from.scale).cwiseQuotient(point.scale);
-  if (!set_direction(point, along, equations)) return std::nullopt;
+  if (!set_direction(point, *factors, from.scale)) return std::nullopt;
   return point;
 }
+
+namespace {
+
+/// By the directions at both ends of a step.
+void set_bend(const BranchPoint& from, double step, BranchPoint& to) {
+  const VectorXd before = from.tangent.cwiseProduct(from.scale).cwiseQuotient(to.scale).normalized();
+  to.bend = (to.tangent - before) / step;
+  to.bend -= to.bend.dot(to.tangent) * to.tangent;
+}
+
+}  // namespace
 
 std::optional<Branch::Advance> Branch::advance(const BranchPoint& from, double& step,
                                                const StepControl& control) const {
@@ -106,6 +136,7 @@ std::optional<Branch::Advance> Branch::advance(const BranchPoint& from, double& 
     std::optional<BranchPoint> to = after(from, step);
     if (!to || !is_good(*to)) continue;
     Advance found{std::move(*to), step};
+    set_bend(from, step, found.to);
     if (found.to.iterations <= easy) step = std::min(control.longest, control.growth * step);
     return found;
   }
@@ -168,7 +199,7 @@ std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from,
 
 std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
   double low = 0, high = step, at_low = from.parameter_direction();
-  std::optional<BranchPoint> end = after(from, step);
+  std::optional<BranchPoint> end = after(from, step, true);
   if (!end) return std::nullopt;
   double at_high = end->parameter_direction();
   if (at_low * at_high > 0) return std::nullopt;
@@ -177,7 +208,7 @@ std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) co
   std::optional<BranchPoint> middle = end;
   for (int i = 0; i < most && std::abs(high - low) > 1e-14 * std::abs(step); ++i) {  // regula falsi (Illinois)
     const double place = (low * at_high - high * at_low) / (at_high - at_low);
-    middle = after(from, place);
+    middle = after(from, place, true);
     if (!middle) return std::nullopt;
     const double direction = middle->parameter_direction();
     if (std::abs(direction) < flat) break;

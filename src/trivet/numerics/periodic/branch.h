@@ -19,9 +19,10 @@ using EvaluateEquations = std::function<void(const Eigen::VectorXd& unknowns, do
 struct BranchPoint {
   Eigen::VectorXd unknowns;
   double parameter = 0;
-  Eigen::VectorXd scale;    ///< of the unknowns and, last, of the parameter: lengths on the branch are without unit
-  Eigen::VectorXd tangent;  ///< d(u, λ)/ds divided by `scale`, of unit length
-  int iterations = 0;       ///< of Newton's method
+  Eigen::VectorXd scale;      ///< of the unknowns and, last, of the parameter: lengths on the branch are without unit
+  Eigen::VectorXd tangent;    ///< d(u, λ)/ds divided by `scale`, of unit length
+  int iterations = 0;         ///< of Newton's method
+  Eigen::VectorXd bend = {};  ///< estimate of d(tangent)/ds, across the tangent; empty: unknown
 
   [[nodiscard]] double parameter_direction() const { return tangent(tangent.size() - 1); }
 };
@@ -79,8 +80,7 @@ class Branch {
   [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double step) const;
 
  private:
-  [[nodiscard]] bool set_direction(BranchPoint& point, const Eigen::VectorXd& along, Equations& equations) const;
-
+  [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step, bool exact_direction) const;
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   EvaluateEquations evaluate_;

@@ -11,8 +11,8 @@ namespace trivet::numerics {
 [[nodiscard]] constexpr Eigen::Index coefficient_count(Eigen::Index harmonics) { return 2 * harmonics + 1; }
 
 /// 1, cos φ, sin φ, cos 2φ, …: the value of a motion is this row times its coefficients.
-[[nodiscard]] inline Eigen::RowVectorXd fourier_row(Eigen::Index harmonics, double phase) {
-  Eigen::RowVectorXd row(coefficient_count(harmonics));
+inline void set_fourier_row(Eigen::Index harmonics, double phase, Eigen::RowVectorXd& row) {
+  row.resize(coefficient_count(harmonics));
   const double c = std::cos(phase), s = std::sin(phase);
   row(0) = 1;
   double ck = 1, sk = 0;
@@ -23,6 +23,10 @@ namespace trivet::numerics {
     row(2 * k - 1) = ck;
     row(2 * k) = sk;
   }
+}
+[[nodiscard]] inline Eigen::RowVectorXd fourier_row(Eigen::Index harmonics, double phase) {
+  Eigen::RowVectorXd row;
+  set_fourier_row(harmonics, phase, row);
   return row;
 }
 

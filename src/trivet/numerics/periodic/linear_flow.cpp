@@ -54,24 +54,28 @@ LinearFlow::Step LinearFlow::step(double time) const {
   return result;
 }
 
-void LinearFlow::apply(const Step& step, MatrixXd& y) const {
-  for (Index j = 0; j < y.cols(); ++j) {
-    double* const column = y.col(j).data();
-    for (Index i = 0; i < y.rows(); ++i) {
-      const Index other = partner_[to_size(i)];
-      if (other == i) {
-        column[i] *= step.diagonal(i);
-      } else if (other > i) {
-        const double a = column[i], b = column[other];
-        column[i] = step.diagonal(i) * a + step.beside(i) * b;
-        column[other] = step.beside(other) * a + step.diagonal(other) * b;
+void LinearFlow::apply(const Step& step, RowMatrix& y) const {
+  const Index columns = y.cols();
+  for (Index i = 0; i < y.rows(); ++i) {
+    const Index other = partner_[to_size(i)];
+    double* const row = y.row(i).data();
+    const double on_diagonal = step.diagonal(i);
+    if (other == i) {
+      for (Index j = 0; j < columns; ++j) row[j] *= on_diagonal;
+    } else if (other > i) {
+      double* const partner = y.row(other).data();
+      const double beside = step.beside(i), from_row = step.beside(other), of_partner = step.diagonal(other);
+      for (Index j = 0; j < columns; ++j) {
+        const double a = row[j], b = partner[j];
+        row[j] = on_diagonal * a + beside * b;
+        partner[j] = from_row * a + of_partner * b;
       }
     }
   }
 }
 
 MatrixXd LinearFlow::at(double time) const {
-  MatrixXd y = from_states_;
+  RowMatrix y = from_states_;
   apply(step(time), y);
   return to_states_ * y;
 }

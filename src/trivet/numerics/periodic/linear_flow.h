@@ -6,6 +6,8 @@
 
 namespace trivet::numerics {
 
+using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 /// The flow e^{F t} of ẋ = F x from the eigenvalues of F, in real coordinates y, x = T y, in which F has 2×2 blocks.
 class LinearFlow {
  public:
@@ -26,7 +28,7 @@ class LinearFlow {
   };
   [[nodiscard]] Step step(double time) const;
   /// y → flow y for all columns.
-  void apply(const Step& step, Eigen::MatrixXd& y) const;
+  void apply(const Step& step, RowMatrix& y) const;
 
  private:
   Eigen::VectorXd growth_, turning_;   ///< real and imaginary parts, the latter with opposite signs in a block

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long does a curve of steady motion take, with its folds, stability and results? One hardening spring, and a body
+// on four hardening mounts; compared with condensed harmonic balance in NumPy without stability.
+#include "trivet/nonlinear/steady_branch.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "measure.h"
+#include "rival.h"
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/temporary_folder.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/project/project.h"
+
+namespace {
+
+using namespace trivet;
+using namespace trivet::benchmarks;
+using nonlinear::SteadyBranch;
+using nonlinear::SteadyOptions;
+
+constexpr double two_pi = 2 * std::numbers::pi;
+
+const char* const one_mass = R"(trivet = 1
+[bodies.m]
+mass = 1.5
+free = ["x"]
+[elements.spring]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [600, 0, 0]
+damping = {translation = [0.9, 0, 0]}
+laws.x = {cubic = 2e5}
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0.8, 0, 0]
+)";
+
+const char* const four_mounts = R"(trivet = 1
+[bodies.m]
+mass = 180
+center_of_mass = [0.02, -0.015, 0.11]
+inertia = {about = "center_of_mass", xx = 9.5, yy = 14.0, zz = 12.5, xy = 0.4, xz = -0.3, yz = -0.2}
+[element_types.mount]
+type = "bushing"
+translation = [3e5, 3e5, 4.5e5]
+damping = {proportional = 1.2e-3}
+laws.z = {cubic = 1.2e11}
+[tables.elements]
+rows = [
+  {name = "a", type = "mount", on = "m", at = [-0.45, -0.3, 0]},
+  {name = "b", type = "mount", on = "m", at = [-0.45, 0.3, 0]},
+  {name = "c", type = "mount", on = "m", at = [0.45, -0.3, 0]},
+  {name = "d", type = "mount", on = "m", at = [0.45, 0.3, 0]},
+]
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0.1, 0.05, 0.2]
+force = [0, 0, 400]
+)";
+
+model::System machine(const char* text) {
+  const auto project = project::project_from_text(text, "benchmark");
+  if (!project) {
+    for (const foundation::Problem& problem : project.error().list())
+      std::fprintf(stderr, "%s\n", problem.finding.c_str());
+    std::exit(1);
+  }
+  return project->base().system;
+}
+
+void write_problem(const model::System& system, const SteadyOptions& options, double cubic,
+                   const std::filesystem::path& folder) {
+  const nonlinear::References references = nonlinear::tangents_at_rest(system);
+  const assembly::Assembled assembled = assembly::assemble(system);
+  const std::vector<nonlinear::Deflection> deflections =
+      nonlinear::nonlinear_deflections(system, assembled, references);
+  const Eigen::Index n = assembled.matrices.size();
+  Eigen::MatrixXd across(n, to_index(deflections.size()));
+  for (std::size_t j = 0; j < deflections.size(); ++j) across.col(to_index(j)) = deflections[j].on_coordinates;
+  const numerics::Load right = assembly::right_side(assembled, assembly::harmonic_loading(system, assembled));
+  const Eigen::VectorXd force = right.terms().front().value.real();
+  const double sizes[] = {static_cast<double>(n), static_cast<double>(deflections.size()),
+                          static_cast<double>(options.harmonics)};
+  const double scalars[] = {cubic, options.from, options.to};
+  const auto write = [&](const char* name, const double* data, Eigen::Index count) {
+    write_numbers(folder / name, data, to_size(count));
+  };
+  write("A", assembled.matrices.A.data(), n * n);
+  write("B", assembled.matrices.B.data(), n * n);
+  write("K", assembled.matrices.K.data(), n * n);
+  write("W", across.data(), across.size());
+  write("force", force.data(), n);
+  write("sizes", sizes, 3);
+  write("scalars", scalars, 3);
+}
+
+void compare(const char* name, const char* text, SteadyOptions options, double cubic, double goal) {
+  const model::System system = machine(text);
+  const foundation::TemporaryFolder folder;
+  write_problem(system, options, cubic, folder.path());
+  Rival python("steady.py", folder.path());
+  const SteadyBranch branch = nonlinear::steady_branch(system, options);
+  if (!branch.ended.empty() || branch.folds.size() != 2) {
+    std::fprintf(stderr, "%s: %zu folds; %s\n", name, branch.folds.size(), branch.ended.c_str());
+    std::exit(1);
+  }
+  const std::vector<std::complex<double>> theirs = python.answers("curve");
+  double error = 0;
+  for (std::size_t j = 0; j < theirs.size(); ++j) {
+    const double ours = branch.points.back().deflections.col(to_index(j)).segment<2>(1).norm();
+    error = std::max(error, std::abs(ours - theirs[j].real()) / ours);
+  }
+  compared(name, error, 1e-8);
+  SteadyOptions with_results = options;
+  with_results.of = {"coordinates"};
+  measure(
+      {name, std::to_string(branch.points.size()) + " points", "curve", error},
+      {in_process("Trivet, with folds and stability", 1, [&] { (void)nonlinear::steady_branch(system, options); }),
+       in_process("Trivet, with all coordinates too", 1, [&] { (void)nonlinear::steady_branch(system, with_results); }),
+       python.method("curve", "NumPy, condensed, no stability", 1, goal)},
+      9);
+}
+
+}  // namespace
+
+int main() {
+  const OneCore one_core;
+  SteadyOptions one{.from = 14, .to = 30, .harmonics = 7};
+  compare("curve of a hardening spring", one_mass, one, 2e5, 35);
+  SteadyOptions four{.from = 8 * two_pi, .to = 26 * two_pi, .harmonics = 9};
+  compare("curve of a body on four hardening mounts", four_mounts, four, 1.2e11, 10);
+}

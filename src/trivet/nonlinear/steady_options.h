@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/channels.h"
+#include "trivet/nonlinear/harmonic_balance.h"
+
+namespace trivet::nonlinear {
+
+struct SteadyOptions {
+  double from = 0, to = 0;  ///< of the parameter: angular frequency [rad/s], or factor on the excitation; 0 < from < to
+  Parameter over = Parameter::frequency;
+  double angular_frequency = 0;          ///< over the load factor: the fixed one [rad/s]
+  Eigen::Index harmonics = 9;            ///< 0: as many as `tolerance` needs, up to most_steady_harmonics
+  double tolerance = 1e-3;               ///< share of the deflections that the harmonics beyond may add
+  std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones
+  std::vector<std::string> of;           ///< results, as channels; empty: none
+  assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
+  int most_points = 20000;
+};
+inline constexpr Eigen::Index most_steady_harmonics = 60;
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trivet/foundation/interruption.h"
+#include "trivet/nonlinear/steady_options.h"
+#include "trivet/numerics/periodic/branch.h"
+
+namespace trivet::nonlinear {
+
+/// The motions of harmonic balance with a fixed number of harmonics, from the lower end of the band through all folds.
+class SteadyPath {
+ public:
+  /// The machine, the deflections and the options must outlive it.
+  /// @throws foundation::NotComputable if no excitation moves a nonlinear part
+  SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections, const SteadyOptions& options,
+             Eigen::Index harmonics);
+
+  /// Follows them. @return false, and an unfinished path, as soon as a motion leaves out more than the share given
+  /// @throws foundation::NotComputable if there is no motion at the lower end
+  [[nodiscard]] bool follow(double most_left_out, const foundation::Progress& progress);
+
+  /// Where the parameter turns.
+  struct Turn {
+    numerics::BranchPoint point;
+    std::size_t after = 0;  ///< index of the point before it
+    bool upper = false;     ///< the parameter is largest there
+  };
+  [[nodiscard]] const std::vector<numerics::BranchPoint>& points() const { return points_; }
+  [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
+  /// Motions at the parameters of SteadyOptions::at, in the order of the path.
+  [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
+  [[nodiscard]] const std::string& ended() const { return ended_; }
+  [[nodiscard]] double left_out() const { return left_out_; }
+
+  /// The motion at a length from a point, which is at most that to the next point.
+  [[nodiscard]] std::optional<numerics::BranchPoint> after(std::size_t point, double length) const {
+    return branch_.after(points_[point], length);
+  }
+  [[nodiscard]] double length(std::size_t point) const { return lengths_[point]; }  ///< to the next one
+  /// All motions of the path at a parameter.
+  [[nodiscard]] std::vector<numerics::BranchPoint> all_at(double parameter) const;
+
+  [[nodiscard]] const HarmonicBalance& balance() const { return balance_; }
+  [[nodiscard]] Driving driving(double parameter) const;
+
+ private:
+  /// A part in which the parameter rises or falls: lengths from a point, and their parameters.
+  struct Piece {
+    std::size_t from;
+    double begin, end;
+    double parameter_begin, parameter_end;
+  };
+  [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
+  void add_pieces(double length, const numerics::BranchPoint& next);
+  [[nodiscard]] double width() const { return options_.to - options_.from; }
+  [[nodiscard]] std::string place(double parameter) const;
+  [[nodiscard]] Eigen::VectorXd smallest_scale() const;
+  [[nodiscard]] std::string leaves_curve(const numerics::BranchPoint& point) const;
+
+  const SteadyOptions& options_;
+  const std::vector<Deflection>& deflections_;
+  HarmonicBalance balance_;
+  numerics::Branch branch_;
+  std::vector<numerics::BranchPoint> points_, asked_for_;
+  std::vector<double> lengths_;
+  std::vector<Turn> turns_;
+  std::vector<Piece> pieces_;
+  double left_out_ = 0;
+  std::string ended_;
+};
+
+}  // namespace trivet::nonlinear
