@@ -47,10 +47,39 @@ VectorXd SteadyPath::smallest_scale() const {
   return VectorXd::Constant(motion.size(), share * largest);
 }
 
+/// From the linear motion; where Newton's method does not converge from there, from that of a raised load.
+std::optional<BranchPoint> SteadyPath::first() const {
+  const VectorXd linear = balance_.linear_motion(driving(options_.from));
+  if (std::optional<BranchPoint> found = branch_.start(linear, options_.from)) return found;
+  if (const std::optional<BranchPoint> raised = raised_to_load()) return branch_.start(raised->unknowns, options_.from);
+  return std::nullopt;
+}
+
+/// The motion at the lower end of the band, followed as its load is raised from a small one.
+std::optional<BranchPoint> SteadyPath::raised_to_load() const {
+  const Driving whole = driving(options_.from);
+  const numerics::Branch branch(
+      [&](const VectorXd& unknowns, double factor, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, {whole.omega, factor}, Parameter::load_factor, equations);
+      },
+      smallest_scale(), whole.factor);
+  const double small = 1e-3 * whole.factor;
+  std::optional<BranchPoint> now = branch.start(balance_.linear_motion({whole.omega, small}), small);
+  double step = 0.01;
+  constexpr int most_points = 2000;
+  for (int i = 0; now && i < most_points; ++i) {
+    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
+    if (!advance) return std::nullopt;
+    if (advance->to.parameter > whole.factor) return branch.at(whole.factor, *now, 0, advance->length);
+    now = advance->to;
+  }
+  return std::nullopt;
+}
+
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
   constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
   constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
-  const std::optional<BranchPoint> start = branch_.start(balance_.linear_motion(driving(options_.from)), options_.from);
+  const std::optional<BranchPoint> start = first();
   if (!start)
     throw foundation::NotComputable(
         fmt::format("steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above "

@@ -55,6 +55,8 @@ class SteadyPath {
     double begin, end;
     double parameter_begin, parameter_end;
   };
+  [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
+  [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
   void add_pieces(double length, const numerics::BranchPoint& next);
   [[nodiscard]] double width() const { return options_.to - options_.from; }
