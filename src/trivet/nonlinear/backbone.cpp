@@ -215,16 +215,27 @@ class FreeCourse {
       found.results.push_back(channel.name);
       found.units.push_back(channel.unit);
     }
-    const VectorXd start = starting_shape();
-    motion_.set_mode(shape_, start.cwiseAbs().maxCoeff());
-    const numerics::Branch branch(
-        [this](const VectorXd& unknowns, double omega, numerics::Equations& equations) {
-          motion_.evaluate(unknowns, omega, equations);
-        },
-        smallest_scale(start), omega_);
-    std::optional<BranchPoint> now = first(branch, start);
-    if (!now) throw foundation::NotComputable("backbone: no motion of small amplitude was found");
-    found.points.push_back(observed(*now, found));
+    // Where a slow load has left a mean force in smooth loops, small motions lose it, which is a large change to them.
+    for (const double share : {1e-3, 1e-2, 1e-1}) {
+      const VectorXd start = starting_shape(share);
+      motion_.set_mode(shape_, start.cwiseAbs().maxCoeff());
+      const numerics::Branch branch(
+          [this](const VectorXd& unknowns, double omega, numerics::Equations& equations) {
+            motion_.evaluate(unknowns, omega, equations);
+          },
+          smallest_scale(start), omega_);
+      if (const std::optional<BranchPoint> now = first(branch, start)) {
+        follow(branch, *now, found, progress);
+        return found;
+      }
+    }
+    throw foundation::NotComputable("backbone: no motion of small amplitude was found");
+  }
+
+ private:
+  void follow(const numerics::Branch& branch, BranchPoint now, Backbone& found,
+              const foundation::Progress& progress) const {
+    found.points.push_back(observed(now, found));
     constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
     double step = 0.05;
     while (!reached(found.points.back())) {
@@ -232,30 +243,28 @@ class FreeCourse {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
         break;
       }
-      const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
+      const std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
       if (!advance || !(advance->to.parameter > 0)) {
         found.ended = fmt::format(
             "no further motion beyond {:.6g} rad/s and {:.4g} J: the step of the branch became "
             "too short",
-            now->parameter, found.points.back().energy);
+            now.parameter, found.points.back().energy);
         break;
       }
       const double energy = found.points.back().energy, next_energy = this->energy(advance->to);
       for (const double wanted : options_.at_energy)
         if ((energy < wanted) != (next_energy < wanted))
-          if (const auto there = at_energy(branch, wanted, *now, advance->length))
+          if (const auto there = at_energy(branch, wanted, now, advance->length))
             found.at_energy.push_back(observed(*there, found));
       now = advance->to;
-      found.points.push_back(observed(*now, found));
+      found.points.push_back(observed(now, found));
       if (progress) progress("backbone", std::clamp(share(found.points.back()), 0.0, 1.0));
     }
-    return found;
   }
 
- private:
   /// The mode with a small amplitude, as cosines of the first harmonic.
-  [[nodiscard]] VectorXd starting_shape() const {
-    constexpr double small = 1e-3;  // of the end
+  /// @param small  share of the end
+  [[nodiscard]] VectorXd starting_shape(double small) const {
     double factor = std::numeric_limits<double>::infinity();
     double deflection = 0;
     for (const Deflection& one : deflections_)
@@ -293,17 +302,26 @@ class FreeCourse {
     return branch.after(point, 0);
   }
 
-  /// Above rest, at phase 0; all that moves, as if the damping fed and lost nothing.
+  /// Undamped: above rest, at phase 0, where all is at rest. Damped: the largest kinetic energy over a period.
   [[nodiscard]] double energy(const BranchPoint& point) const {
     const MatrixXd motion = motion_.motion(point.unknowns);
-    const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, 0);
-    VectorXd rates(motion.cols());
+    if (!options_.damped) {
+      const VectorXd q = (numerics::fourier_row(options_.harmonics, 0) * motion).transpose();
+      double sum = q.dot(assembled_.matrices.K * q) / 2;
+      for (const Deflection& deflection : deflections_) sum += deflection.law.energy(deflection.on_coordinates.dot(q));
+      return sum;
+    }
+    MatrixXd rates(motion.rows(), motion.cols());
     for (Index i = 0; i < motion.cols(); ++i)
-      rates(i) = point.parameter * row.dot(numerics::phase_derivative(motion.col(i)));
-    const VectorXd q = (row * motion).transpose();
-    double sum = (q.dot(assembled_.matrices.K * q) + rates.dot(assembled_.matrices.A * rates)) / 2;
-    for (const Deflection& deflection : deflections_) sum += deflection.law.energy(deflection.on_coordinates.dot(q));
-    return sum;
+      rates.col(i) = point.parameter * numerics::phase_derivative(motion.col(i));
+    constexpr int samples = 64;
+    double largest = 0;
+    for (int n = 0; n < samples; ++n) {
+      const VectorXd v =
+          (numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples) * rates).transpose();
+      largest = std::max(largest, v.dot(assembled_.matrices.A * v) / 2);
+    }
+    return largest;
   }
 
   [[nodiscard]] BackbonePoint observed(const BranchPoint& point, Backbone& found) const {

@@ -27,7 +27,7 @@ struct BackboneOptions {
 /// A free periodic motion.
 struct BackbonePoint {
   double angular_frequency = 0;         ///< [rad/s]
-  double energy = 0;                    ///< above that of rest, at the instant of phase 0 [J]
+  double energy = 0;                    ///< above that of rest; damped: the largest kinetic energy [J]
   double damping_ratio = 0;             ///< of the mode; 0 if the backbone is undamped
   Eigen::MatrixXcd coordinates;         ///< free coordinates × harmonics 0, 1, …: complex amplitudes
   double deflection = 0;                ///< largest deviation of any nonlinear deflection [m, rad]

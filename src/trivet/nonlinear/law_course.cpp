@@ -20,7 +20,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, dou
     std::sort(corners_.begin(), corners_.end());
   }
   if (law.hysteretic().empty()) return;
-  const std::vector<double> turns = numerics::level_crossings(rate_, {0}, samples);
+  const std::vector<double> turns = numerics::level_crossings(numerics::phase_derivative(deflection_), {0}, samples);
   for (const LawAbout::Hysteretic& part : law.hysteretic())
     if (HystereticLoop loop(part, deflection_, turns); !loop.branches().empty()) loops_.push_back(std::move(loop));
 }

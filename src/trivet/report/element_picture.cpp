@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/report/element_picture.h"
 
+#include <vector>
+
 #include "trivet/report/dynamic_stiffness_plot.h"
+#include "trivet/report/law_loop_plot.h"
 #include "trivet/report/residual_plot.h"
 #include "trivet/report/stiffness_map.h"
 
@@ -14,8 +17,11 @@ std::string element_picture(const project::Case& variant, std::size_t index) {
   const auto band = dynamic_band(element.law);
   const double residuals = identified ? residual_plot_height(element.evidence->residuals) + gap : 0;
   const double dynamics = band ? dynamic_stiffness_plot_height + gap : 0;
+  std::vector<study::ElementLaws> laws = study::element_laws(variant, index);
+  std::erase_if(laws, [](const study::ElementLaws& one) { return one.loops.empty(); });
+  const double loops = static_cast<double>(laws.size()) * law_loop_plot_height;
 
-  SvgCanvas canvas(width, title_height + stiffness_map_height + residuals + dynamics);
+  SvgCanvas canvas(width, title_height + stiffness_map_height + residuals + dynamics + loops);
   const std::string title = element.name + ", " + element.type + (variant.name.empty() ? "" : ", " + variant.name);
   canvas.text({width / 2, 24}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   canvas.text({width / 2, 40}, "stiffness 12×12 in local axes", "text-anchor=\"middle\" fill=\"#333\"");
@@ -26,6 +32,11 @@ std::string element_picture(const project::Case& variant, std::size_t index) {
     y += residuals;
   }
   if (band) draw_dynamic_stiffness(canvas, {0, y}, element.law, *band);
+  y += dynamics;
+  for (const study::ElementLaws& one : laws) {
+    draw_law_loops(canvas, {0, y}, one, variant.display);
+    y += law_loop_plot_height;
+  }
   return canvas.svg("Stiffness of element " + title);
 }
 

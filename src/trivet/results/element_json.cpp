@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/element_json.h"
 
+#include "trivet/foundation/index.h"
 #include "trivet/results/json_parts.h"
 
 namespace trivet::results {
@@ -40,6 +41,25 @@ Json modes_json(const study::ElementSummary& summary) {
                       {"translation", json::number(mode.inside.translation)},
                       {"rotation", json::number(mode.inside.rotation)},
                       {"coupling", json::number(mode.inside.coupling)}});
+  return result;
+}
+
+Json laws_json(const study::ElementSummary& summary) {
+  Json result = Json::array();
+  for (const study::ElementLaws& laws : summary.laws) {
+    Json loops = Json::array();
+    for (const nonlinear::LawLoop& loop : laws.loops)
+      loops.push_back({{"amplitude", loop.amplitude},
+                       {"storage", loop.storage},
+                       {"loss", loop.loss},
+                       {"energy", loop.energy},
+                       {"deflections", loop.deflections},
+                       {"forces", loop.forces}});
+    result.push_back({{"axis", model::coordinate_names[to_size(laws.axis)]},
+                      {"at_rest", laws.at_rest},
+                      {"has_dampers", laws.damped},
+                      {"loops", std::move(loops)}});
+  }
   return result;
 }
 
@@ -110,6 +130,7 @@ std::string element_json(const project::Case& variant, std::size_t index, const 
       {"rigid_motion_residual", json::rows(summary.verdict.residual)},
       {"character", stiffness_properties_json(summary.stiffness_properties)},
       {"modes", modes_json(summary)},
+      {"laws", laws_json(summary)},
       {"uncertainty", uncertainty_json(element)},
       {"residuals", residuals_json(element)},
       {"simplification", simple ? simplification_json(*simple) : Json(nullptr)},

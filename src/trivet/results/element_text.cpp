@@ -205,6 +205,30 @@ std::string frequency_text(const model::Element& element) {
   return text;
 }
 
+std::string laws_text(const study::ElementSummary& summary, const ShownUnits& display) {
+  std::string text;
+  for (const study::ElementLaws& laws : summary.laws) {
+    const bool turns = laws.axis >= 3;
+    const DisplayUnit deflection = display_unit(display, turns ? "rad" : "m"),
+                      force = display_unit(display, turns ? "N m" : "N"),
+                      stiffness = display_unit(display, turns ? "N m/rad" : "N/m");
+    text += fmt::format("\nLaws {} {}, in addition to the stiffness, about rest at a deflection of {}{}\n",
+                        turns ? "about" : "along", "xyz"[laws.axis % 3], value_text(laws.at_rest, deflection),
+                        laws.damped ? "; dampers left out" : "");
+    if (laws.loops.empty()) continue;
+    TextTable table({"amplitude", "force from", "to", "storage", "loss", "lost per cycle"});
+    for (const nonlinear::LawLoop& loop : laws.loops) {
+      const auto [low, high] = std::minmax_element(loop.forces.begin(), loop.forces.end());
+      table.add({value_text(loop.amplitude, deflection), value_text(*low, force), value_text(*high, force),
+                 value_text(loop.storage, stiffness), value_text(without_round_off(loop.loss, loop.storage), stiffness),
+                 value_text(without_round_off(loop.energy, loop.amplitude * loop.amplitude * loop.storage),
+                            display_unit(display, "J"))});
+    }
+    text += table.text();
+  }
+  return text;
+}
+
 std::string preload_text(const elements::Law& law, const ShownUnits& display) {
   if (!law.preload) return "";
   std::vector<std::string> header = {"preload on"};
@@ -296,6 +320,7 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
       "{1}/{3}\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n",
       force, moment, length, angle);
   text += half_matrix(summary.stiffness, 0, display) + "\n" + half_matrix(summary.stiffness, 6, display);
+  text += laws_text(summary, display);
   text += "\nCharacter\n" + stiffness_properties_text(summary.stiffness_properties, display);
   text += "\nChecks\n" + checks_text(element, summary.verdict);
   for (const std::string& part : {energy_text(summary, display), uncertainty_text(element, display),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/element_summary.h"
 
+#include <cmath>
+
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -34,6 +36,20 @@ elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model
                                         : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
+std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t index) {
+  const model::Element& element = variant.system.elements()[index];
+  const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
+  std::vector<ElementLaws> all;
+  for (const model::NonlinearPart& part : element.nonlinear_parts) {
+    const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
+    const double own =
+        element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
+    all.push_back({part.axis, part.at_rest, !elements::only<elements::DampingForce>(part.laws).empty(),
+                   nonlinear::law_loops(part, own)});
+  }
+  return all;
+}
+
 ElementSummary element_summary(const project::Case& variant, std::size_t index) {
   const model::Element& element = variant.system.elements()[index];
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
@@ -46,6 +62,7 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
       summary.modes.push_back({mode.number, mode.name, mode.angular_frequency,
                                (*mode.strain_energy_share)(to_index(index)),
                                elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
+  summary.laws = element_laws(variant, index);
   const std::string path = "elements." + element.name;
   for (const auto& problem : variant.warnings.list())
     if (problem.subject == path || problem.subject.starts_with(path + ".")) summary.warnings.add(problem);

@@ -7,6 +7,7 @@
 
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/elements/stiffness_properties.h"
+#include "trivet/nonlinear/law_loops.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
@@ -20,12 +21,22 @@ struct ElementInMode {
   elements::EnergyShares inside;            ///< shares of the element's own energy; only meaningful if it deforms
 };
 
+/// Laws of an element along one of its axes.
+struct ElementLaws {
+  int axis = 0;         ///< 0 … 2: translation, 3 … 5: rotation, axes of K
+  double at_rest = 0;   ///< deflection [m, rad]
+  bool damped = false;  ///< it has dampers too, which are not in the loops
+  std::vector<nonlinear::LawLoop> loops;
+};
+[[nodiscard]] std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t element);
+
 /// Properties of an element and its part in its model; stiffness in its local frame, order N, K, scale included.
 struct ElementSummary {
   elements::Matrix12 stiffness;
   elements::MatrixVerdict verdict;  ///< of the stiffness
   elements::StiffnessProperties stiffness_properties;
   std::vector<ElementInMode> modes;  ///< modes with strain energy
+  std::vector<ElementLaws> laws;     ///< nonlinear ones
   foundation::Problems warnings;     ///< of this element only
 };
 [[nodiscard]] ElementSummary element_summary(const project::Case& variant, std::size_t element);
