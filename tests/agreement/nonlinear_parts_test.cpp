@@ -148,4 +148,44 @@ stiffness = 1e5
     }
 }
 
+/// A light part on a nonlinear machine resonates in a band of 0.1 Hz, and hardly bends the branch of the machine.
+TEST(NonlinearParts, ResonanceOfALightLinearPartIsNotPassed) {
+  const std::string text = R"(trivet = 1
+[bodies.m]
+mass = 100
+free = ["z"]
+[bodies.part]
+mass = 0.05
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [1, 1, 1e5]
+damping = {translation = [0, 0, 200]}
+laws.z = {cubic = 1e9}
+[elements.clip]
+type = "three_springs"
+on = "part"
+from = "m"
+at = [0, 0, 0]
+translation = [1, 1, 1e3]
+damping = {translation = [0, 0, 0.01]}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 10]
+)";
+  const model::System system = test::project(text).base().system;
+  constexpr double hertz = 2 * 3.14159265358979323846;
+  nonlinear::SteadyOptions options{.from = 1 * hertz, .to = 40 * hertz, .harmonics = 5};
+  options.of = {"clip.force.z"};
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(system, options);
+  EXPECT_EQ(branch.ended, "");
+  double largest = 0;
+  for (const nonlinear::SteadyPoint& point : branch.points) largest = std::max(largest, point.results[0].largest);
+  EXPECT_THAT(largest, RelativelyNear(3.693, 3e-3));  // by Runge and Kutta's method in time
+}
+
 }  // namespace

@@ -104,7 +104,8 @@ class FreeMotion {
     for (Index c = 0; c < count; ++c) {
       const Index row = place(c);
       if (row < 0) continue;
-      const auto k = static_cast<double>((c + 1) / 2);
+      const Index harmonic = (c + 1) / 2;
+      const auto k = static_cast<double>(harmonic);
       const MatrixXd stiffness = K_ - k * k * omega * omega * A_;
       const auto q = unknowns.segment(row, n);
       equations.value.segment(row, n) += stiffness * q;
@@ -238,7 +239,7 @@ class FreeCourse {
     found.points.push_back(observed(now, found));
     constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
     double step = 0.05;
-    while (!reached(found.points.back())) {
+    while (found.points.back().share < 1) {
       if (static_cast<int>(found.points.size()) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
         break;
@@ -258,7 +259,12 @@ class FreeCourse {
             found.at_energy.push_back(observed(*there, found));
       now = advance->to;
       found.points.push_back(observed(now, found));
-      if (progress) progress("backbone", std::clamp(share(found.points.back()), 0.0, 1.0));
+      constexpr double back = 0.5;  // of where it began
+      if (found.points.back().deflection < back * found.points.front().deflection) {
+        found.ended = fmt::format("the branch returns to rest at {:.6g} rad/s", now.parameter);
+        break;
+      }
+      if (progress) progress("backbone", std::clamp(found.points.back().share, 0.0, 1.0));
     }
   }
 
@@ -266,13 +272,15 @@ class FreeCourse {
   /// @param small  share of the end
   [[nodiscard]] VectorXd starting_shape(double small) const {
     double factor = std::numeric_limits<double>::infinity();
-    double deflection = 0;
-    for (const Deflection& one : deflections_)
-      deflection = std::max(deflection, std::abs(one.on_coordinates.dot(shape_)));
-    if (deflection > 0) factor = small * options_.up_to / deflection;
+    const double round_off = 1e-9 * shape_.cwiseAbs().maxCoeff();
+    for (const Deflection& one : deflections_) {
+      const double deflection = std::abs(one.on_coordinates.dot(shape_));
+      if (deflection > round_off) factor = std::min(factor, small * end_of(one) / deflection);
+    }
     factor = std::min(factor, small * std::sqrt(2 * options_.up_to_energy) / omega_);  // modal mass 1
     if (!std::isfinite(factor))
-      throw foundation::NotComputable("backbone: the mode does not move the nonlinear parts, so it stays linear");
+      throw foundation::NotComputable(fmt::format(
+          "backbone: mode {} does not move the nonlinear parts, so it stays linear; take others", options_.mode + 1));
     VectorXd unknowns = VectorXd::Zero(motion_.size());
     unknowns.segment(motion_.place(1), motion_.coordinates()) = factor * shape_;
     return unknowns;
@@ -336,20 +344,24 @@ class FreeCourse {
       for (Index i = 0; i < motion.cols(); ++i) result.coordinates(i, k) = {motion(2 * k - 1, i), -motion(2 * k, i)};
     const MatrixXd course = motion_.deflections(point.unknowns);
     constexpr int samples = 64;
-    for (int n = 0; n < samples; ++n)
-      result.deflection = std::max(
-          result.deflection,
-          (numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples) * course).cwiseAbs().maxCoeff());
+    for (int n = 0; n < samples; ++n) {
+      const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples);
+      for (Index j = 0; j < course.cols(); ++j) {
+        const double deviation = std::abs(row.dot(course.col(j)));
+        result.deflection = std::max(result.deflection, deviation);
+        result.share = std::max(result.share, deviation / end_of(deflections_[to_size(j)]));
+      }
+    }
+    result.share = std::max(result.share, result.energy / options_.up_to_energy);
     result.results =
         observer_.at(result.coordinates, motion_.forces(point.unknowns, point.parameter), point.parameter, 0);
     found.left_out = std::max(found.left_out, motion_.left_out(point.unknowns, point.parameter));
     return result;
   }
 
-  [[nodiscard]] double share(const BackbonePoint& point) const {
-    return std::max(point.deflection / options_.up_to, point.energy / options_.up_to_energy);
+  [[nodiscard]] double end_of(const Deflection& deflection) const {
+    return deflection.is_rotation ? options_.up_to_angle : options_.up_to;
   }
-  [[nodiscard]] bool reached(const BackbonePoint& point) const { return share(point) >= 1; }
 
   [[nodiscard]] std::optional<BranchPoint> at_energy(const numerics::Branch& branch, double wanted,
                                                      const BranchPoint& from, double length) const {
@@ -388,8 +400,9 @@ class FreeCourse {
 }  // namespace
 
 Backbone backbone(const model::System& system, const BackboneOptions& options, const foundation::Progress& progress) {
-  if (!(std::isfinite(options.up_to) || std::isfinite(options.up_to_energy)) ||
-      !(options.up_to > 0 && options.up_to_energy > 0))
+  const double ends[] = {options.up_to, options.up_to_angle, options.up_to_energy};
+  if (std::none_of(std::begin(ends), std::end(ends), [](double end) { return std::isfinite(end); }) ||
+      std::any_of(std::begin(ends), std::end(ends), [](double end) { return !(end > 0); }))
     throw foundation::InvalidInput("backbone: give an end above 0: a deflection or an energy");
   if (options.harmonics < 1) throw foundation::InvalidInput("backbone: at least one harmonic");
   return FreeCourse(system, options).follow(progress);

@@ -14,8 +14,10 @@ namespace trivet::nonlinear {
 
 struct BackboneOptions {
   Eigen::Index mode = 0;  ///< of the machine about rest, ascending ω, from 0
-  /// Largest deviation of any nonlinear deflection [m, rad] and largest energy [J]; one of them is finite.
-  double up_to = std::numeric_limits<double>::infinity(), up_to_energy = std::numeric_limits<double>::infinity();
+  /// Largest deviation of any nonlinear deflection, translations [m] and rotations [rad], and largest energy [J]; one
+  /// of them is finite.
+  double up_to = std::numeric_limits<double>::infinity(), up_to_angle = std::numeric_limits<double>::infinity(),
+         up_to_energy = std::numeric_limits<double>::infinity();
   Eigen::Index harmonics = 7;
   bool damped = false;
   std::vector<std::string> of;  ///< results, as channels
@@ -31,6 +33,7 @@ struct BackbonePoint {
   double damping_ratio = 0;             ///< of the mode; 0 if the backbone is undamped
   Eigen::MatrixXcd coordinates;         ///< free coordinates × harmonics 0, 1, …: complex amplitudes
   double deflection = 0;                ///< largest deviation of any nonlinear deflection [m, rad]
+  double share = 0;                     ///< of the end that was asked for
   std::vector<ObservedMotion> results;  ///< in the order of Backbone::results
 };
 

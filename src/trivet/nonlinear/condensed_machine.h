@@ -30,6 +30,7 @@ class CondensedMachine {
                    const assembly::Loading& loading);
 
   [[nodiscard]] Eigen::Index size() const { return static_receptance_.rows(); }
+  [[nodiscard]] const Eigen::VectorXcd& poles() const { return poles_; }
   /// @param omega  [rad/s], > 0
   void set_receptance(double omega, Receptance& found) const;
   /// Without the slope.

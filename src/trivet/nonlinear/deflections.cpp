@@ -109,7 +109,7 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       const Eigen::Matrix<double, 1, 12> row =
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
-      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)],
+      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)], part.axis >= 3,
                             Eigen::VectorXd::Zero(assembled.matrices.size()),
                             Eigen::VectorXd::Zero(assembled.ground.size()),
                             LawAbout(part.laws, part.at_rest, references[found.size()])};

@@ -12,7 +12,8 @@ namespace trivet::nonlinear {
 
 /// One deflection with nonlinear forces, as a deviation from rest.
 struct Deflection {
-  std::string name;                ///< "mount.deflection.z"
+  std::string name;  ///< "mount.deflection.z"
+  bool is_rotation = false;
   Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
   Eigen::VectorXd on_ground;       ///< ground coordinates
   LawAbout law;                    ///< beyond the tangents that the assembled machine contains

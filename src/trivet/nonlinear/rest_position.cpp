@@ -20,7 +20,7 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       if (notes.empty())
-        notes.emplace_back("nonlinear machine: all but static and steady is for small motions about rest");
+        notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
       const bool turns = part.axis >= 3;
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,

@@ -96,7 +96,7 @@ class Observed {
     if (!observer_.channels().empty())
       result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
     result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
-    constexpr double round_off = 1e-8;  // an undamped machine has multipliers of magnitude 1
+    constexpr double round_off = 1e-6;  // an undamped machine has multipliers of magnitude 1, as exact as the splitting
     result.stable = (result.multipliers.cwiseAbs().array() < 1 + round_off).all();
     return result;
   }
@@ -134,12 +134,12 @@ class Observed {
       const bool at_fold =
           std::any_of(found.folds.begin(), found.folds.end(), [i](const Fold& fold) { return fold.after == i; });
       if (at_fold) continue;
-      if (std::optional<StabilityChange> change = change_after(i)) found.changes.push_back(std::move(*change));
+      found.changes.push_back(change_after(i));
     }
   }
 
   /// Where the largest multiplier passes the unit circle between a point and the next one.
-  [[nodiscard]] std::optional<StabilityChange> change_after(std::size_t point) const {
+  [[nodiscard]] StabilityChange change_after(std::size_t point) const {
     constexpr int most = 40;
     constexpr double accurate = 1e-10;
     const auto excess = [&](const BranchPoint& there) {
@@ -167,7 +167,7 @@ class Observed {
       high = next;
       at_high = value;
     }
-    if (!middle) return std::nullopt;
+    if (!middle) middle = path_.points()[point + 1];  // not located; the next point is the nearest known
     StabilityChange change{steady(*middle), point};
     Index critical = 0;
     change.point.multipliers.cwiseAbs().maxCoeff(&critical);
@@ -209,6 +209,17 @@ void add_linear(const model::System& given, const SteadyOptions& options, Steady
 /// 5, 7, 10, 14 …: a number that is too small is found out early.
 Index more_harmonics(Index harmonics) { return 7 * harmonics / 5; }
 
+/// Deflections whose smooth loops bear a force at rest, which they lose in motion.
+std::vector<std::string> lost_means(const std::vector<Deflection>& deflections) {
+  std::vector<std::string> names;
+  for (const Deflection& deflection : deflections)
+    if (std::any_of(deflection.law.hysteretic().begin(), deflection.law.hysteretic().end(), [](const auto& part) {
+          return part.at_state != 0 && !std::holds_alternative<elements::Slider>(part.law);
+        }))
+      names.push_back(deflection.name);
+  return names;
+}
+
 void check(const SteadyOptions& options) {
   if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to)))
     throw foundation::InvalidInput(
@@ -245,6 +256,7 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
     SteadyPath path(machine.condensed, machine.deflections, options, harmonics);
     if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : options.tolerance, progress)) continue;
     SteadyBranch found = Observed(machine, path, options).branch(progress);
+    found.lost_means = lost_means(machine.deflections);
     if (holds && !found.results.empty()) add_linear(system, options, found);
     return found;
   }

@@ -65,9 +65,10 @@ struct SteadyBranch {
   }
   double left_out = 0;                        ///< largest share of the deflections beyond the harmonics, at any point
   bool stability_of_viscous_machine = false;  ///< loss factors were replaced for the multipliers
-  std::vector<std::string> sticking;  ///< deflections with a slider that never slips at some point: the mean of its
-                                      ///< force depends on what happened before
-  std::string ended;                  ///< why the branch ends before the end of the band; empty: it does not
+  std::vector<std::string> sticking;    ///< deflections with a slider that never slips at some point: the mean of its
+                                        ///< force depends on what happened before
+  std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion
+  std::string ended;                    ///< why the branch ends before the end of the band; empty: it does not
 };
 
 /// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.

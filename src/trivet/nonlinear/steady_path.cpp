@@ -17,16 +17,38 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using numerics::BranchPoint;
 
+namespace {
+
+/// Frequencies at which a linear mode resonates, and beside them; a second and a third of them for the harmonics. A
+/// mode that hardly moves the nonlinear parts does not bend the branch, which would pass it in one step.
+std::vector<double> resonances(const Eigen::VectorXcd& poles, const SteadyOptions& options) {
+  std::vector<double> found;
+  if (options.over != Parameter::frequency) return found;
+  constexpr double most_damped = 0.3;
+  for (const std::complex<double>& pole : poles) {
+    if (!(pole.imag() > 0) || std::abs(pole.real()) > most_damped * std::abs(pole)) continue;
+    for (const double beside : {0.0, -1.0, 1.0}) found.push_back(pole.imag() + beside * pole.real());
+    for (const double order : {2.0, 3.0}) found.push_back(pole.imag() / order);
+  }
+  std::erase_if(found, [&](double omega) { return !(omega > options.from && omega < options.to); });
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+}  // namespace
+
 SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                        const SteadyOptions& options, Index harmonics)
     : options_(options),
       deflections_(deflections),
+      resonances_(resonances(machine.poles(), options)),
       balance_(machine, deflections, harmonics),
       branch_(
           [this](const VectorXd& unknowns, double parameter, numerics::Equations& equations) {
             balance_.evaluate(unknowns, driving(parameter), options_.over, equations);
           },
-          smallest_scale(), width()) {}
+          width(), scale()) {}
 
 Driving SteadyPath::driving(double parameter) const {
   if (options_.over == Parameter::frequency) return {parameter, 1};
@@ -38,42 +60,77 @@ std::string SteadyPath::place(double parameter) const {
                                                : fmt::format("{:.10g} times the load", parameter);
 }
 
-/// Coefficients that stay near zero are compared with a thousandth of the linear motion.
-VectorXd SteadyPath::smallest_scale() const {
-  constexpr double share = 1e-3;
+/// Harmonics are compared with the largest one, means with the largest mean too: a mean that changes little must not
+/// hide a resonance. What stays near zero is compared with a thousandth of the linear motion.
+numerics::ScaleUnknowns SteadyPath::scale() const {
+  constexpr double share = 1e-3, of_mean = 1e-4;
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
-  const double largest = motion.size() > 0 ? motion.cwiseAbs().maxCoeff() : 0;
-  if (!(largest > 0)) throw foundation::NotComputable("steady: no excitation moves a nonlinear part");
-  return VectorXd::Constant(motion.size(), share * largest);
+  const double linear = motion.size() > 0 ? motion.cwiseAbs().maxCoeff() : 0;
+  if (!(linear > 0)) throw foundation::NotComputable("steady: no excitation moves a nonlinear part");
+  return [C = balance_.coefficients(), smallest = share * linear](const VectorXd& unknowns) {
+    double mean = 0, harmonic = smallest;
+    for (Index i = 0; i < unknowns.size(); ++i)
+      (i % C == 0 ? mean : harmonic) = std::max(i % C == 0 ? mean : harmonic, std::abs(unknowns(i)));
+    harmonic = std::max(harmonic, of_mean * mean);
+    VectorXd result = VectorXd::Constant(unknowns.size(), harmonic);
+    for (Index i = 0; i < unknowns.size(); i += C) result(i) = std::max(mean, harmonic);
+    return result;
+  };
 }
 
-/// From the linear motion; where Newton's method does not converge from there, from that of a raised load.
+/// From the linear motion; where Newton's method does not converge from there, from a raised load or raised forces.
 std::optional<BranchPoint> SteadyPath::first() const {
   const VectorXd linear = balance_.linear_motion(driving(options_.from));
   if (std::optional<BranchPoint> found = branch_.start(linear, options_.from)) return found;
   if (const std::optional<BranchPoint> raised = raised_to_load()) return branch_.start(raised->unknowns, options_.from);
+  if (const std::optional<BranchPoint> raised = raised_forces(linear))
+    return branch_.start(raised->unknowns, options_.from);
   return std::nullopt;
+}
+
+namespace {
+
+/// The solution at parameter 1 on the branch of a point.
+std::optional<BranchPoint> followed_to_one(const numerics::Branch& branch, std::optional<BranchPoint> now) {
+  double step = 0.01;
+  constexpr int most_points = 2000;
+  for (int i = 0; now && i < most_points; ++i) {
+    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
+    if (!advance) return std::nullopt;
+    if (advance->to.parameter > 1) return branch.at(1, *now, 0, advance->length);
+    now = advance->to;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+/// The motion at the lower end of the band, followed as the share of the nonlinear forces is raised.
+std::optional<BranchPoint> SteadyPath::raised_forces(const VectorXd& linear) const {
+  const numerics::Branch branch(
+      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, driving(options_.from), options_.over, equations);
+        const VectorXd without = unknowns - linear;
+        equations.by_parameter = equations.value - without;
+        equations.value = without + share * equations.by_parameter;
+        equations.by_unknowns *= share;
+        equations.by_unknowns.diagonal().array() += 1 - share;
+      },
+      1.0, scale());
+  return followed_to_one(branch, branch.start(linear, 0));
 }
 
 /// The motion at the lower end of the band, followed as its load is raised from a small one.
 std::optional<BranchPoint> SteadyPath::raised_to_load() const {
   const Driving whole = driving(options_.from);
   const numerics::Branch branch(
-      [&](const VectorXd& unknowns, double factor, numerics::Equations& equations) {
-        balance_.evaluate(unknowns, {whole.omega, factor}, Parameter::load_factor, equations);
+      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
+        equations.by_parameter *= whole.factor;
       },
-      smallest_scale(), whole.factor);
-  const double small = 1e-3 * whole.factor;
-  std::optional<BranchPoint> now = branch.start(balance_.linear_motion({whole.omega, small}), small);
-  double step = 0.01;
-  constexpr int most_points = 2000;
-  for (int i = 0; now && i < most_points; ++i) {
-    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
-    if (!advance) return std::nullopt;
-    if (advance->to.parameter > whole.factor) return branch.at(whole.factor, *now, 0, advance->length);
-    now = advance->to;
-  }
-  return std::nullopt;
+      1.0, scale());
+  constexpr double small = 1e-3;
+  return followed_to_one(branch, branch.start(balance_.linear_motion({whole.omega, small * whole.factor}), small));
 }
 
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
@@ -85,12 +142,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
         fmt::format("steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above "
                     "the motions that were sought",
                     place(options_.from)));
-  const auto add = [&](const BranchPoint& point) {
-    points_.push_back(point);
-    left_out_ = std::max(left_out_, balance_.left_out(point.unknowns, driving(point.parameter).omega));
-    return left_out_ <= most_left_out;
-  };
-  if (!add(*start)) return false;
+  if (!add_point(*start, most_left_out)) return false;
   double step = first_step;
   while (points_.back().parameter < options_.to) {
     const BranchPoint& now = points_.back();
@@ -105,16 +157,30 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
       break;
     }
     BranchPoint next = std::move(advance->to);
-    add_pieces(advance->length, next);
     double length = advance->length;
-    if (next.parameter > options_.to)
-      if (std::optional<BranchPoint> end = at(options_.to, pieces_.back())) {
-        length = numerics::Branch::length(now, *end);
-        next = std::move(*end);
+    if (next.parameter > options_.to) {
+      std::optional<BranchPoint> end = branch_.at(options_.to, now, 0, length);
+      if (!end) {
+        step = length / 2;
+        constexpr double shortest = 1e-7;
+        if (step > shortest) continue;
+        ended_ = "no motion was found at the upper end of the band";
+        break;
       }
+      length = numerics::Branch::length(now, *end);
+      next = std::move(*end);
+    }
     if (ended_ = leaves_curve(next); !ended_.empty()) break;
-    lengths_.push_back(length);
-    if (!add(next)) return false;
+    const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next, length);
+    constexpr double least = 1e-5;
+    if (!on_the_way && length > least) {
+      step = length / 2;
+      continue;
+    }
+    for (const BranchPoint& there : on_the_way.value_or(std::vector<BranchPoint>()))
+      if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
+    if (on_the_way && !on_the_way->empty()) length = numerics::Branch::length(points_.back(), next);
+    if (!add_step(next, length, most_left_out)) return false;
     if (next.parameter < options_.from) {
       ended_ = "left the band downwards at " + place(next.parameter);
       break;
@@ -122,6 +188,35 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
     if (progress) progress("steady motion", std::clamp((next.parameter - options_.from) / width(), 0.0, 1.0));
   }
   return true;
+}
+
+bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
+  points_.push_back(point);
+  left_out_ = std::max(left_out_, balance_.left_out(point.unknowns, driving(point.parameter).omega));
+  return left_out_ <= most_left_out;
+}
+
+/// The motions at the resonances between two points. Empty if one is not found on the way: the step has passed
+/// something.
+std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& now, const BranchPoint& next,
+                                                            double length) const {
+  std::vector<BranchPoint> found;
+  if (next.parameter_direction() * now.parameter_direction() < 0) return found;
+  for (const double omega : resonances_) {
+    if (!((omega - now.parameter) * (omega - next.parameter) < 0)) continue;
+    std::optional<BranchPoint> there = branch_.at(omega, now, 0, length);
+    if (!there) return std::nullopt;
+    if (there->parameter_direction() * now.parameter_direction() < 0) there->tangent = -there->tangent;
+    found.push_back(std::move(*there));
+  }
+  if (next.parameter < now.parameter) std::reverse(found.begin(), found.end());
+  return found;
+}
+
+bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
+  add_pieces(length, next);
+  lengths_.push_back(length);
+  return add_point(next, most_left_out);
 }
 
 /// The pieces of the step from the last point, with the fold between them if the parameter turns, and the motions asked

@@ -57,15 +57,22 @@ class SteadyPath {
   };
   [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
+  [[nodiscard]] std::optional<numerics::BranchPoint> raised_forces(const Eigen::VectorXd& linear) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
   void add_pieces(double length, const numerics::BranchPoint& next);
   [[nodiscard]] double width() const { return options_.to - options_.from; }
   [[nodiscard]] std::string place(double parameter) const;
-  [[nodiscard]] Eigen::VectorXd smallest_scale() const;
+  [[nodiscard]] numerics::ScaleUnknowns scale() const;
+  [[nodiscard]] std::optional<std::vector<numerics::BranchPoint>> between(const numerics::BranchPoint& now,
+                                                                          const numerics::BranchPoint& next,
+                                                                          double length) const;
+  [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
+  [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
   [[nodiscard]] std::string leaves_curve(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;
   const std::vector<Deflection>& deflections_;
+  std::vector<double> resonances_;  ///< of the machine of references, ascending [rad/s]
   HarmonicBalance balance_;
   numerics::Branch branch_;
   std::vector<numerics::BranchPoint> points_, asked_for_;

@@ -114,16 +114,24 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-/// The result that jumps are told of: of those with the unit of the first one that moves, the one that moves most.
-std::optional<std::size_t> main_result(const SteadyBranch& branch) {
+/// The result that a jump is told of: of those that move at all, the one that changes most, relative to its range.
+std::optional<std::size_t> main_result(const SteadyBranch& branch, const Fold& fold) {
   std::optional<std::size_t> found;
-  double largest = 0;
+  double most = -1;
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    if (found && branch.units[c] != branch.units[*found]) continue;
-    double range = 0;
-    for (const SteadyPoint& point : branch.points) range = std::max(range, point.results[c].half_of_range());
-    if (range <= largest) continue;
-    largest = range;
+    double range = 0, of_unit = 0;
+    for (const SteadyPoint& point : branch.points) {
+      range = std::max(range, point.results[c].half_of_range());
+      for (std::size_t i = 0; i < branch.results.size(); ++i)
+        if (branch.units[i] == branch.units[c]) of_unit = std::max(of_unit, point.results[i].half_of_range());
+    }
+    constexpr double least = 0.1;  // of the largest of its unit
+    if (!(range > least * of_unit)) continue;
+    const double change = !fold.lands
+        ? 0
+        : std::abs(fold.lands->results[c].half_of_range() - fold.point.results[c].half_of_range()) / range;
+    if (change <= most) continue;
+    most = change;
     found = c;
   }
   return found;
@@ -131,7 +139,7 @@ std::optional<std::size_t> main_result(const SteadyBranch& branch) {
 
 /// "machine.z from 4.12 mm to 0.31 mm"
 std::string jump_words(const Fold& fold, const SteadyBranch& branch, const project::ShownUnits& display) {
-  const std::optional<std::size_t> told = main_result(branch);
+  const std::optional<std::size_t> told = main_result(branch, fold);
   if (!told) return "";
   const DisplayUnit unit = display_unit(display, branch.units[*told]);
   const std::string from =
@@ -142,7 +150,9 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
 }
 
 std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (branch.folds.empty()) return "  no folds: one motion at each place of this branch, no jumps\n";
+  if (branch.folds.empty())
+    return branch.changes.empty() ? "  no folds: one motion at each place of this branch, no jumps\n"
+                                  : "  no folds: one motion at each place of this branch\n";
   TextTable table({"fold", "at [" + place_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
     table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
@@ -192,7 +202,8 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
   const std::vector<const SteadyPoint*> stable = stable_motions(branch);
-  for (std::size_t c = 0; c < branch.results.size() && !stable.empty(); ++c) {
+  if (stable.empty()) return text + "  no motion of this branch is stable\n";
+  for (std::size_t c = 0; c < branch.results.size(); ++c) {
     const auto is_lower = [c](const SteadyPoint* a, const SteadyPoint* b) {
       return a->results[c].largest < b->results[c].largest;
     };

@@ -60,6 +60,7 @@ Analyses static_of(const Case& variant) {
   all.push_back("ground");
   Analyses asked;
   asked.static_of = variant.analyses.static_of.value_or(all);
+  asked.all_rest_states = variant.analyses.all_rest_states;
   asked.load_sharing = variant.system.description().gravity.has_value();
   return asked;
 }

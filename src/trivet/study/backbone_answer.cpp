@@ -13,7 +13,9 @@ namespace trivet::study {
 namespace {
 
 nonlinear::Backbone one_mode(const CaseContext& c, const project::BackboneQuestion& asked, int mode) {
-  nonlinear::BackboneOptions options{.mode = mode - 1, .up_to = asked.up_to, .up_to_energy = asked.up_to_energy};
+  nonlinear::BackboneOptions options{.mode = mode - 1, .up_to = asked.up_to};
+  options.up_to_angle = asked.up_to_angle;
+  options.up_to_energy = asked.up_to_energy;
   options.damped = asked.damped;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;

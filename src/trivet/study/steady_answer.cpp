@@ -59,6 +59,10 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
                      asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
                                          : "near grazing contact no number of harmonics is enough");
+  for (const std::string& name : branch.lost_means)
+    warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",
+                     "the mean of the motion contains this shift, however small the excitation",
+                     "compare the half of the range, or leave the load to other elements");
   for (const std::string& name : branch.sticking)
     warnings.warning("analyses.steady", name + ": a slider sticks all the time at some frequencies",
                      "the mean of its force then depends on what happened before; here it has stuck since rest",

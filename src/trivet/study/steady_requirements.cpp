@@ -69,9 +69,13 @@ std::vector<Stop> stops_of(const model::System& system) {
 
 project::SteadyQuestion question_of(const project::Analyses& analyses) {
   const auto* of_file = analyses.find<project::SteadyQuestion>("steady");
-  project::SteadyQuestion asked = of_file && !of_file->over_load_factor ? *of_file : project::SteadyQuestion();
   const project::Requirements& required = *analyses.requirements;
-  if (required.band && required.band->from > 0 && std::isfinite(required.band->to)) asked.band = required.band;
+  const bool has_band = required.band && required.band->from > 0 && std::isfinite(required.band->to);
+  if (of_file && of_file->over_load_factor && !has_band)
+    throw foundation::InvalidInput(
+        "analyses.steady is over the load factor; requirements are judged over the frequency: give them a band");
+  project::SteadyQuestion asked = of_file && !of_file->over_load_factor ? *of_file : project::SteadyQuestion();
+  if (has_band) asked.band = required.band;
   if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
   asked.selection.of.clear();
   return asked;
@@ -98,12 +102,41 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
   }
 }
 
+/// A frequency without a stable motion [rad/s]; none if there is one everywhere.
+std::optional<double> without_stable_motion(const SteadyBranch& branch) {
+  std::vector<std::pair<double, double>> stretches;  // of stable motions
+  const auto add = [&](const SteadyPoint& a, const SteadyPoint& b) {
+    stretches.emplace_back(std::minmax(a.angular_frequency, b.angular_frequency));
+  };
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
+    const auto in_step = [i](const auto& one) { return one.after == i; };
+    const auto fold = std::find_if(branch.folds.begin(), branch.folds.end(), in_step);
+    const auto change = std::find_if(branch.changes.begin(), branch.changes.end(), in_step);
+    const SteadyPoint* middle = fold != branch.folds.end() ? &fold->point
+        : change != branch.changes.end()                   ? &change->point
+                                                           : nullptr;
+    if (!middle && here.stable && next.stable) add(here, next);
+    if (middle && here.stable) add(here, *middle);
+    if (middle && next.stable) add(*middle, next);
+  }
+  std::sort(stretches.begin(), stretches.end());
+  const double from = branch.points.front().angular_frequency, to = branch.points.back().angular_frequency;
+  double covered = from;
+  constexpr double round_off = 1e-9;
+  for (const auto& [low, high] : stretches) {
+    if (low > covered * (1 + round_off)) return (covered + low) / 2;
+    covered = std::max(covered, high);
+  }
+  return covered < to * (1 - round_off) ? std::optional((covered + to) / 2) : std::nullopt;
+}
+
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
-  const std::size_t jumps = branch.folds.size() + branch.changes.size();
   const bool always_stable =
       std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
+  const std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
   result.value = static_cast<double>(jumps);
-  result.margin = jumps == 0 && always_stable ? infinity : 0;
+  result.margin = jumps == 0 ? infinity : 0;
   if (!branch.folds.empty()) result.angular_frequency = branch.folds.front().point.angular_frequency;
   else if (!branch.changes.empty()) result.angular_frequency = branch.changes.front().point.angular_frequency;
   result.detail = "detached motions are not sought";
@@ -127,6 +160,13 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
     const SteadyBranch branch = steady_motions(context, asked);
     if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
     if (required.no_jump) set_jumps(branch, list[first]);
+    const std::optional<double> unstable = without_stable_motion(branch);
+    if (unstable) {
+      for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i)
+        list[i].reason = fmt::format("no periodic motion is stable at {:.5g} Hz; what happens there is not computed",
+                                     *unstable / foundation::two_pi);
+      return;
+    }
     set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);
     for (std::size_t i = 0; i < required.steady.size(); ++i) {
       RequirementResult& result = list[bounds + i];

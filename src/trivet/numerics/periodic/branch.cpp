@@ -26,17 +26,24 @@ MatrixXd bordered(const Equations& equations, const VectorXd& scale, const Vecto
 
 }  // namespace
 
+/// All unknowns share the largest, unless they are smaller than their own smallest scale.
 Branch::Branch(EvaluateEquations evaluate, VectorXd smallest_scale, double parameter_scale, BranchOptions options)
+    : Branch(
+          std::move(evaluate), parameter_scale,
+          [smallest = std::move(smallest_scale)](const VectorXd& unknowns) {
+            return VectorXd(smallest.cwiseMax(unknowns.size() > 0 ? unknowns.cwiseAbs().maxCoeff() : 0.0));
+          },
+          options) {}
+
+Branch::Branch(EvaluateEquations evaluate, double parameter_scale, ScaleUnknowns scale, BranchOptions options)
     : evaluate_(std::move(evaluate)),
-      smallest_scale_(std::move(smallest_scale)),
+      scale_unknowns_(std::move(scale)),
       parameter_scale_(parameter_scale),
       options_(options) {}
 
-/// All unknowns share the largest, unless they are smaller than their own smallest scale.
 VectorXd Branch::scale(const VectorXd& unknowns) const {
   VectorXd result(unknowns.size() + 1);
-  const double largest = unknowns.size() > 0 ? unknowns.cwiseAbs().maxCoeff() : 0;
-  result << smallest_scale_.cwiseMax(largest), parameter_scale_;
+  result << scale_unknowns_(unknowns), parameter_scale_;
   return result;
 }
 

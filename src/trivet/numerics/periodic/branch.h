@@ -13,6 +13,8 @@ struct Equations {
   Eigen::MatrixXd by_unknowns;   ///< ∂r/∂u
   Eigen::VectorXd by_parameter;  ///< ∂r/∂λ
 };
+/// A typical size of each unknown near a solution.
+using ScaleUnknowns = std::function<Eigen::VectorXd(const Eigen::VectorXd& unknowns)>;
 using EvaluateEquations = std::function<void(const Eigen::VectorXd& unknowns, double parameter, Equations& equations)>;
 
 /// A solution on a branch, with the direction of the branch there.
@@ -50,6 +52,7 @@ class Branch {
   /// @param parameter_scale  a typical change of λ along the branch
   Branch(EvaluateEquations evaluate, Eigen::VectorXd smallest_scale, double parameter_scale,
          BranchOptions options = {});
+  Branch(EvaluateEquations evaluate, double parameter_scale, ScaleUnknowns scale, BranchOptions options = {});
 
   /// The solution at a fixed λ near a guess, with its direction towards larger λ (or smaller, if `downwards`). Empty if
   /// Newton's method does not converge.
@@ -84,7 +87,7 @@ class Branch {
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   EvaluateEquations evaluate_;
-  Eigen::VectorXd smallest_scale_;
+  ScaleUnknowns scale_unknowns_;
   double parameter_scale_;
   BranchOptions options_;
 };

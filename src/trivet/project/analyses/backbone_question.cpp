@@ -30,9 +30,11 @@ std::unique_ptr<Question> read_backbone(TableReader& reader, const ResultNames& 
     if (value) end = *value;
   };
   read_end("up_to", Quantity::length, asked->up_to);
+  read_end("up_to_angle", Quantity::angle, asked->up_to_angle);
   read_end("up_to_energy", Quantity::energy, asked->up_to_energy);
-  if (!reader.has("up_to") && !reader.has("up_to_energy"))
-    reader.missing("up_to", "give the largest deflection of a nonlinear part, up_to = \"10 mm\", or up_to_energy");
+  if (!reader.has("up_to") && !reader.has("up_to_angle") && !reader.has("up_to_energy"))
+    reader.missing("up_to",
+                   "give the largest deflection of a nonlinear part, up_to = \"10 mm\"; or up_to_angle, up_to_energy");
   asked->damped = reader.boolean("damped").value_or(false);
   read_harmonics(reader, asked->harmonics, asked->tolerance);
   return asked;
@@ -50,7 +52,8 @@ const QuestionReader backbone_question = {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "modes": {"type": "array", "items": {"type": "integer", "minimum": 1}, "minItems": 1, "description": "numbers of modes about rest (default: [1])"},
-   "up_to": {"$ref": "#/$defs/number", "description": "m, rad: largest deflection of any nonlinear part"},
+   "up_to": {"$ref": "#/$defs/number", "description": "m: largest deflection of any nonlinear part"},
+   "up_to_angle": {"$ref": "#/$defs/number", "description": "rad: largest rotation of any nonlinear part"},
    "up_to_energy": {"$ref": "#/$defs/number", "description": "J"},
    "damped": {"type": "boolean", "description": "with the damping ratio over amplitude (default: false)"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},

@@ -257,9 +257,24 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   result.requirements = std::move(found);
 }
 
+namespace {
+
+void check_stops(const Requirements& required, const model::System& system, foundation::Problems& problems) {
+  if (!required.no_contact) return;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts)
+      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
+        if (std::holds_alternative<elements::GapStop>(law)) return;
+  problems.error("requirements.no_contact", "a machine without stops", "it asks that no stop is touched",
+                 "remove it, or give an element gap_stop or the type stop");
+}
+
+}  // namespace
+
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (!asked.requirements) return;
   const Requirements& required = *asked.requirements;
+  if (required.is_about_steady_motion()) check_stops(required, system, problems);
   if (required.is_about_steady_motion())
     require_nonlinear("requirements", "remove no_jump, no_contact and steady, or give an element laws or a stop",
                       system, problems);

@@ -61,16 +61,15 @@ const Words nonlinear_answers = {"nonlinear",       "continuation", "harmonic_ba
 const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", "rotor", "rotors"};
 
 const OutsideFeature of_elements = {
-    "nonlinear elements are outside this version: every element is linear about its static state",
-    "give its stiffness and damping about its static state, or the preload of a coil spring or solid mount; or "
-    "remove the key"};
+    "no such key: nonlinear laws are keys of `laws` (docs/nonlinear.md)",
+    "write for instance laws.z = {cubic = \"1e10 N/m^3\"}, or type = \"stop\"; or remove the key"};
 const OutsideFeature of_designs = {
     "the best design is asked for in [analyses.optimize], and mounts are chosen by trivet select",
     "write [parameters] and [requirements], and then [analyses.optimize] (docs/design.md); or remove the key"};
 const OutsideFeature of_scatter = {"tolerances and samples of designs are outside this version",
                                    "a case with changed numbers shows one deviation: [cases]; or remove the key"};
-const OutsideFeature of_motions = {"results of nonlinear elements are outside this version",
-                                   "every result is that of the linear system; remove the key"};
+const OutsideFeature of_motions = {"no such question: nonlinear machines have steady and backbone",
+                                   "see docs/nonlinear.md; or remove the key"};
 const OutsideFeature of_shafts = {
     "gyroscopic terms of turning shafts are outside this version",
     "bodies vibrate about rest; give the shaft as an excitation of type \"unbalance\" or \"orders\""};

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Requirements on the steady motion of nonlinear machines."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+TRIVET = os.environ["TRIVET"]
+MACHINE = """trivet = 1
+[bodies.m]
+mass = 40
+free = ["x"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [36000, 0, 0]
+damping = {translation = [48, 0, 0]}
+laws.x = LAW
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [60, 0, 0]
+[requirements]
+band = ["24 rad/s", "50 rad/s"]
+REQUIRED
+[analyses]
+steady = {of = ["m.x"], harmonics = 15}
+"""
+
+
+def verdict(law, required, *options):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "machine.toml"
+        file.write_text(MACHINE.replace("LAW", law).replace("REQUIRED", required))
+        run = subprocess.run([TRIVET, "verdict", str(file), "--json", *options], capture_output=True, text=True)
+        answer = json.loads(run.stdout) if run.stdout else {}
+        return run, answer["cases"][0]["requirements"] if "cases" in answer else None
+
+
+STOP = "{gap_stop = {gap = 0.006, stiffness = 4e5}}"
+
+
+class SteadyRequirements(unittest.TestCase):
+    def test_a_stop_is_touched_and_the_motion_jumps(self):
+        _, found = verdict(STOP, 'no_jump = true\nno_contact = true\nsteady = {"m.x" = 0.02}')
+        of = {one["kind"]: one for one in found}
+        self.assertGreaterEqual(of["no_jump"]["value"], 2)
+        self.assertEqual(of["no_jump"]["margin"], 0)
+
+    def test_open_stops_are_untouched(self):
+        _, found = verdict("{gap_stop = {gap = 0.2, stiffness = 4e5}}", "no_jump = true\nno_contact = true")
+        of = {one["kind"]: one for one in found}
+        self.assertEqual(of["no_jump"]["value"], 0)
+        self.assertAlmostEqual(of["no_contact"]["margin"], 0.2 / (60 / (48 * 30)), delta=0.02)
+
+    def test_without_a_stable_motion_nothing_is_met(self):
+        run, found = verdict("{polynomial = [-80000, 0, 1e9]}", 'steady = {"m.x" = 1}')
+        self.assertEqual(run.returncode, 1)
+        self.assertIsNone(found[0]["value"])
+        self.assertIn("no periodic motion is stable", found[0]["reason"])
+
+    def test_machines_without_stops_or_laws_are_refused(self):
+        run, _ = verdict("{cubic = 1e9}", "no_contact = true")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("a machine without stops", run.stderr)
+
+    def test_load_factor_needs_a_band(self):
+        run, found = verdict(
+            "{cubic = 1e6}",
+            'steady = {"m.x" = 1}',
+            "--set",
+            "requirements.band=[\"0 Hz\", \"8 Hz\"]",
+            "--set",
+            'analyses.steady={over = "load_factor", at = "5 Hz", load_factor = [0.1, 2]}',
+        )
+        self.assertIn("give them a band", found[0]["reason"] if found else run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
