@@ -53,7 +53,6 @@ Largest largest(Quantity quantity) {
     case Quantity::moment_per_length:
       return {1e21, of_stiffness};
     case Quantity::moment_per_angle:
-      return {1e24, of_stiffness};
     case Quantity::force_per_length_squared:
       return {1e24, of_stiffness};
     case Quantity::force_per_length_cubed:
