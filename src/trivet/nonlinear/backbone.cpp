@@ -237,6 +237,7 @@ class FreeCourse {
   void follow(const numerics::Branch& branch, BranchPoint now, Backbone& found,
               const foundation::Progress& progress) const {
     found.points.push_back(observed(now, found));
+    constexpr double accurate = 1e-13;
     constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
     double step = 0.05;
     while (found.points.back().share < 1) {
@@ -255,7 +256,8 @@ class FreeCourse {
       const double energy = found.points.back().energy, next_energy = this->energy(advance->to);
       for (const double wanted : options_.at_energy)
         if ((energy < wanted) != (next_energy < wanted))
-          if (const auto there = at_energy(branch, wanted, now, advance->length))
+          if (const auto there = branch.zero([&](const BranchPoint& point) { return this->energy(point) - wanted; },
+                                             now, 0, advance->length, accurate * wanted))
             found.at_energy.push_back(observed(*there, found));
       now = advance->to;
       found.points.push_back(observed(now, found));
@@ -361,30 +363,6 @@ class FreeCourse {
 
   [[nodiscard]] double end_of(const Deflection& deflection) const {
     return deflection.is_rotation ? options_.up_to_angle : options_.up_to;
-  }
-
-  [[nodiscard]] std::optional<BranchPoint> at_energy(const numerics::Branch& branch, double wanted,
-                                                     const BranchPoint& from, double length) const {
-    constexpr int most = 60;
-    constexpr double accurate = 1e-13;
-    double low = 0, high = length;
-    std::optional<BranchPoint> there = branch.after(from, length);
-    double at_low = energy(from) - wanted, at_high = there ? energy(*there) - wanted : 0;
-    for (int i = 0; there && i < most && std::abs(at_high) > accurate * wanted; ++i) {  // regula falsi (Illinois)
-      const double place = (low * at_high - high * at_low) / (at_high - at_low);
-      there = branch.after(from, place);
-      if (!there) break;
-      const double value = energy(*there) - wanted;
-      if (value * at_high > 0) {
-        at_low /= 2;
-      } else {
-        low = high;
-        at_low = at_high;
-      }
-      high = place;
-      at_high = value;
-    }
-    return there;
   }
 
   const BackboneOptions& options_;

@@ -140,7 +140,6 @@ class Observed {
 
   /// Where the largest multiplier passes the unit circle between a point and the next one.
   [[nodiscard]] StabilityChange change_after(std::size_t point) const {
-    constexpr int most = 40;
     constexpr double accurate = 1e-10;
     const auto excess = [&](const BranchPoint& there) {
       return stability_.multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega)
@@ -148,25 +147,7 @@ class Observed {
                  .maxCoeff() -
           1;
     };
-    const double length = path_.length(point);
-    double low = 0, high = length, at_low = excess(path_.points()[point]);
-    std::optional<BranchPoint> middle = path_.after(point, length);
-    double at_high = middle ? excess(*middle) : 0;
-    for (int i = 0; middle && i < most && std::abs(high - low) > accurate * length && std::abs(at_high) > accurate;
-         ++i) {  // regula falsi (Illinois)
-      const double next = (low * at_high - high * at_low) / (at_high - at_low);
-      middle = path_.after(point, next);
-      if (!middle) break;
-      const double value = excess(*middle);
-      if (value * at_high > 0) {
-        at_low /= 2;
-      } else {
-        low = high;
-        at_low = at_high;
-      }
-      high = next;
-      at_high = value;
-    }
+    std::optional<BranchPoint> middle = path_.zero_after(point, excess, accurate);
     if (!middle) middle = path_.points()[point + 1];  // not located; the next point is the nearest known
     StabilityChange change{steady(*middle), point};
     Index critical = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,11 +38,11 @@ class SteadyPath {
   [[nodiscard]] const std::string& ended() const { return ended_; }
   [[nodiscard]] double left_out() const { return left_out_; }
 
-  /// The motion at a length from a point, which is at most that to the next point.
-  [[nodiscard]] std::optional<numerics::BranchPoint> after(std::size_t point, double length) const {
-    return branch_.after(points_[point], length);
+  /// The motion between a point and the next one at which a quantity is zero; empty if none is found.
+  [[nodiscard]] std::optional<numerics::BranchPoint> zero_after(
+      std::size_t point, const std::function<double(const numerics::BranchPoint&)>& quantity, double accurate) const {
+    return branch_.zero(quantity, points_[point], 0, lengths_[point], accurate);
   }
-  [[nodiscard]] double length(std::size_t point) const { return lengths_[point]; }  ///< to the next one
   /// All motions of the path at a parameter.
   [[nodiscard]] std::vector<numerics::BranchPoint> all_at(double parameter) const;
 

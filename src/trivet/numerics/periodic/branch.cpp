@@ -168,34 +168,40 @@ bool Branch::hides_folds(const BranchPoint& from, const BranchPoint& to, double 
   return c < 0 && c * c >= a * b;
 }
 
-std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from, double low, double high) const {
+std::optional<BranchPoint> Branch::zero(const std::function<double(const BranchPoint&)>& quantity,
+                                        const BranchPoint& from, double low, double high, double accurate,
+                                        bool exact_direction) const {
   constexpr int most = 60;
-  constexpr double near = 1e-9;  // of the change of λ: Newton's method at fixed λ does the rest
-  const auto missing = [&](double place) {
-    const std::optional<BranchPoint> there = place == 0 ? std::optional(from) : after(from, place);
-    return there ? std::optional(std::pair(there->parameter - parameter, *there)) : std::nullopt;
-  };
-  auto at_low = missing(low), at_high = missing(high);
-  if (!at_low || !at_high || at_low->first * at_high->first > 0) return std::nullopt;
-  const double change = std::abs(at_high->first - at_low->first);
-  double value_low = at_low->first, value_high = at_high->first;
-  std::optional<BranchPoint> middle = at_high->second;
-  for (int i = 0; i < most && std::abs(middle->parameter - parameter) > near * change;
-       ++i) {  // regula falsi (Illinois)
-    const double place = (low * value_high - high * value_low) / (value_high - value_low);
-    const auto found = missing(place);
+  constexpr double round_off = 1e-14;
+  const auto at = [&](double place) { return place == 0 ? std::optional(from) : after(from, place, exact_direction); };
+  const std::optional<BranchPoint> begin = at(low);
+  std::optional<BranchPoint> found = at(high);
+  if (!begin || !found) return std::nullopt;
+  double at_low = quantity(*begin), at_high = quantity(*found);
+  if (at_low * at_high > 0) return std::nullopt;
+  const double range = std::abs(high - low);
+  for (int i = 0; i < most && std::abs(at_high) > accurate && std::abs(high - low) > round_off * range; ++i) {
+    const double place = (low * at_high - high * at_low) / (at_high - at_low);
+    found = at(place);
     if (!found) return std::nullopt;
-    middle = found->second;
-    if (found->first * value_high > 0) {
-      value_low /= 2;
+    const double value = quantity(*found);
+    if (value * at_high > 0) {
+      at_low /= 2;
     } else {
       low = high;
-      value_low = value_high;
+      at_low = at_high;
     }
     high = place;
-    value_high = found->first;
-    if (value_high == 0) break;
+    at_high = value;
   }
+  return found;
+}
+
+std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from, double low, double high) const {
+  constexpr double near = 1e-10;  // of the scale of λ: Newton's method at fixed λ does the rest
+  const std::optional<BranchPoint> middle = zero([&](const BranchPoint& point) { return point.parameter - parameter; },
+                                                 from, low, high, near * parameter_scale_);
+  if (!middle) return std::nullopt;
   std::optional<BranchPoint> exact = start(middle->unknowns, parameter);
   constexpr double same = 1e-3;
   if (!exact ||
@@ -205,32 +211,8 @@ std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from,
 }
 
 std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
-  double low = 0, high = step, at_low = from.parameter_direction();
-  std::optional<BranchPoint> end = after(from, step, true);
-  if (!end) return std::nullopt;
-  double at_high = end->parameter_direction();
-  if (at_low * at_high > 0) return std::nullopt;
-  constexpr int most = 60;
   constexpr double flat = 1e-12;  // λ then differs from the fold by less than 1e-24 of its curvature's scale
-  std::optional<BranchPoint> middle = end;
-  for (int i = 0; i < most && std::abs(high - low) > 1e-14 * std::abs(step); ++i) {  // regula falsi (Illinois)
-    const double place = (low * at_high - high * at_low) / (at_high - at_low);
-    middle = after(from, place, true);
-    if (!middle) return std::nullopt;
-    const double direction = middle->parameter_direction();
-    if (std::abs(direction) < flat) break;
-    if (direction * at_high > 0) {
-      high = place;
-      at_high = direction;
-      at_low /= 2;
-    } else {
-      low = high;
-      at_low = at_high;
-      high = place;
-      at_high = direction;
-    }
-  }
-  return middle;
+  return zero([](const BranchPoint& point) { return point.parameter_direction(); }, from, 0, step, flat, true);
 }
 
 }  // namespace trivet::numerics

@@ -76,6 +76,13 @@ class Branch {
   /// Does the cubic through both ends of a step, with their directions, turn twice between them?
   [[nodiscard]] static bool hides_folds(const BranchPoint& from, const BranchPoint& to, double step);
 
+  /// The solution between two lengths from a point at which a quantity is zero, by regula falsi (Illinois): to
+  /// `accurate`, or to round-off of the length. Empty if it has the same sign at both ends, or if Newton's method does
+  /// not converge on the way.
+  [[nodiscard]] std::optional<BranchPoint> zero(const std::function<double(const BranchPoint&)>& quantity,
+                                                const BranchPoint& from, double low, double high, double accurate,
+                                                bool exact_direction = false) const;
+
   /// The solution at λ between two lengths from a point, where the branch passes λ once. Empty if it does not.
   [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, double low, double high) const;
 
