@@ -14,6 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/temporary_folder.h"
+#include "trivet/project/analyses/steady_question.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
 #include "trivet/results/check_text.h"
@@ -90,6 +91,11 @@ project::Analyses analyses_for(const study::AskedQuestion& question, const proje
     throw BadArgument(missing.what());
   }
   if (options.lowest > 0) analyses.lowest_modes = options.lowest;
+  if (options.deep) {
+    auto steady = std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
+    steady->deep = true;
+    analyses.questions["steady"] = std::move(steady);
+  }
   assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` only
   if (!options.at.empty()) {
     analyses.response->at = frequencies("--at", options.at);

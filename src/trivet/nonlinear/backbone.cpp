@@ -195,7 +195,7 @@ class FreeCourse {
         assembled_(assembly::assemble(system_)),
         deflections_(laws_of(system_, assembled_, options.damped)),
         motion_(assembled_, deflections_, options.damped, options.harmonics),
-        observer_(system_, assembled_, numerics::Load(assembled_.ground.size()), options.of, options.quantity) {
+        observer_(system_, assembled_, PeriodicExcitation(), options.of, options.quantity) {
     if (assembled_.frequency_dependent())
       throw foundation::NotComputable(
           "backbone: elements whose stiffness is a function of frequency; give them constant matrices or a Maxwell "

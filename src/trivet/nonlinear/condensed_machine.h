@@ -2,42 +2,41 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
-#include "trivet/assembly/loads.h"
-#include "trivet/nonlinear/deflections.h"
-#include "trivet/numerics/linalg/pole_residue.h"
+#include "trivet/nonlinear/linear_machine.h"
+#include "trivet/nonlinear/periodic_excitation.h"
 
 namespace trivet::nonlinear {
 
-/// The linear machine as its nonlinear deflections see it: at the angular frequency ω of one harmonic,
-/// δ = motion − receptance · f, with the forces f of the nonlinear parts.
-struct Receptance {
-  Eigen::MatrixXcd receptance;  ///< deflections × deflections [m/N, …]
-  Eigen::MatrixXcd slope;       ///< its derivative by ω
-};
-struct LinearMotion {
-  Eigen::VectorXcd motion;  ///< deflections of the linear machine under its excitation
-  Eigen::VectorXcd slope;   ///< derivative by ω
-};
-
-/// Poles and residues of the receptance at all deflections, so that one frequency costs (poles × deflections²).
+/// The linear machine in periodic motion, as its nonlinear deflections see it: its receptance at every frequency, and
+/// the harmonics at which it is excited.
 class CondensedMachine {
  public:
-  /// @throws foundation::NotComputable if elements depend on frequency beyond constant matrices, or if the machine
-  /// is free to move when its nonlinear parts are removed
+  /// `assembled` must outlive it.
+  /// @throws foundation::NotComputable if the machine is free to move when its nonlinear parts are removed, or if the
+  /// data of an element begin above ω = 0
   CondensedMachine(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
-                   const assembly::Loading& loading);
+                   const PeriodicExcitation& excitation);
 
   [[nodiscard]] Eigen::Index size() const { return static_receptance_.rows(); }
-  [[nodiscard]] const Eigen::VectorXcd& poles() const { return poles_; }
+  /// Of the machine, or of the nearest one with constant matrices.
+  [[nodiscard]] const Eigen::VectorXcd& poles() const { return machine_->poles(); }
   /// @param omega  [rad/s], > 0
-  void set_receptance(double omega, Receptance& found) const;
-  /// Without the slope.
-  void set_receptance(double omega, Eigen::MatrixXcd& found) const;
-  [[nodiscard]] LinearMotion linear_motion(double omega) const;
+  void set_receptance(double omega, Receptance& found) const { machine_->set_receptance(omega, found); }
+  void set_receptance(double omega, Eigen::MatrixXcd& found) const { machine_->set_receptance(omega, found); }
   /// At ω = 0, without losses.
   [[nodiscard]] const Eigen::MatrixXd& static_receptance() const { return static_receptance_; }
+  /// Frequency beyond which the data of an element end and are held constant [rad/s].
+  [[nodiscard]] double known_to() const { return machine_->known_to(); }
+
+  /// Harmonics that are excited, ascending.
+  [[nodiscard]] const std::vector<Eigen::Index>& excited() const { return excited_; }
+  /// Of one of them, at its own frequency ω > 0.
+  [[nodiscard]] LinearMotion linear_motion(std::size_t excited, double omega) const {
+    return machine_->motion(excited, omega);
+  }
 
   /// All coordinates at each harmonic, under the forces of the nonlinear parts and the excitation.
   /// @param forces  Fourier coefficients × deflections
@@ -47,28 +46,9 @@ class CondensedMachine {
   [[nodiscard]] Eigen::MatrixXcd coordinates(const Eigen::MatrixXd& forces, double omega, double factor) const;
 
  private:
-  /// @param omega   of the harmonic [rad/s]; 0: the mean
-  /// @param factor  on the excitation; 0: it does not act at this harmonic
-  [[nodiscard]] Eigen::VectorXcd coordinates_at(double omega, double factor, const Eigen::VectorXcd& force) const;
-  /// A term s^power e^{−s delay} of the excitation: its column among the right sides of the poles.
-  struct Term {
-    int power;
-    double delay;
-    Eigen::Index column;
-  };
-  [[nodiscard]] Eigen::MatrixXcd at(std::complex<double> s, Eigen::Index first, Eigen::Index columns,
-                                    Eigen::MatrixXcd& slope) const;
-
-  Eigen::MatrixXcd all_shapes_;     ///< coordinates × poles
-  Eigen::MatrixXcd all_static_;     ///< coordinates × right sides
+  std::vector<Eigen::Index> excited_;
+  std::unique_ptr<LinearMachine> machine_;
   Eigen::MatrixXd all_receptance_;  ///< coordinates × deflections, at ω = 0
-  Eigen::VectorXcd poles_;
-  Eigen::MatrixXcd shapes_;         ///< deflections × poles
-  Eigen::MatrixXcd participation_;  ///< poles × right sides
-  Eigen::MatrixXcd static_part_;    ///< deflections × right sides
-  Eigen::MatrixXcd residues_;       ///< entries of the receptance × poles
-  std::vector<Term> terms_;
-  numerics::Load ground_;  ///< deflections by the motion of the ground alone
   Eigen::MatrixXd static_receptance_;
 };
 

@@ -22,11 +22,15 @@ HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vec
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 
 VectorXd HarmonicBalance::linear_motion(const Driving& driving) const {
-  const Eigen::VectorXcd motion = driving.factor * machine_.linear_motion(driving.omega).motion;
   VectorXd unknowns = VectorXd::Zero(size());
-  for (Index j = 0; j < motion.size(); ++j) {
-    unknowns(j * coefficients() + 1) = motion(j).real();
-    unknowns(j * coefficients() + 2) = -motion(j).imag();
+  for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
+    const Index k = machine_.excited()[e];
+    const Eigen::VectorXcd motion =
+        driving.factor * machine_.linear_motion(e, static_cast<double>(k) * driving.omega).motion;
+    for (Index j = 0; j < motion.size(); ++j) {
+      unknowns(j * coefficients() + 2 * k - 1) = motion(j).real();
+      unknowns(j * coefficients() + 2 * k) = -motion(j).imag();
+    }
   }
   return unknowns;
 }
@@ -70,16 +74,20 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
         }
       }
   }
-  const LinearMotion motion = machine_.linear_motion(omega);
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
-  for (Index i = 0; i < m; ++i) {
-    const std::complex<double> value = driving.factor * motion.motion(i),
-                               slope = parameter == Parameter::load_factor ? motion.motion(i)
-                                                                           : driving.factor * motion.slope(i);
-    equations.value(i * C + 1) -= value.real();
-    equations.value(i * C + 2) += value.imag();
-    equations.by_parameter(i * C + 1) -= slope.real();
-    equations.by_parameter(i * C + 2) += slope.imag();
+  for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
+    const Index k = machine_.excited()[e];
+    const auto order = static_cast<double>(k);
+    const LinearMotion motion = machine_.linear_motion(e, order * omega);
+    for (Index i = 0; i < m; ++i) {
+      const std::complex<double> value = driving.factor * motion.motion(i),
+                                 slope = parameter == Parameter::load_factor ? motion.motion(i)
+                                                                             : order * driving.factor * motion.slope(i);
+      equations.value(i * C + 2 * k - 1) -= value.real();
+      equations.value(i * C + 2 * k) += value.imag();
+      equations.by_parameter(i * C + 2 * k - 1) -= slope.real();
+      equations.by_parameter(i * C + 2 * k) += slope.imag();
+    }
   }
 }
 
@@ -98,15 +106,26 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
     padded.head(C) = unknowns.segment(j * C, C);
     forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
   }
+  return added(forces, harmonics_, omega) / unknowns.cwiseAbs().maxCoeff();
+}
+
+/// Largest deflections that the forces of the harmonics above one cause, added up.
+double HarmonicBalance::added(const MatrixXd& forces, Index above, double omega) const {
   double sum = 0;
-  Eigen::VectorXcd force(m);
+  Eigen::VectorXcd force(forces.cols());
   Eigen::MatrixXcd receptance;
-  for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
-    for (Index j = 0; j < m; ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
+  for (Index k = above + 1; 2 * k < forces.rows(); ++k) {
+    for (Index j = 0; j < forces.cols(); ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
     machine_.set_receptance(static_cast<double>(k) * omega, receptance);
     sum += (receptance * force).cwiseAbs().maxCoeff();
   }
-  return sum / unknowns.cwiseAbs().maxCoeff();
+  return sum;
+}
+
+double HarmonicBalance::held_share(const VectorXd& unknowns, double omega) const {
+  const double known = machine_.known_to() / omega;
+  if (!(known < static_cast<double>(harmonics_))) return 0;
+  return added(forces(unknowns, omega), static_cast<Index>(known), omega) / unknowns.cwiseAbs().maxCoeff();
 }
 
 }  // namespace trivet::nonlinear

@@ -18,7 +18,7 @@ enum class Parameter { frequency, load_factor };
 
 /// Harmonic balance in the nonlinear deflections alone: δ_k − motion_k + G(kω) f_k(δ) = 0 for k = 0 … H. The linear
 /// machine enters by its receptance G only. Unknowns: the Fourier coefficients of one deflection after another
-/// (numerics/periodic/fourier_basis.h); parameter: ω of the excitation [rad/s], or a factor on it at fixed ω.
+/// (numerics/periodic/fourier_basis.h); parameter: ω of the first harmonic [rad/s], or a factor on it at fixed ω.
 class HarmonicBalance {
  public:
   /// The machine must outlive the balance.
@@ -37,8 +37,12 @@ class HarmonicBalance {
   /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
   /// truncation leaves out, to first order.
   [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;
+  /// The same of harmonics beyond the end of the data of an element.
+  [[nodiscard]] double held_share(const Eigen::VectorXd& unknowns, double omega) const;
 
  private:
+  [[nodiscard]] double added(const Eigen::MatrixXd& forces, Eigen::Index above, double omega) const;
+
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
   std::vector<LawHarmonics> laws_;

@@ -82,6 +82,11 @@ ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const 
   return result;
 }
 
+LawHarmonics::TangentHarmonics LawHarmonics::tangents_at(const VectorXd& deflection, double omega) const {
+  Spectra found = spectra(deflection, omega, true);
+  return {std::move(found.by_deflection), std::move(found.by_rate)};
+}
+
 VectorXd LawHarmonics::force_at(const VectorXd& deflection, double omega) const {
   return spectra(deflection, omega, false).force;
 }

@@ -28,6 +28,13 @@ class LawHarmonics {
   /// The force alone.
   [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega) const;
 
+  /// Coefficients of the tangents, to twice the harmonics, with doubled means: of elastic forces and of loops since
+  /// their last turning points by the deflection, of dampers by the rate.
+  struct TangentHarmonics {
+    Eigen::VectorXd by_deflection, by_rate;
+  };
+  [[nodiscard]] TangentHarmonics tangents_at(const Eigen::VectorXd& deflection, double omega) const;
+
   [[nodiscard]] LawCourse course(const Eigen::VectorXd& deflection, double omega) const;
   [[nodiscard]] const LawAbout& law() const { return law_; }
 

@@ -75,11 +75,30 @@ double largest_of(const VectorXd& coefficients, const MatrixXd& samples) {
 
 }  // namespace
 
-Observer::Observer(const model::System& system, const assembly::Assembled& assembled, numerics::Load ground,
+Observer::Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
                    const std::vector<std::string>& of, assembly::MotionQuantity quantity)
-    : ground_(std::move(ground)),
+    : assembled_(assembled),
+      excitation_(std::move(excitation)),
       channels_(assembly::channels(system, assembled, of, quantity)),
       direct_(direct_forces(system, assembled, of, quantity)) {}
+
+/// Without the forces of nonlinear parts.
+Complex Observer::value(std::size_t c, Complex s, const VectorXcd& coordinates, const VectorXcd& ground) const {
+  const assembly::Channel& channel = channels_[c];
+  Complex sum = observed(channel, s, coordinates);
+  const bool moves = ground.size() > 0;
+  if (moves && !channel.ground.empty()) sum += observed(channel.ground, s, ground);
+  for (const assembly::DynamicForce& force : channel.dynamic_forces) {
+    const assembly::ElementMap& map = assembled_.elements[force.element];
+    VectorXcd ends = map.coordinates(coordinates);
+    if (moves) ends += map.moved_by_ground(ground);
+    const double known = std::min(s.imag(), map.defined_to);
+    const VectorXcd wrenches = known > 0 ? VectorXcd(map.dynamic_stiffness(known, known) * ends.head(12))
+                                         : VectorXcd(map.matrices.stiffness.topRows<12>().cast<Complex>() * ends);
+    sum += (force.row.cast<Complex>() * wrenches)(0);
+  }
+  return sum;
+}
 
 std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, const MatrixXd& forces, double omega,
                                          double factor) const {
@@ -90,16 +109,14 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
     VectorXcd force(forces.cols());
     for (Index j = 0; j < forces.cols(); ++j)
       force(j) = k == 0 ? Complex(forces(0, j)) : Complex(forces(2 * k - 1, j), -forces(2 * k, j));
-    const VectorXcd q = coordinates.col(k);
-    VectorXcd ground = VectorXcd::Zero(ground_.size());
-    if (k == 1)
-      for (const numerics::LoadTerm& term : ground_.terms())
-        ground += factor * numerics::integer_power(s, term.power) * std::exp(-s * term.delay) * term.value;
+    VectorXcd ground;
+    for (std::size_t e = 0; e < excitation_.harmonics.size(); ++e)
+      if (excitation_.harmonics[e] == k && !excitation_.loadings[e].motion.vanishes())
+        ground = factor * excitation_.loadings[e].motion.at(s.imag());
     for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const assembly::Channel& channel = channels_[c];
-      Complex value = observed(channel, s, q) + (direct_.row(to_index(c)).cast<Complex>() * force)(0);
-      if (k == 1 && !channel.ground.empty()) value += observed(channel.ground, s, ground);
-      value *= numerics::integer_power(s, channel.derivative);
+      Complex value =
+          this->value(c, s, coordinates.col(k), ground) + (direct_.row(to_index(c)).cast<Complex>() * force)(0);
+      value *= numerics::integer_power(s, channels_[c].derivative);
       if (k == 0) {
         courses[c](0) = value.real();
       } else {

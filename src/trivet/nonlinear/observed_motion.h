@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
-#include "trivet/numerics/linalg/load.h"
+#include "trivet/nonlinear/periodic_excitation.h"
 
 namespace trivet::nonlinear {
 
@@ -23,9 +23,9 @@ struct ObservedMotion {
 /// Results of periodic motions: channels of the machine, with the forces of its nonlinear parts.
 class Observer {
  public:
-  /// @param ground  motion of the ground at the first harmonic
+  /// `assembled` must outlive it.
   /// @throws foundation::InvalidInput for an unknown name
-  Observer(const model::System& system, const assembly::Assembled& assembled, numerics::Load ground,
+  Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
            const std::vector<std::string>& of, assembly::MotionQuantity quantity);
 
   [[nodiscard]] const std::vector<assembly::Channel>& channels() const { return channels_; }
@@ -38,7 +38,11 @@ class Observer {
                                                double omega, double factor) const;
 
  private:
-  numerics::Load ground_;
+  [[nodiscard]] std::complex<double> value(std::size_t channel, std::complex<double> s,
+                                           const Eigen::VectorXcd& coordinates, const Eigen::VectorXcd& ground) const;
+
+  const assembly::Assembled& assembled_;
+  PeriodicExcitation excitation_;
   std::vector<assembly::Channel> channels_;
   Eigen::MatrixXd direct_;  ///< channels × nonlinear parts: their forces in results that are forces
 };

@@ -7,10 +7,12 @@
 #include <cmath>
 #include <limits>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/periodic_stability.h"
 #include "trivet/nonlinear/steady_path.h"
+#include "trivet/nonlinear/winding_stability.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
@@ -28,12 +30,12 @@ struct ReferenceMachine {
       : system(with_references(given, references)),
         assembled(assembly::assemble(system)),
         deflections(nonlinear_deflections(system, assembled, references)),
-        loading(assembly::harmonic_loading(system, assembled, excitations)),
-        condensed(assembled, deflections, loading) {}
+        excitation(periodic_excitation(system, assembled, excitations)),
+        condensed(assembled, deflections, excitation) {}
   model::System system;
   assembly::Assembled assembled;
   std::vector<Deflection> deflections;
-  assembly::Loading loading;
+  PeriodicExcitation excitation;
   CondensedMachine condensed;
 };
 
@@ -56,16 +58,25 @@ class Observed {
       : machine_(machine),
         path_(path),
         options_(options),
-        observer_(machine.system, machine.assembled, machine.loading.motion, options.of, options.quantity),
-        stability_(machine.assembled, machine.deflections) {}
+        observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
+        stability_(machine.assembled, machine.deflections),
+        winding_(machine.condensed, machine.deflections) {}
 
   SteadyBranch branch(const foundation::Progress& progress) const {
     SteadyBranch found;
     found.harmonics = path_.balance().harmonics();
     found.over = options_.over;
+    found.first_harmonic = machine_.excitation.first_harmonic;
+    found.of_shaft = machine_.excitation.of_shaft;
+    found.excitations = machine_.excitation.names;
     found.left_out = path_.left_out();
+    found.held_share = path_.held_share();
     found.ended = path_.ended();
-    found.stability_of_viscous_machine = stability_.is_of_viscous_machine();
+    const bool over_frequency = machine_.assembled.frequency_dependent();
+    using Multipliers = SteadyBranch::Multipliers;
+    found.multipliers_of = over_frequency    ? Multipliers::constant_machine
+        : stability_.is_of_viscous_machine() ? Multipliers::viscous_machine
+                                             : Multipliers::machine;
     for (const Deflection& deflection : machine_.deflections) found.deflections.push_back(deflection.name);
     for (const assembly::Channel& channel : observer_.channels()) {
       found.results.push_back(channel.name);
@@ -77,6 +88,8 @@ class Observed {
       if (progress)
         progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
     }
+    const bool has_winding = !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
+    if (has_winding && (options_.deep || over_frequency)) judge_by_winding(found, progress);
     for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
     for (const SteadyPath::Turn& turn : path_.turns())
       found.folds.push_back({steady(turn.point), turn.after, turn.upper, landing(turn.point)});
@@ -89,16 +102,52 @@ class Observed {
     SteadyPoint result;
     const HarmonicBalance& balance = path_.balance();
     const auto [omega, factor] = path_.driving(point.parameter);
-    result.angular_frequency = omega;
+    result.angular_frequency = omega / machine_.excitation.first_harmonic;
     result.load_factor = factor;
     result.deflections = point.unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
     const Eigen::MatrixXd forces = balance.forces(point.unknowns, omega);
     if (!observer_.channels().empty())
       result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
     result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
-    constexpr double round_off = 1e-6;  // an undamped machine has multipliers of magnitude 1, as exact as the splitting
-    result.stable = (result.multipliers.cwiseAbs().array() < 1 + round_off).all();
+    result.stable = result.unstable_multipliers() == 0;
     return result;
+  }
+
+  /// The second verdict: at all points, or, of elements that depend on frequency, at some and beside each change of
+  /// the first one. If it contradicts the multipliers of the nearest constant matrices, it decides.
+  void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress) const {
+    constexpr std::size_t samples = 16;
+    const std::size_t count = found.points.size(), every = 1 + count / samples;
+    const auto is_beside_change = [&](std::size_t i) {
+      return (i > 0 && found.points[i - 1].stable != found.points[i].stable) ||
+          (i + 1 < count && found.points[i + 1].stable != found.points[i].stable);
+    };
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < count; ++i)
+      if (options_.deep || i % every == 0 || is_beside_change(i)) chosen.push_back(i);
+    judge(chosen, found, progress);
+    if (found.multipliers_of != SteadyBranch::Multipliers::constant_machine || found.winding.differs_at.empty()) return;
+    chosen.clear();
+    for (std::size_t i = 0; i < count; ++i)
+      if (!found.points[i].unstable_by_winding) chosen.push_back(i);
+    judge(chosen, found, progress);
+    found.winding.decides = true;
+    for (SteadyPoint& point : found.points)
+      if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;
+  }
+
+  void judge(const std::vector<std::size_t>& chosen, SteadyBranch& found, const foundation::Progress& progress) const {
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      const BranchPoint& point = path_.points()[chosen[i]];
+      SteadyPoint& judged = found.points[chosen[i]];
+      judged.unstable_by_winding = winding_.unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+      ++found.winding.points;
+      if (!judged.unstable_by_winding) ++found.winding.undecided;
+      else if (*judged.unstable_by_winding != judged.unstable_multipliers())
+        found.winding.differs_at.push_back(point.parameter);
+      foundation::report_progress(progress, "stability by winding number",
+                                  static_cast<double>(i) / static_cast<double>(chosen.size()));
+    }
   }
 
   /// The only stable motion at the parameter of a fold, besides those that meet there.
@@ -165,25 +214,29 @@ class Observed {
   const SteadyOptions& options_;
   Observer observer_;
   PeriodicStability stability_;
+  WindingStability winding_;
 };
 
 /// Amplitudes of the machine that is linear about rest.
 void add_linear(const model::System& given, const SteadyOptions& options, SteadyBranch& found) {
   constexpr int count = 400;
   const ReferenceMachine about_rest(given, tangents_at_rest(given), options.excitations);
-  const Observer observer(about_rest.system, about_rest.assembled, about_rest.loading.motion, options.of,
-                          options.quantity);
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(numerics::coefficient_count(1), about_rest.condensed.size());
+  const Observer observer(about_rest.system, about_rest.assembled, about_rest.excitation, options.of, options.quantity);
+  const PeriodicExcitation& excitation = about_rest.excitation;
+  const Eigen::MatrixXd none =
+      Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()), about_rest.condensed.size());
   found.linear.resize(count, to_index(found.results.size()));
   for (int i = 0; i < count; ++i) {
     const double parameter = options.from * std::pow(options.to / options.from, i / (count - 1.0));
     found.linear_at.push_back(parameter);
     const bool over_frequency = options.over == Parameter::frequency;
-    const double omega = over_frequency ? parameter : options.angular_frequency,
+    const double omega = excitation.first_harmonic * (over_frequency ? parameter : options.angular_frequency),
                  factor = over_frequency ? 1 : parameter;
     const std::vector<ObservedMotion> motions =
         observer.at(about_rest.condensed.coordinates(none, omega, factor), none, omega, factor);
-    for (std::size_t c = 0; c < motions.size(); ++c) found.linear(i, to_index(c)) = std::abs(motions[c].harmonics(0));
+    for (std::size_t c = 0; c < motions.size(); ++c)
+      found.linear(i, to_index(c)) =
+          excitation.of_shaft ? motions[c].half_of_range() : std::abs(motions[c].harmonics(0));
   }
 }
 
@@ -210,7 +263,33 @@ void check(const SteadyOptions& options) {
   if (options.harmonics < 0) throw foundation::InvalidInput("steady: at least one harmonic");
 }
 
+/// What the excitation and the data of elements allow.
+void check(const SteadyOptions& options, const ReferenceMachine& machine) {
+  const Index highest = machine.excitation.highest();
+  if (highest > most_steady_harmonics)
+    throw foundation::NotComputable(
+        fmt::format("steady: the highest order is harmonic {} of the motion, and at most {} are computed; name "
+                    "excitations whose orders have a larger common divisor",
+                    highest, most_steady_harmonics));
+  if (options.harmonics > 0 && options.harmonics < highest)
+    throw foundation::InvalidInput(fmt::format(
+        "steady: {} harmonics, and the highest order is harmonic {} of the motion, of which order {:.6g} is the first; "
+        "take at least {}",
+        options.harmonics, highest, machine.excitation.first_harmonic, highest));
+  const double last = options.over == Parameter::frequency ? options.to : options.angular_frequency,
+               excited = static_cast<double>(highest) * machine.excitation.first_harmonic * last;
+  if (excited > machine.condensed.known_to())
+    throw foundation::NotComputable(fmt::format(
+        "steady: the excitation reaches {:.6g} Hz, and the table of an element ends at {:.6g} Hz; end the band there",
+        excited / foundation::two_pi, machine.condensed.known_to() / foundation::two_pi));
+}
+
 }  // namespace
+
+int SteadyPoint::unstable_multipliers() const {
+  constexpr double round_off = 1e-6;  // an undamped machine has multipliers of magnitude 1, as exact as the splitting
+  return static_cast<int>((multipliers.cwiseAbs().array() >= 1 + round_off).count());
+}
 
 const char* words(StabilityChange::Kind kind) {
   switch (kind) {
@@ -229,12 +308,13 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
   check(options);
   const bool holds = holds_at_rest(system);
   const ReferenceMachine machine(system, references_of(system, holds), options.excitations);
-  constexpr Index first_harmonics = 5;
+  check(options, machine);
+  const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
-  for (Index harmonics = is_given ? options.harmonics : first_harmonics;;
+  for (Index harmonics = is_given ? options.harmonics : fewest;;
        harmonics = std::min(most_steady_harmonics, more_harmonics(harmonics))) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
-    SteadyPath path(machine.condensed, machine.deflections, options, harmonics);
+    SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
     if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : options.tolerance, progress)) continue;
     SteadyBranch found = Observed(machine, path, options).branch(progress);
     found.lost_means = lost_means(machine.deflections);

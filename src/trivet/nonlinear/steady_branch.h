@@ -15,12 +15,15 @@ namespace trivet::nonlinear {
 
 /// A periodic motion on the branch.
 struct SteadyPoint {
-  double angular_frequency = 0;  ///< of the excitation [rad/s]
+  double angular_frequency = 0;  ///< of the excitation, or of the shaft [rad/s]
   double load_factor = 1;
   Eigen::MatrixXd deflections;          ///< Fourier coefficients × nonlinear deflections
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
   Eigen::VectorXcd multipliers;
   bool stable = true;
+  std::optional<int> unstable_by_winding;  ///< Floquet exponents with Re > 0 (WindingStability), where computed
+
+  [[nodiscard]] int unstable_multipliers() const;  ///< their number outside the unit circle
 
   [[nodiscard]] double largest_multiplier() const { return multipliers.cwiseAbs().maxCoeff(); }
 };
@@ -55,6 +58,9 @@ struct SteadyBranch {
   std::vector<Fold> folds;               ///< in the order of the branch
   std::vector<StabilityChange> changes;  ///< in the order of the branch
   Parameter over = Parameter::frequency;
+  std::vector<std::string> excitations;
+  bool of_shaft = false;      ///< the frequency is that of a shaft, and the excitation its orders
+  double first_harmonic = 1;  ///< frequency of the first harmonic over that of the excitation or the shaft
   Eigen::Index harmonics = 0;
   /// Amplitudes of the machine that is linear about rest, at these parameters; empty if it does not hold all its
   /// bodies.
@@ -63,8 +69,23 @@ struct SteadyBranch {
   [[nodiscard]] double parameter(const SteadyPoint& point) const {
     return over == Parameter::frequency ? point.angular_frequency : point.load_factor;
   }
-  double left_out = 0;                        ///< largest share of the deflections beyond the harmonics, at any point
-  bool stability_of_viscous_machine = false;  ///< loss factors were replaced for the multipliers
+  double left_out = 0;    ///< largest share of the deflections beyond the harmonics, at any point
+  double held_share = 0;  ///< of harmonics beyond the end of the data of an element, which is held constant there
+  /// What the multipliers are of.
+  enum class Multipliers {
+    machine,
+    viscous_machine,  ///< loss factors were replaced
+    constant_machine  ///< elements that depend on frequency were replaced by the nearest constant matrices
+  };
+  Multipliers multipliers_of = Multipliers::machine;
+  /// The second verdict at some or all points.
+  struct Winding {
+    int points = 0;                  ///< judged
+    int undecided = 0;               ///< an exponent on the axis
+    std::vector<double> differs_at;  ///< parameters where it contradicts the multipliers
+    bool decides = false;            ///< stability is that of the winding number at every point
+  };
+  Winding winding;
   std::vector<std::string> sticking;    ///< deflections with a slider that never slips at some point: the mean of its
                                         ///< force depends on what happened before
   std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion

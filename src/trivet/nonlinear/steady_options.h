@@ -11,15 +11,18 @@
 namespace trivet::nonlinear {
 
 struct SteadyOptions {
-  double from = 0, to = 0;  ///< of the parameter: angular frequency [rad/s], or factor on the excitation; 0 < from < to
+  double
+      from = 0,
+      to = 0;  ///< of the parameter: angular frequency of the excitation or the shaft [rad/s], or factor; 0 < from < to
   Parameter over = Parameter::frequency;
   double angular_frequency = 0;          ///< over the load factor: the fixed one [rad/s]
   Eigen::Index harmonics = 9;            ///< 0: as many as `tolerance` needs, up to most_steady_harmonics
   double tolerance = 1e-3;               ///< share of the deflections that the harmonics beyond may add
-  std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones
+  std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones, or without any, all orders
   std::vector<std::string> of;           ///< results, as channels; empty: none
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
+  bool deep = false;       ///< judge the stability of every point in two ways
   int most_points = 20000;
 };
 inline constexpr Eigen::Index most_steady_harmonics = 60;

@@ -21,14 +21,18 @@ namespace {
 
 /// Frequencies at which a linear mode resonates, and beside them; a second and a third of them for the harmonics. A
 /// mode that hardly moves the nonlinear parts does not bend the branch, which would pass it in one step.
-std::vector<double> resonances(const Eigen::VectorXcd& poles, const SteadyOptions& options) {
+std::vector<double> resonances(const Eigen::VectorXcd& poles, const PeriodicExcitation& excitation,
+                               const SteadyOptions& options) {
   std::vector<double> found;
   if (options.over != Parameter::frequency) return found;
   constexpr double most_damped = 0.3;
   for (const std::complex<double>& pole : poles) {
     if (!(pole.imag() > 0) || std::abs(pole.real()) > most_damped * std::abs(pole)) continue;
-    for (const double beside : {0.0, -1.0, 1.0}) found.push_back(pole.imag() + beside * pole.real());
-    for (const double order : {2.0, 3.0}) found.push_back(pole.imag() / order);
+    for (const Index harmonic : excitation.harmonics) {
+      const double order = static_cast<double>(harmonic) * excitation.first_harmonic;
+      for (const double beside : {0.0, -1.0, 1.0}) found.push_back((pole.imag() + beside * pole.real()) / order);
+      for (const double multiple : {2.0, 3.0}) found.push_back(pole.imag() / (multiple * order));
+    }
   }
   std::erase_if(found, [&](double omega) { return !(omega > options.from && omega < options.to); });
   std::sort(found.begin(), found.end());
@@ -39,20 +43,22 @@ std::vector<double> resonances(const Eigen::VectorXcd& poles, const SteadyOption
 }  // namespace
 
 SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
-                       const SteadyOptions& options, Index harmonics)
+                       const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
     : options_(options),
       deflections_(deflections),
-      resonances_(resonances(machine.poles(), options)),
+      first_harmonic_(excitation.first_harmonic),
+      resonances_(resonances(machine.poles(), excitation, options)),
       balance_(machine, deflections, harmonics),
       branch_(
           [this](const VectorXd& unknowns, double parameter, numerics::Equations& equations) {
             balance_.evaluate(unknowns, driving(parameter), options_.over, equations);
+            if (options_.over == Parameter::frequency) equations.by_parameter *= first_harmonic_;
           },
           width(), scale()) {}
 
 Driving SteadyPath::driving(double parameter) const {
-  if (options_.over == Parameter::frequency) return {parameter, 1};
-  return {options_.angular_frequency, parameter};
+  if (options_.over == Parameter::frequency) return {first_harmonic_ * parameter, 1};
+  return {first_harmonic_ * options_.angular_frequency, parameter};
 }
 
 std::string SteadyPath::place(double parameter) const {
@@ -192,7 +198,9 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
 
 bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
   points_.push_back(point);
-  left_out_ = std::max(left_out_, balance_.left_out(point.unknowns, driving(point.parameter).omega));
+  const double omega = driving(point.parameter).omega;
+  left_out_ = std::max(left_out_, balance_.left_out(point.unknowns, omega));
+  held_share_ = std::max(held_share_, balance_.held_share(point.unknowns, omega));
   return left_out_ <= most_left_out;
 }
 

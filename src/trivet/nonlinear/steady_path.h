@@ -16,10 +16,10 @@ namespace trivet::nonlinear {
 /// The motions of harmonic balance with a fixed number of harmonics, from the lower end of the band through all folds.
 class SteadyPath {
  public:
-  /// The machine, the deflections and the options must outlive it.
+  /// All but the excitation must outlive it.
   /// @throws foundation::NotComputable if no excitation moves a nonlinear part
-  SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections, const SteadyOptions& options,
-             Eigen::Index harmonics);
+  SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
+             const PeriodicExcitation& excitation, const SteadyOptions& options, Eigen::Index harmonics);
 
   /// Follows them. @return false, and an unfinished path, as soon as a motion leaves out more than the share given
   /// @throws foundation::NotComputable if there is no motion at the lower end
@@ -37,6 +37,7 @@ class SteadyPath {
   [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }
   [[nodiscard]] double left_out() const { return left_out_; }
+  [[nodiscard]] double held_share() const { return held_share_; }
 
   /// The motion between a point and the next one at which a quantity is zero; empty if none is found.
   [[nodiscard]] std::optional<numerics::BranchPoint> zero_after(
@@ -73,6 +74,7 @@ class SteadyPath {
 
   const SteadyOptions& options_;
   const std::vector<Deflection>& deflections_;
+  double first_harmonic_;           ///< its frequency over the one that is varied
   std::vector<double> resonances_;  ///< of the machine of references, ascending [rad/s]
   HarmonicBalance balance_;
   numerics::Branch branch_;
@@ -80,7 +82,7 @@ class SteadyPath {
   std::vector<double> lengths_;
   std::vector<Turn> turns_;
   std::vector<Piece> pieces_;
-  double left_out_ = 0;
+  double left_out_ = 0, held_share_ = 0;
   std::string ended_;
 };
 

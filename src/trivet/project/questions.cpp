@@ -112,6 +112,9 @@ class UsedExcitationCollector {
       case Drive::orders:
         add_excitations(selected, by_orders);
         break;
+      case Drive::harmonic_or_orders:
+        add_excitations(selected, [](const model::Course& course) { return harmonic(course) || by_orders(course); });
+        break;
     }
   }
 

@@ -12,6 +12,7 @@
 #include "trivet/report/curve_panel.h"
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.
 namespace trivet::report {
@@ -26,13 +27,8 @@ constexpr std::size_t most_figures = 24;
 constexpr Eigen::Index most_harmonics = 4;
 constexpr std::size_t most_labels = 3;  // of changes of stability, which would overlap
 
-/// Frequency in shown units, or load factor.
 double place(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display) {
-  return branch.over == nonlinear::Parameter::frequency ? results::shown_frequency(display, point.angular_frequency)
-                                                        : point.load_factor;
-}
-std::string place_heading(const SteadyBranch& branch, const project::ShownUnits& display) {
-  return branch.over == nonlinear::Parameter::frequency ? results::frequency_heading(display) : "load factor";
+  return results::shown_varied(branch, branch.parameter(point), display);
 }
 
 /// Points of the branch in their order, folds included.
@@ -106,7 +102,7 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Sh
   bool key = true;
   const double width = std::abs(branch.parameter(branch.points.back()) - branch.parameter(branch.points.front()));
   const std::string unit_of_place =
-      branch.over == nonlinear::Parameter::frequency ? " " + results::frequency_unit(display) : "";
+      branch.over == nonlinear::Parameter::frequency ? " " + results::varied_unit(branch, display) : "";
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
     const Fold& fold = branch.folds[i];
     const double at = place(branch, fold.point, display),
@@ -117,9 +113,7 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Sh
     if (!fold.lands) continue;
     const double to = unit.factor * fold.lands->results[result].half_of_range();
     PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
-    if (key)
-      jump.key = {branch.over == nonlinear::Parameter::frequency ? "jumps: ▶ as the frequency" : "jumps: ▶ as the load",
-                  "rises, ◀ as it falls"};
+    if (key) jump.key = {std::string("jumps: ▶ as the ") + results::varied_word(branch), "rises, ◀ as it falls"};
     key = false;
     row.curves.push_back(std::move(jump));
   }
@@ -131,9 +125,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
   if (!branch.linear_at.empty()) {
     PanelCurve linear{{"linear about rest"}, {}, {}, "stroke=\"#999999\" stroke-width=\"1\""};
     for (std::size_t i = 0; i < branch.linear_at.size(); ++i) {
-      linear.x.push_back(branch.over == nonlinear::Parameter::frequency
-                             ? results::shown_frequency(display, branch.linear_at[i])
-                             : branch.linear_at[i]);
+      linear.x.push_back(results::shown_varied(branch, branch.linear_at[i], display));
       linear.y.push_back(unit.factor * branch.linear(to_index(i), to_index(result)));
     }
     row.curves.push_back(std::move(linear));
@@ -197,7 +189,7 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
     const double from = place(*branch, branch->points.front(), answers.display),
                  to = place(*branch, branch->points.back(), answers.display);
     for (PanelRow& row : rows)
-      row.x = {std::min(from, to), std::max(from, to), false, place_heading(*branch, answers.display)};
+      row.x = {std::min(from, to), std::max(from, to), false, results::varied_heading(*branch, answers.display)};
     figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], answers),
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
@@ -207,16 +199,14 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
 std::string steady_tables(const study::Answers& answers) {
   const auto* branch = answers.find<SteadyBranch>("steady");
   if (!branch) return "";
-  const bool over_load = branch->over == nonlinear::Parameter::load_factor;
   std::vector<std::vector<Cell>> rows;
   for (const Fold& fold : branch->folds)
     for (std::size_t c = 0; c < branch->results.size(); ++c) {
       const double from = fold.point.results[c].half_of_range();
       if (!(from > 0)) continue;
       rows.push_back(
-          {{std::string(fold.upper ? "rising " : "falling ") + (over_load ? "load" : "frequency")},
-           over_load ? right(fmt::format("{:.6g}", fold.point.load_factor))
-                     : frequency_cell(fold.point.angular_frequency, answers.display),
+          {{std::string(fold.upper ? "rising " : "falling ") + results::varied_word(*branch)},
+           right(fmt::format("{:.6g}", place(*branch, fold.point, answers.display))),
            {branch->results[c]},
            quantity_cell(from, branch->units[c]),
            fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
@@ -228,7 +218,7 @@ std::string steady_tables(const study::Answers& answers) {
       branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
   if (rows.empty()) return about + hint("No folds: one motion at each place of this branch, no jumps.");
   return html_table({{"jump of a"},
-                     over_load ? right("at the load factor") : frequency_cell_heading("at", answers.display),
+                     right("at [" + results::varied_unit(*branch, answers.display) + "]"),
                      {"half of the range of"},
                      right("before"),
                      right("after")},

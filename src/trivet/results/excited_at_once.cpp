@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "trivet/project/analyses/drive.h"
 #include "trivet/results/written_answers.h"
 
@@ -17,14 +20,18 @@ std::vector<std::string> selected(const project::Analyses& asked, const std::str
 
 std::string excited_at_once(const project::Case& variant, const std::string& question) {
   const std::vector<std::string> chosen = selected(variant.analyses, question);
-  std::string names;
-  int count = 0;
+  std::vector<std::string> names;
   for (const model::Excitation& excitation : variant.system.description().excitations) {
     if (model::is_selected(excitation, chosen) && project::drives(excitation, project::drive_of(question)))
-      names += (count++ > 0 ? ", " : "") + excitation.name;
+      names.push_back(excitation.name);
   }
-  return count > 1 ? "Excited simultaneously by " + names + " (set `excitations` of the analysis to select some)\n"
-                   : "";
+  return excited_at_once(names);
+}
+
+std::string excited_at_once(const std::vector<std::string>& names) {
+  if (names.size() < 2) return "";
+  return fmt::format("Excited simultaneously by {} (set `excitations` of the analysis to select some)\n",
+                     fmt::join(names, ", "));
 }
 
 }  // namespace trivet::results

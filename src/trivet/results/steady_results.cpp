@@ -11,6 +11,8 @@
 #include "trivet/results/motion_numbers.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
+#include "trivet/results/varied_parameter.h"
+#include "trivet/results/written_answers.h"
 
 /// Periodic motions of nonlinear machines.
 namespace trivet::results {
@@ -23,18 +25,13 @@ using nonlinear::SteadyPoint;
 namespace {
 
 std::string jump_of(const SteadyBranch& branch, const Fold& fold) {
-  const char* varied = branch.over == nonlinear::Parameter::frequency ? "frequency" : "load";
-  return std::string(fold.upper ? "rising " : "falling ") + varied;
+  return std::string(fold.upper ? "rising " : "falling ") + varied_word(branch);
 }
 
-/// "12.3 Hz" or "1.2 × load", with digits.
+/// Where a motion is, with digits.
 std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display,
                        int digits) {
-  if (branch.over == nonlinear::Parameter::load_factor) return number_text(point.load_factor, digits);
-  return number_text(shown_frequency(display, point.angular_frequency), digits);
-}
-std::string place_unit(const SteadyBranch& branch, const project::ShownUnits& display) {
-  return branch.over == nonlinear::Parameter::frequency ? frequency_unit(display) : "times the load";
+  return number_text(shown_varied(branch, branch.parameter(point), display), digits);
 }
 
 const SteadyBranch& branch_of(const study::Answers& answers) { return *answers.find<SteadyBranch>("steady"); }
@@ -59,16 +56,38 @@ Json point(const SteadyPoint& p) {
           {"load_factor", p.load_factor},
           {"stable", p.stable},
           {"largest_multiplier", number(p.largest_multiplier())},
+          {"unstable_by_winding", p.unstable_by_winding ? Json(*p.unstable_by_winding) : Json(nullptr)},
           {"results", std::move(motions)}};
+}
+
+const char* multipliers_of(const SteadyBranch& branch) {
+  switch (branch.multipliers_of) {
+    case SteadyBranch::Multipliers::viscous_machine:
+      return "nearest viscous machine";
+    case SteadyBranch::Multipliers::constant_machine:
+      return "nearest machine with constant matrices";
+    case SteadyBranch::Multipliers::machine:
+      break;
+  }
+  return "machine";
 }
 
 Json steady(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   Json result{{"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
+              {"excitations", branch.excitations},
+              {"of_shaft", branch.of_shaft},
+              {"first_harmonic", branch.first_harmonic},
               {"harmonics", branch.harmonics},
               {"left_out", number(branch.left_out)},
+              {"held_share", number(branch.held_share)},
               {"ended", branch.ended},
-              {"stability_of_viscous_machine", branch.stability_of_viscous_machine},
+              {"multipliers_of", multipliers_of(branch)},
+              {"winding",
+               {{"points", branch.winding.points},
+                {"undecided", branch.winding.undecided},
+                {"differs_at", branch.winding.differs_at},
+                {"decides", branch.winding.decides}}},
               {"results", Json::array()},
               {"points", Json::array()},
               {"folds", Json::array()},
@@ -153,7 +172,7 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
   if (branch.folds.empty())
     return branch.changes.empty() ? "  no folds: one motion at each place of this branch, no jumps\n"
                                   : "  no folds: one motion at each place of this branch\n";
-  TextTable table({"fold", "at [" + place_unit(branch, display) + "]", "half of the range jumps"});
+  TextTable table({"fold", "at [" + varied_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
     table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
   return table.text();
@@ -173,31 +192,53 @@ std::vector<const SteadyPoint*> stable_motions(const SteadyBranch& branch) {
 
 std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
   if (branch.changes.empty()) return "";
-  TextTable table({"stability changes", "at [" + place_unit(branch, display) + "]"});
+  TextTable table({"stability changes", "at [" + varied_unit(branch, display) + "]"});
   for (const nonlinear::StabilityChange& change : branch.changes)
     table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9)});
   return table.text() + "  the motions that begin there are not computed\n";
 }
 
+std::string stability_text(const SteadyBranch& branch) {
+  const SteadyBranch::Winding& winding = branch.winding;
+  std::string text;
+  if (branch.multipliers_of == SteadyBranch::Multipliers::viscous_machine)
+    text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
+  if (winding.decides)
+    return text +
+        "  stability: by the winding number at every point, because the nearest machine with constant "
+        "matrices differs\n";
+  if (branch.multipliers_of == SteadyBranch::Multipliers::constant_machine)
+    text += "  stability: multipliers of the nearest machine with constant matrices\n";
+  if (winding.points > 0)
+    text += fmt::format("  stability: the winding number agrees at {} of {} points{}\n",
+                        winding.points - winding.undecided - std::ssize(winding.differs_at), winding.points,
+                        winding.undecided > 0 ? fmt::format(" and cannot tell at {}", winding.undecided) : "");
+  return text;
+}
+
+std::string orders_text(const SteadyBranch& branch) {
+  if (!branch.of_shaft) return "";
+  return fmt::format("Orders of a shaft: harmonic k of the motion is order {:.6g} k\n", branch.first_harmonic);
+}
+
 std::string steady_text(const project::Case& variant, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   const project::ShownUnits& display = variant.display;
-  const std::string unit = place_unit(branch, display);
+  const std::string unit = varied_unit(branch, display);
   const auto unstable =
       std::count_if(branch.points.begin(), branch.points.end(), [](const auto& p) { return !p.stable; });
   const auto [low, high] = std::minmax_element(
       branch.points.begin(), branch.points.end(),
       [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
   std::string text =
-      excited_at_once(variant, "steady") +
+      excited_at_once(branch.excitations) + orders_text(branch) +
       fmt::format(
           "Periodic motions from {} to {} {}, connected with the one at the lower end (detached ones are not sought)\n"
           "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
           place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit, branch.points.size(),
           unstable, branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
-  if (branch.stability_of_viscous_machine)
-    text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
+  text += stability_text(branch);
   text += changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});

@@ -42,6 +42,7 @@ struct AnswerFile {
 
 /// Line with the excitations that act together in the answer to a question; empty if there is only one.
 [[nodiscard]] std::string excited_at_once(const project::Case& variant, const std::string& question);
+[[nodiscard]] std::string excited_at_once(const std::vector<std::string>& names);
 
 [[nodiscard]] std::string limits_text(const study::Answers& answers);
 [[nodiscard]] std::string limit_lines_text(const study::Answers& answers);

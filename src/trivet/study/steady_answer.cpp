@@ -45,6 +45,7 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
   options.quantity = asked.selection.quantity;
   options.harmonics = asked.harmonics;
   options.tolerance = asked.tolerance;
+  options.deep = asked.deep;
   return nonlinear::steady_branch(c.system, options, c.progress);
 }
 
@@ -59,6 +60,17 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
                      asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
                                          : "near grazing contact no number of harmonics is enough");
+  if (branch.held_share > 0)
+    warnings.warning("analyses.steady",
+                     "harmonics leave the table of an element, which is held constant beyond its end",
+                     fmt::format("they have {:.2g} of the deflections", branch.held_share),
+                     "extend the table if this share matters");
+  if (!branch.winding.differs_at.empty() && !branch.winding.decides)
+    warnings.warning("analyses.steady",
+                     fmt::format("two verdicts on stability differ at {} of {} points",
+                                 branch.winding.differs_at.size(), branch.winding.points),
+                     fmt::format("the first at {:.10g} (rad/s, or a factor)", branch.winding.differs_at.front()),
+                     "take more harmonics; close to a change of stability both are uncertain");
   for (const std::string& name : branch.lost_means)
     warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",
                      "the mean of the motion contains this shift, however small the excitation",

@@ -32,6 +32,11 @@ typename PivotedLu<Scalar>::Vector PivotedLu<Scalar>::pivots() const {
 }
 
 template <typename Scalar>
+Scalar PivotedLu<Scalar>::determinant() const {
+  return factors_->lu.determinant();
+}
+
+template <typename Scalar>
 double PivotedLu<Scalar>::smallest_pivot() const {
   return factors_->lu.matrixLU().diagonal().cwiseAbs().minCoeff();
 }

@@ -22,7 +22,8 @@ class PivotedLu {
 
   [[nodiscard]] Matrix solve(const Matrix& B) const;
   [[nodiscard]] Vector solve(const Vector& b) const;
-  [[nodiscard]] Vector pivots() const;                ///< diagonal of U
+  [[nodiscard]] Vector pivots() const;  ///< diagonal of U
+  [[nodiscard]] Scalar determinant() const;
   [[nodiscard]] double smallest_pivot() const;        ///< by magnitude
   [[nodiscard]] double reciprocal_condition() const;  ///< 1/(‖A‖₁ ‖A⁻¹‖₁), estimated
 

@@ -26,6 +26,8 @@ bool drives(const model::Excitation& excitation, Drive drive) {
       return std::holds_alternative<model::Orders>(excitation.course) ||
           (harmonic && harmonic->power_of_frequency == 2);
     }
+    case Drive::harmonic_or_orders:
+      return drives(excitation, Drive::harmonic) || drives(excitation, Drive::orders);
     case Drive::none:
       break;
   }
@@ -46,6 +48,9 @@ MissingExcitation missing_excitation(Drive drive) {
       return {"no time excitation in the model", "add [excitations.NAME] with type = \"time\""};
     case Drive::orders:
       return {"no order excitation in the model", "add [excitations.NAME] with type = \"orders\" or \"unbalance\""};
+    case Drive::harmonic_or_orders:
+      return {"no harmonic or order excitation in the model",
+              "add [excitations.NAME] with type = \"harmonic\", \"unbalance\", \"base\" or \"orders\""};
     case Drive::harmonic:
     case Drive::none:
       break;

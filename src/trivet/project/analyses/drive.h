@@ -8,7 +8,7 @@
 namespace trivet::project {
 
 /// Kind of excitations that act in an answer.
-enum class Drive { none, harmonic, random, time, orders };
+enum class Drive { none, harmonic, random, time, orders, harmonic_or_orders };
 
 /// Kind of excitations of a question; harmonic for response and peaks.
 [[nodiscard]] Drive drive_of(const std::string& question);

@@ -16,6 +16,8 @@ const std::vector<std::string>& excitations_for(Drive drive, const NamesInFile& 
       return in_file.time_excitations;
     case Drive::orders:
       return in_file.order_excitations;
+    case Drive::harmonic_or_orders:
+      return in_file.harmonic_excitations.empty() ? in_file.order_excitations : in_file.harmonic_excitations;
     case Drive::harmonic:
     case Drive::none:
       break;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/text/band_reader.h"
@@ -42,13 +44,17 @@ void read_load_factor(TableReader& reader, SteadyQuestion& asked) {
 
 std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& names, const NamesInFile& in_file) {
   auto asked = std::make_unique<SteadyQuestion>();
-  read_selection(reader, names, in_file.harmonic_excitations, "harmonic", asked->selection);
+  std::vector<std::string> periodic = in_file.harmonic_excitations;
+  for (const std::string& name : in_file.order_excitations)
+    if (std::find(periodic.begin(), periodic.end(), name) == periodic.end()) periodic.push_back(name);
+  read_selection(reader, names, periodic, "harmonic or order", asked->selection);
   asked->band = read_band(reader, "band");
   if (asked->band && !(asked->band->from > 0))
     reader.error("band", "a band from 0", "the motions are followed over a frequency above 0",
                  "begin at a low frequency, such as a tenth of the first natural one");
   read_load_factor(reader, *asked);
   read_harmonics(reader, asked->harmonics, asked->tolerance);
+  asked->deep = reader.boolean("deep").value_or(false);
   return asked;
 }
 
@@ -60,7 +66,7 @@ void check_nonlinear(const Question&, const model::System& system, foundation::P
 }  // namespace
 
 const QuestionReader steady_question = {
-    .drive = Drive::harmonic, .read = read_steady, .check = check_nonlinear, .keys = R"json({"properties": {
+    .drive = Drive::harmonic_or_orders, .read = read_steady, .check = check_nonlinear, .keys = R"json({"properties": {
    "of": {"$ref": "#/$defs/answers_of"},
    "quantity": {"$ref": "#/$defs/quantity"},
    "excitations": {"$ref": "#/$defs/selected_excitations"},
@@ -69,6 +75,7 @@ const QuestionReader steady_question = {
    "at": {"$ref": "#/$defs/number", "description": "rad/s: the frequency, over the load factor"},
    "load_factor": {"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2, "description": "range of the factor on all excitations"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
-   "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"}}})json"};
+   "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"},
+   "deep": {"type": "boolean", "description": "judge the stability of every point in two ways (default: false)"}}})json"};
 
 }  // namespace trivet::project

@@ -11,6 +11,7 @@ struct SteadyQuestion : BandQuestion {
   double at = 0;  ///< over the load factor: the fixed ω [rad/s]
   double load_from = 0, load_to = 0;
   int harmonics = 0;        ///< 0: as many as `tolerance` needs
+  bool deep = false;        ///< judge the stability of every point in two ways
   double tolerance = 1e-3;  ///< share of the deflections that harmonics beyond the last one may add
 };
 

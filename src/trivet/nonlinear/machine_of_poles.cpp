@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <limits>
+
+#include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/linear_machine.h"
+#include "trivet/numerics/linalg/pole_residue.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXcd;
+
+class MachineOfPoles final : public LinearMachine {
+ public:
+  MachineOfPoles(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections,
+                 const std::vector<assembly::Loading>& loadings)
+      : size_(to_index(deflections.size())) {
+    const Index n = assembled.matrices.size();
+    MatrixXd rows(n, size_), ground_rows(assembled.ground.size(), size_);
+    for (Index j = 0; j < size_; ++j) {
+      rows.col(j) = deflections[to_size(j)].on_coordinates;
+      ground_rows.col(j) = deflections[to_size(j)].on_ground;
+    }
+    MatrixXcd right_sides = rows.cast<Complex>();
+    for (const assembly::Loading& loading : loadings) {
+      Excited excited{{}, numerics::Load(size_)};
+      const numerics::Load right = assembly::right_side(assembled, loading);
+      for (const numerics::LoadTerm& term : right.terms()) {
+        excited.terms.push_back({term.power, term.delay, right_sides.cols()});
+        right_sides.conservativeResize(Eigen::NoChange, right_sides.cols() + 1);
+        right_sides.rightCols<1>() = term.value;
+      }
+      for (const numerics::LoadTerm& term : loading.motion.terms())
+        excited.ground.add({term.power, term.delay, ground_rows.transpose().cast<Complex>() * term.value});
+      loadings_.push_back(std::move(excited));
+    }
+    const numerics::PoleResidueForm form = numerics::pole_residue_form(assembled.matrices, right_sides);
+    if (form.free_motion.size() > 0 && form.free_motion.cwiseAbs().maxCoeff() > 0)
+      throw foundation::NotComputable(free_when_removed);
+    const MatrixXcd across = rows.transpose().cast<Complex>();
+    poles_ = form.poles;
+    shapes_ = across * form.shapes;
+    participation_ = form.participation;
+    static_part_ = across * form.static_part;
+    residues_.resize(size_ * size_, poles_.size());
+    for (Index p = 0; p < poles_.size(); ++p)
+      residues_.col(p) = (shapes_.col(p) * participation_.row(p).head(size_)).reshaped();
+    all_shapes_ = form.shapes;
+    all_static_ = form.static_part;
+  }
+
+  [[nodiscard]] const VectorXcd& poles() const override { return poles_; }
+
+  void set_receptance(double omega, MatrixXcd& found) const override {
+    const VectorXcd inverse = (Complex(0, omega) - poles_.array()).inverse().matrix();
+    found = static_part_.leftCols(size_);
+    found.reshaped().noalias() += residues_ * inverse;
+  }
+
+  void set_receptance(double omega, Receptance& found) const override {
+    set_receptance(omega, found.receptance);
+    const VectorXcd squares = Complex(0, -1) * (Complex(0, omega) - poles_.array()).inverse().square().matrix();
+    found.slope.resize(size_, size_);
+    found.slope.reshaped().noalias() = residues_ * squares;
+  }
+
+  [[nodiscard]] LinearMotion motion(std::size_t loading, double omega) const override {
+    const Complex s(0, omega), i(0, 1);
+    const VectorXcd inverse = (s - poles_.array()).inverse().matrix();
+    LinearMotion found{VectorXcd::Zero(size_), VectorXcd::Zero(size_)};
+    const auto add = [&](int power, double delay, const VectorXcd& value, const VectorXcd& slope) {
+      const Complex factor = numerics::integer_power(s, power) * std::exp(-s * delay);
+      found.motion += factor * value;
+      found.slope += factor * (slope + i * (static_cast<double>(power) / s - delay) * value);
+    };
+    for (const Term& term : loadings_[loading].terms) {
+      const VectorXcd weighted = inverse.asDiagonal() * participation_.col(term.column);
+      add(term.power, term.delay, shapes_ * weighted + static_part_.col(term.column),
+          Complex(0, -1) * (shapes_ * (inverse.asDiagonal() * weighted)));
+    }
+    for (const numerics::LoadTerm& term : loadings_[loading].ground.terms())
+      add(term.power, term.delay, term.value, VectorXcd::Zero(size_));
+    return found;
+  }
+
+  [[nodiscard]] VectorXcd coordinates(double omega, const VectorXcd& forces, const std::size_t* loading,
+                                      double factor) const override {
+    const Complex s(0, omega);
+    VectorXcd weights = VectorXcd::Zero(static_part_.cols());
+    weights.head(size_) = -forces;
+    if (loading)
+      for (const Term& term : loadings_[*loading].terms)
+        weights(term.column) = factor * numerics::integer_power(s, term.power) * std::exp(-s * term.delay);
+    const VectorXcd inverse = (s - poles_.array()).inverse().matrix();
+    return all_shapes_ * (inverse.asDiagonal() * (participation_ * weights)) + all_static_ * weights;
+  }
+
+  [[nodiscard]] double known_to() const override { return std::numeric_limits<double>::infinity(); }
+
+ private:
+  /// A term s^power e^{−s delay} of the excitation: its column among the right sides of the poles.
+  struct Term {
+    int power;
+    double delay;
+    Index column;
+  };
+  struct Excited {
+    std::vector<Term> terms;
+    numerics::Load ground;  ///< deflections by the motion of the ground alone
+  };
+
+  Index size_;
+  std::vector<Excited> loadings_;
+  MatrixXcd all_shapes_;  ///< coordinates × poles
+  MatrixXcd all_static_;  ///< coordinates × right sides
+  VectorXcd poles_;
+  MatrixXcd shapes_;         ///< deflections × poles
+  MatrixXcd participation_;  ///< poles × right sides
+  MatrixXcd static_part_;    ///< deflections × right sides
+  MatrixXcd residues_;       ///< entries of the receptance × poles
+};
+
+}  // namespace
+
+std::unique_ptr<LinearMachine> machine_of_poles(const assembly::Assembled& assembled,
+                                                const std::vector<Deflection>& deflections,
+                                                const std::vector<assembly::Loading>& loadings) {
+  return std::make_unique<MachineOfPoles>(assembled, deflections, loadings);
+}
+
+}  // namespace trivet::nonlinear

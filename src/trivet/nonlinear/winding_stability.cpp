@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/winding_stability.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/gauss_nodes.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Complex = std::complex<double>;
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::VectorXcd;
+using Eigen::VectorXd;
+using foundation::two_pi;
+
+/// The force that a variation e^{i(μ + l)φ} of one deflection causes, at the frequencies μ + k, k = −K … K.
+class LawVariation {
+ public:
+  LawVariation(const LawAbout& law, const VectorXd& deflection, double omega, Index harmonics)
+      : harmonics_(harmonics), omega_(omega) {
+    const LawHarmonics wide(law, harmonics);
+    VectorXd padded = VectorXd::Zero(numerics::coefficient_count(harmonics));
+    padded.head(deflection.size()) = deflection;
+    tangents_ = wide.tangents_at(padded, omega);
+    const LawCourse course = wide.course(padded, omega);
+    const double longest = two_pi / static_cast<double>(4 * harmonics);
+    for (const HystereticLoop& loop : course.loops()) {
+      if (loop.sticks()) continue;
+      Memory memory;
+      const auto& branches = loop.branches();
+      for (std::size_t b = 0; b < branches.size(); ++b) {
+        const HystereticLoop::Branch& branch = branches[b];
+        const auto add = [&](double phase, double length) {
+          const elements::ForceOnTravel found = loop.at(branch, course.deflection_at(phase));
+          memory.nodes.push_back({phase, length / two_pi, found.by_travel, found.by_start, b});
+        };
+        const double middle = branch.kink.value_or(branch.to);
+        numerics::each_gauss_node(branch.from, middle, longest, add);
+        if (branch.kink) numerics::each_gauss_node(middle, branch.to, longest, add);
+        memory.from.push_back(branch.from);
+        memory.ends.push_back(loop.at(branch, branches[(b + 1) % branches.size()].deflection));
+      }
+      memories_.push_back(std::move(memory));
+    }
+  }
+
+  [[nodiscard]] MatrixXcd at(double mu) const {
+    const Index count = 2 * harmonics_ + 1;
+    MatrixXcd found(count, count);
+    for (Index k = 0; k < count; ++k)
+      for (Index l = 0; l < count; ++l) {
+        found(k, l) = coefficient(tangents_.by_deflection, k - l);
+        if (tangents_.by_rate.size() > 0)
+          found(k, l) +=
+              Complex(0, omega_ * (mu + static_cast<double>(l - harmonics_))) * coefficient(tangents_.by_rate, k - l);
+      }
+    for (const Memory& memory : memories_) add_memory(memory, mu, found);
+    return found;
+  }
+
+ private:
+  struct Node {
+    double phase, weight, by_travel, by_start;
+    std::size_t branch;
+  };
+  /// What a loop owes to its last turning point.
+  struct Memory {
+    std::vector<Node> nodes;
+    std::vector<double> from;                   ///< phases of the turning points
+    std::vector<elements::ForceOnTravel> ends;  ///< of the branches
+  };
+
+  /// Of e^{inφ}, of real coefficients with a doubled mean.
+  [[nodiscard]] static Complex coefficient(const VectorXd& of, Index n) {
+    if (n == 0) return of(0) / 2;
+    const Index k = std::abs(n);
+    const Complex half(of(2 * k - 1) / 2, -of(2 * k) / 2);
+    return n > 0 ? half : std::conj(half);
+  }
+
+  void add_memory(const Memory& memory, double mu, MatrixXcd& sum) const {
+    const Index count = sum.rows();
+    const std::size_t turns = memory.from.size();
+    // Deflection and force at the turning points, turning points × variations.
+    MatrixXcd deflection(to_index(turns), count), force(to_index(turns), count);
+    const Complex period = std::polar(1.0, two_pi * mu);
+    for (Index l = 0; l < count; ++l) {
+      const double order = mu + static_cast<double>(l - harmonics_);
+      for (std::size_t b = 0; b < turns; ++b) deflection(to_index(b), l) = std::polar(1.0, order * memory.from[b]);
+      Complex rest = 0;
+      double by_start = 1;
+      const auto next = [&](std::size_t b, Complex before) {
+        const Complex end = b + 1 < turns ? deflection(to_index(b) + 1, l) : period * deflection(0, l);
+        return memory.ends[b].by_travel * (end - deflection(to_index(b), l)) + memory.ends[b].by_start * before;
+      };
+      for (std::size_t b = 0; b < turns; ++b) {
+        rest = next(b, rest);
+        by_start *= memory.ends[b].by_start;
+      }
+      force(0, l) = rest / (period - by_start);
+      for (std::size_t b = 0; b + 1 < turns; ++b) force(to_index(b) + 1, l) = next(b, force(to_index(b), l));
+    }
+    MatrixXcd by_travel = MatrixXcd::Zero(count, to_index(turns)), by_start = by_travel;
+    for (const Node& node : memory.nodes)
+      for (Index k = 0; k < count; ++k) {
+        const Complex wave = std::polar(node.weight, -(mu + static_cast<double>(k - harmonics_)) * node.phase);
+        by_travel(k, to_index(node.branch)) += wave * node.by_travel;
+        by_start(k, to_index(node.branch)) += wave * node.by_start;
+      }
+    sum += by_start * force - by_travel * deflection;
+  }
+
+  Index harmonics_;
+  double omega_;
+  LawHarmonics::TangentHarmonics tangents_;
+  std::vector<Memory> memories_;
+};
+
+/// D(iν).
+class HillDeterminant {
+ public:
+  HillDeterminant(const CondensedMachine& machine, const std::vector<Deflection>& deflections, const VectorXd& motion,
+                  double omega, Index harmonics)
+      : machine_(machine), omega_(omega), harmonics_(harmonics) {
+    const Index C = motion.size() / machine.size();
+    for (Index j = 0; j < machine.size(); ++j)
+      laws_.emplace_back(deflections[to_size(j)].law, motion.segment(j * C, C), omega, harmonics);
+  }
+
+  [[nodiscard]] Complex at(double nu) const {
+    const Index m = machine_.size(), count = 2 * harmonics_ + 1;
+    MatrixXcd whole = MatrixXcd::Identity(m * count, m * count), receptance;
+    std::vector<MatrixXcd> tangents;
+    for (const LawVariation& law : laws_) tangents.push_back(law.at(nu / omega_));
+    for (Index k = 0; k < count; ++k) {
+      const double frequency = nu + static_cast<double>(k - harmonics_) * omega_;
+      if (frequency == 0) receptance = machine_.static_receptance().cast<Complex>();
+      else machine_.set_receptance(std::abs(frequency), receptance);
+      if (frequency < 0) receptance = receptance.conjugate().eval();
+      for (Index i = 0; i < m; ++i)
+        for (Index j = 0; j < m; ++j)
+          whole.block(i * count + k, j * count, 1, count) += receptance(i, j) * tangents[to_size(j)].row(k);
+    }
+    return numerics::PivotedLu<Complex>(whole).determinant();
+  }
+
+ private:
+  const CondensedMachine& machine_;
+  double omega_;
+  Index harmonics_;
+  std::vector<LawVariation> laws_;
+};
+
+/// Places at which D may turn quickly: beside the poles of the receptance, folded into [0, ω/2].
+std::vector<double> first_places(const CondensedMachine& machine, double omega) {
+  std::vector<double> places = {0, omega / 2};
+  constexpr int pieces = 12;
+  for (int i = 1; i < pieces; ++i) places.push_back(omega / 2 * i / pieces);
+  for (const Complex& pole : machine.poles()) {
+    if (pole.imag() < 0) continue;
+    const double folded = std::abs(std::remainder(pole.imag(), omega));
+    for (const double widths : {-6.0, -2.0, -0.7, 0.0, 0.7, 2.0, 6.0})
+      if (const double place = folded + widths * std::abs(pole.real()); place > 0 && place < omega / 2)
+        places.push_back(place);
+  }
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  return places;
+}
+
+/// Change of the argument of D from one place to another.
+double turn(const HillDeterminant& determinant, double from, Complex there, double to, Complex end, int halvings) {
+  constexpr double gentle = 0.9;  // [rad]
+  const double whole = std::arg(end / there);
+  if (halvings == 0) return whole;
+  const double middle = (from + to) / 2;
+  const Complex between = determinant.at(middle);
+  const double first = std::arg(between / there), second = std::arg(end / between);
+  if (std::abs(first) < gentle && std::abs(second) < gentle) return first + second;
+  return turn(determinant, from, there, middle, between, halvings - 1) +
+      turn(determinant, middle, between, to, end, halvings - 1);
+}
+
+}  // namespace
+
+std::optional<int> WindingStability::unstable_exponents(const VectorXd& deflections, double omega) const {
+  const Index C = deflections.size() / machine_.size(), given = (C - 1) / 2;
+  const Index harmonics = std::max<Index>(given + 4, 3 * given / 2);
+  const HillDeterminant determinant(machine_, deflections_, deflections, omega, harmonics);
+  const std::vector<double> places = first_places(machine_, omega);
+  double turned = 0;
+  Complex before = determinant.at(places.front());
+  constexpr int halvings = 24;
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const Complex next = determinant.at(places[i + 1]);
+    turned += turn(determinant, places[i], before, places[i + 1], next, halvings);
+    before = next;
+  }
+  const auto open = std::count_if(machine_.poles().begin(), machine_.poles().end(),
+                                  [](const Complex& pole) { return pole.real() > 0; });
+  const double half_turns = -turned / (two_pi / 2), nearest = std::round(half_turns);
+  constexpr double whole = 0.2;
+  if (!(std::abs(half_turns - nearest) < whole)) return std::nullopt;
+  const int unstable = static_cast<int>(nearest) + static_cast<int>(open);
+  return unstable >= 0 ? std::optional(unstable) : std::nullopt;
+}
+
+}  // namespace trivet::nonlinear
