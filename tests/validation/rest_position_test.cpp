@@ -55,6 +55,55 @@ TEST(RestPosition, IsTheSagOnAHardeningMountWithItsTangent) {
               RelativelyNear(8.53344216210578, 1e-12));
 }
 
+/// A coil spring whose coils touch, and a stop whose gap is measured after the machine has settled.
+TEST(RestPosition, CoilsTouchUnderALargeWeight) {
+  const auto deflection = [](double mass) {
+    const project::Project project =
+        test::project("trivet = 1\ngravity = [0, 0, -10]\n[bodies.m]\nmass = " + std::to_string(mass) + R"(
+free = ["z"]
+[elements.spring]
+type = "coil_spring"
+on = "m"
+at = [0, 0, 0]
+wire_diameter = 6e-3
+mean_diameter = 50e-3
+active_coils = 5
+free_length = 0.1
+material = "spring_steel"
+coil_bind = true
+)");
+    const model::Element& spring = project.base().system.elements()[0];
+    const double stiffness = spring.law.nominal_stiffness(8, 8);
+    return std::pair(spring.nonlinear_parts[0].at_rest, stiffness);
+  };
+  const auto [free, k] = deflection(40);
+  constexpr double round_off = 1e-9;  // the solid coils are 1e6 times as stiff
+  EXPECT_THAT(free, RelativelyNear(-400 / k, round_off));
+  constexpr double travel = 0.07, young = 206e9, pi = std::numbers::pi;
+  const double solid = young * pi * 0.05 * (pi / 4 * 0.006) / 0.03;  // the stack as a tube
+  const auto [bound, same] = deflection(200);
+  ASSERT_GT(2000 / k, travel);
+  EXPECT_THAT(bound + travel, RelativelyNear(-(2000 - k * travel) / (k + solid), 1e-2));  // k of another modulus
+}
+
+TEST(RestPosition, AGapMeasuredAtRestIsOpenThere) {
+  const std::string stop = R"(
+[elements.stop]
+type = "stop"
+on = "m"
+at = [0, 0, 0]
+axis = "x"
+gap = 1e-3
+gap_at = "rest"
+stiffness = 1e6
+)";
+  const project::Project project = test::project(on_hardening_mount(0) + stop);
+  const model::NonlinearPart& part = project.base().system.elements()[1].nonlinear_parts[0];
+  EXPECT_THAT(part.at_rest, RelativelyNear(sag, 1e-12));
+  const auto& gap = std::get<elements::GapStop>(std::get<elements::ElasticForce>(part.laws[0]));
+  EXPECT_THAT(gap.upper(), RelativelyNear(sag + 1e-3, 1e-12));
+}
+
 TEST(RestPosition, VibrationMovesItsMean) {
   struct Row {
     double force, omega, mean, first, second, smallest, largest;

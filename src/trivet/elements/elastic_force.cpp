@@ -22,12 +22,26 @@ Contact contact(const GapStop& stop, double penetration) {
 
 /// Of both stops; a force of the lower one is negative.
 Contact contacts(const GapStop& stop, double deflection) {
-  const Contact above = contact(stop, deflection - stop.gap_above), below = contact(stop, -deflection - stop.gap_below);
+  const Contact above = contact(stop, deflection - stop.upper()), below = contact(stop, stop.lower() - deflection);
   return {above.force - below.force, above.tangent + below.tangent, above.energy + below.energy};
+}
+
+/// Pressure beyond that of the atmosphere times the area, and its slope. Below a thousandth of the volume, which no
+/// motion may reach, it goes straight on.
+ForceAndTangent push(const GasForce& gas, double deflection) {
+  constexpr double least = 1e-3;
+  const double wanted = 1 + gas.area * deflection / gas.volume, share = std::max(wanted, least);
+  const double pressure = gas.pressure * std::pow(share, -gas.exponent);
+  const double slope = gas.exponent * pressure / share * gas.area * gas.area / gas.volume;
+  return {(pressure - gas.atmosphere) * gas.area + slope * (share - wanted) * gas.volume / gas.area, slope};
 }
 
 struct Force {
   double deflection;
+  ForceAndTangent operator()(const GasForce& law) const {
+    const ForceAndTangent found = push(law, deflection);
+    return {-found.force, found.tangent};
+  }
   ForceAndTangent operator()(const PolynomialForce& law) const {
     ForceAndTangent sum;
     for (std::size_t i = law.coefficients.size(); i-- > 0;) {  // Horner
@@ -48,6 +62,11 @@ struct Force {
 
 struct Energy {
   double deflection;
+  double operator()(const GasForce& law) const {
+    const double share = 1 + law.area * deflection / law.volume, power = 1 - law.exponent;
+    const double compressed = power == 0 ? std::log(share) : std::expm1(power * std::log(share)) / power;
+    return law.atmosphere * law.area * deflection - law.pressure * law.volume * compressed;
+  }
   double operator()(const PolynomialForce& law) const {
     double sum = 0;
     for (std::size_t i = law.coefficients.size(); i-- > 0;)
@@ -64,12 +83,39 @@ ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection) {
   return std::visit(Force{deflection}, law);
 }
 
+ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate) {
+  const auto* stop = std::get_if<GapStop>(&law);
+  if (!stop || stop->dissipation == 0) {
+    const ForceAndTangent found = force_and_tangent(law, deflection);
+    return {found.force, found.tangent, 0};
+  }
+  const double closing = deflection > stop->upper() ? 1 : -1;
+  const Contact found = contacts(*stop, deflection);
+  const double factor = 1 + closing * stop->dissipation * rate;
+  if (factor <= 0) return {};
+  return {found.force * factor, found.tangent * factor, closing * stop->dissipation * found.force};
+}
+
+bool is_damped(const ElasticForce& law) {
+  const auto* stop = std::get_if<GapStop>(&law);
+  return stop && stop->dissipation > 0;
+}
+
+std::vector<double> rate_kinks(const ElasticForce& law) {
+  if (!is_damped(law)) return {};
+  const auto& stop = std::get<GapStop>(law);
+  std::vector<double> found;
+  if (std::isfinite(stop.gap_above)) found.push_back(-1 / stop.dissipation);
+  if (std::isfinite(stop.gap_below)) found.push_back(1 / stop.dissipation);
+  return found;
+}
+
 double elastic_energy(const ElasticForce& law, double deflection) { return std::visit(Energy{deflection}, law); }
 
 bool is_monotone(const ElasticForce& law) {
   if (const auto* curve = std::get_if<ForceCurve>(&law)) return curve->rises;
   const auto* polynomial = std::get_if<PolynomialForce>(&law);
-  if (!polynomial) return true;
+  if (!polynomial) return true;  // stops and gas
   for (std::size_t i = 0; i < polynomial->coefficients.size(); ++i) {
     const double c = polynomial->coefficients[i];
     const bool is_odd = i % 2 == 0;
@@ -79,16 +125,17 @@ bool is_monotone(const ElasticForce& law) {
 }
 
 bool is_piecewise_linear(const ElasticForce& law) {
-  if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1;
+  if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1 && stop->dissipation == 0;
   if (const auto* curve = std::get_if<ForceCurve>(&law)) return curve->interpolation == Interpolation::linear;
+  if (std::holds_alternative<GasForce>(law)) return false;
   return std::get<PolynomialForce>(law).coefficients.size() <= 1;
 }
 
 std::vector<double> kinks(const ElasticForce& law) {
   std::vector<double> found;
   if (const auto* stop = std::get_if<GapStop>(&law)) {
-    if (std::isfinite(stop->gap_below)) found.push_back(-stop->gap_below);
-    if (std::isfinite(stop->gap_above)) found.push_back(stop->gap_above);
+    if (std::isfinite(stop->gap_below)) found.push_back(stop->lower());
+    if (std::isfinite(stop->gap_above)) found.push_back(stop->upper());
   }
   if (const auto* curve = std::get_if<ForceCurve>(&law)) found = curve->force.knots();
   return found;
@@ -96,6 +143,7 @@ std::vector<double> kinks(const ElasticForce& law) {
 
 std::pair<double, double> range(const ElasticForce& law) {
   constexpr double everywhere = std::numeric_limits<double>::infinity();
+  if (const auto* gas = std::get_if<GasForce>(&law)) return {-gas->volume / gas->area, everywhere};
   const auto* curve = std::get_if<ForceCurve>(&law);
   if (!curve || !curve->is_limited) return {-everywhere, everywhere};
   return {curve->force.knots().front(), curve->force.knots().back()};

@@ -18,12 +18,20 @@ struct PolynomialForce {
 
 /// Elastic stops at one or both ends of a gap: f = k (δ − g)^p beyond the gap g above, f = −k (−g' − δ)^p beyond the
 /// gap g' below, 0 between them. p = 1.5: Hertz.
+/// Damping acts only in contact and never pulls: the force is multiplied by max(0, 1 + b v), with the rate v at which
+/// the stop closes. [Hunt, Crossley, J. Appl. Mech. 42 (1975)]
 struct GapStop {
   static constexpr double none = std::numeric_limits<double>::infinity();
-  double gap_above = none;                                      ///< g; negative: it bears at δ = 0
+  double gap_above = none;                                      ///< g
   double gap_below = none;                                      ///< g'
   double stiffness = std::numeric_limits<double>::quiet_NaN();  ///< k [N/m^p], > 0
   double power = 1;                                             ///< p ≥ 1
+  double dissipation = 0;                                       ///< b [s/m], ≥ 0
+  bool gaps_at_rest = false;                                    ///< gaps are those of the machine at rest
+  double counted_from = 0;                                      ///< deflection from which gaps are counted
+
+  [[nodiscard]] double upper() const { return counted_from + gap_above; }  ///< deflection at which it closes
+  [[nodiscard]] double lower() const { return counted_from - gap_below; }
 };
 
 /// f through points; f(0) = 0.
@@ -34,7 +42,16 @@ struct ForceCurve {
   bool is_limited = false;  ///< no motion may leave its points
 };
 
-using ElasticForce = std::variant<PolynomialForce, GapStop, ForceCurve>;
+/// Gas behind an area: f = −(p (V/(V + A δ))^n − p_a) A. δ < 0 compresses it.
+struct GasForce {
+  double pressure = 0;    ///< p at δ = 0, absolute [Pa], > 0
+  double volume = 0;      ///< V at δ = 0 [m³], > 0
+  double area = 0;        ///< A [m²], > 0
+  double exponent = 1;    ///< n ≥ 1; 1: isothermal
+  double atmosphere = 0;  ///< p_a [Pa], ≥ 0
+};
+
+using ElasticForce = std::variant<PolynomialForce, GapStop, ForceCurve, GasForce>;
 
 struct ForceAndTangent {
   double force = 0;
@@ -42,7 +59,17 @@ struct ForceAndTangent {
 };
 [[nodiscard]] ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection);
 
-/// ∫ f dδ from 0 [J].
+/// The same while δ changes at a rate, with the damping of stops.
+struct ForceInMotion {
+  double force = 0, by_deflection = 0, by_rate = 0;
+};
+[[nodiscard]] ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate);
+/// Does its force depend on the rate?
+[[nodiscard]] bool is_damped(const ElasticForce& law);
+/// Rates at which that dependence is not smooth.
+[[nodiscard]] std::vector<double> rate_kinks(const ElasticForce& law);
+
+/// ∫ f dδ from 0 [J], without damping.
 [[nodiscard]] double elastic_energy(const ElasticForce& law, double deflection);
 
 /// Does the force never fall as the deflection grows? False also if it is not known.

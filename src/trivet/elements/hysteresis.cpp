@@ -9,7 +9,8 @@
 namespace trivet::elements {
 namespace {
 
-// All laws are odd: a travel downwards from f_0 is the mirror image of one upwards from −f_0.
+// A travel downwards from f_0 is the mirror image of one upwards from −f_0; all laws are odd but for an asymmetry,
+// which changes its sign in the image.
 
 ForceOnTravel upwards(const Slider& law, double start, double travel) {
   constexpr double round_off = 1e-13;  // a loop that just reaches the limit slips there
@@ -99,12 +100,21 @@ double reached(const BoucWenTravel& travel_to, double travel, double limit) {
   return z;
 }
 
-double z_limit(const BoucWen& law) { return std::pow(law.beta + law.gamma, -1 / law.exponent); }
-double z_at(const BoucWen& law, double force) {
-  const double limit = z_limit(law);
-  return std::clamp(force / law.force, -limit, limit);
+template <typename Odd>
+const Odd& mirrored(const Odd& law) {
+  return law;
 }
-BoucWenTravel loading(const BoucWen& law) { return {law.beta + law.gamma, law.exponent}; }
+double z_limit(const BoucWen& law) {  // upwards
+  return std::pow(law.beta + law.gamma + 2 * law.asymmetry, -1 / law.exponent);
+}
+BoucWen mirrored(BoucWen law) {
+  law.asymmetry = -law.asymmetry;
+  return law;
+}
+double z_at(const BoucWen& law, double force) {
+  return std::clamp(force / law.force, -z_limit(mirrored(law)), z_limit(law));
+}
+BoucWenTravel loading(const BoucWen& law) { return {law.beta + law.gamma + 2 * law.asymmetry, law.exponent}; }
 BoucWenTravel unloading(const BoucWen& law) { return {law.gamma - law.beta, law.exponent}; }
 
 ForceOnTravel upwards(const BoucWen& law, double start, double travel) {
@@ -114,7 +124,7 @@ ForceOnTravel upwards(const BoucWen& law, double start, double travel) {
   double left = travel / unit, z = 0, rate = 0;
   const double to_zero = from < 0 ? falls(-from) : 0;
   if (left < to_zero) {
-    z = -reached(falls, to_zero - left, limit);
+    z = -reached(falls, to_zero - left, z_limit(mirrored(law)));
     rate = falls.rate(-z);
   } else {
     left += from < 0 ? -to_zero : grows(from);
@@ -139,7 +149,7 @@ ForceOnTravel force_on_travel(const HystereticForce& law, double start, double t
   return std::visit(
       [&](const auto& one) {
         const double sign = travel < 0 ? -1 : 1;
-        ForceOnTravel found = upwards(one, sign * start, sign * travel);
+        ForceOnTravel found = upwards(sign < 0 ? mirrored(one) : one, sign * start, sign * travel);
         found.force *= sign;
         return found;
       },
@@ -149,7 +159,7 @@ ForceOnTravel force_on_travel(const HystereticForce& law, double start, double t
 std::optional<double> kink_travel(const HystereticForce& law, double start, double direction) {
   return std::visit(
       [&](const auto& one) {
-        std::optional<double> found = kink_upwards(one, direction * start);
+        std::optional<double> found = kink_upwards(direction < 0 ? mirrored(one) : one, direction * start);
         if (found) *found *= direction;
         return found;
       },
@@ -166,7 +176,7 @@ double force_limit(const HystereticForce& law) {
   if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force;
   if (const auto* slider = std::get_if<Slider>(&law)) return slider->slip;
   const auto& smooth = std::get<BoucWen>(law);
-  return smooth.force * z_limit(smooth);
+  return smooth.force * std::max(z_limit(smooth), z_limit(mirrored(smooth)));
 }
 
 }  // namespace trivet::elements

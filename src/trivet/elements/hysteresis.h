@@ -20,13 +20,15 @@ struct BergFriction {
   double deflection = 0;  ///< x_2: virgin loading has half of F there [m or rad], > 0
 };
 
-/// f = F z, dz/du = (k/F) (1 − (γ + β sgn(z du)) |z|^n). [Bouc 1967; Wen 1976]
+/// f = F z, dz/du = (k/F) (1 − (γ + β sgn(z du) + φ (sgn z + sgn du)) |z|^n). [Bouc 1967; Wen 1976; φ: Wang, Wen, J.
+/// Eng. Mech. 126 (2000)]
 struct BoucWen {
   double stiffness = 0;  ///< k at z = 0 [N/m or N m/rad], > 0
   double force = 0;      ///< F [N or N m], > 0; the limit of |f| is F (β + γ)^(−1/n)
   double exponent = 1;   ///< n ≥ 1
   double beta = 0.5;     ///< β > 0
   double gamma = 0.5;    ///< −β < γ ≤ β: no loop feeds energy
+  double asymmetry = 0;  ///< φ; 2 |φ| < β + γ: the limits of f are F (β + γ ± 2φ)^(−1/n)
 };
 
 using HystereticForce = std::variant<Slider, BergFriction, BoucWen>;

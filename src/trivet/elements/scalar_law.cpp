@@ -23,8 +23,11 @@ ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection) {
 SmallMotion small_motion(const ScalarLaws& laws, double deflection) {
   SmallMotion sum;
   for (const ScalarLaw& law : laws) {
-    if (const auto* elastic = std::get_if<ElasticForce>(&law))
-      sum.stiffness += force_and_tangent(*elastic, deflection).tangent;
+    if (const auto* elastic = std::get_if<ElasticForce>(&law)) {
+      const ForceInMotion found = force_in_motion(*elastic, deflection, 0);
+      sum.stiffness += found.by_deflection;
+      sum.damping += found.by_rate;
+    }
     if (const auto* hysteretic = std::get_if<HystereticForce>(&law)) sum.stiffness += initial_stiffness(*hysteretic);
     if (const auto* damping = std::get_if<DampingForce>(&law)) sum.damping += damping_at_rest(*damping);
   }

@@ -34,8 +34,10 @@ std::vector<Deflection> laws_of(const model::System& system, const assembly::Ass
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       elements::ScalarLaws elastic;
-      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
+      for (elements::ElasticForce law : elements::only<elements::ElasticForce>(part.laws)) {
+        if (auto* stop = std::get_if<elements::GapStop>(&law)) stop->dissipation = 0;
         elastic.emplace_back(law);
+      }
       found[next++].law = LawAbout(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
     }
   return found;

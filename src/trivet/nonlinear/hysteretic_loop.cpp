@@ -42,7 +42,9 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
 }
 
 bool HystereticLoop::is_symmetric() const {
-  return branches_.size() == 2 && !std::holds_alternative<elements::Slider>(part_.law);
+  if (branches_.size() != 2 || std::holds_alternative<elements::Slider>(part_.law)) return false;
+  const auto* smooth = std::get_if<elements::BoucWen>(&part_.law);
+  return !smooth || smooth->asymmetry == 0;
 }
 
 ForceOnTravel HystereticLoop::around(double start) {

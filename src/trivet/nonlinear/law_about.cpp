@@ -19,11 +19,15 @@ LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotio
       dampers_(elements::only<elements::DampingForce>(laws_)),
       state_(state),
       offset_(elements::force_at_rest(laws_, state).force),
-      reference_(reference) {
+      reference_(reference),
+      has_dampers_(!dampers_.empty()) {
   for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(laws_))
     hysteretic_.push_back({law, elements::force_on_travel(law, 0, state).force});
-  for (const elements::ElasticForce& law : elastic_)
+  for (const elements::ElasticForce& law : elastic_) {
     for (const double kink : elements::kinks(law)) kinks_.push_back(kink - state);
+    for (const double kink : elements::rate_kinks(law)) rate_kinks_.push_back(kink);
+    has_dampers_ = has_dampers_ || elements::is_damped(law);
+  }
   for (const elements::DampingForce& law : dampers_)
     for (const double kink : elements::kinks(law)) rate_kinks_.push_back(kink);
   make_ascending(kinks_);
@@ -35,9 +39,10 @@ LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
             -reference_.damping};
   for (const Hysteretic& part : hysteretic_) sum.force += part.at_state;  // in the offset
   for (const elements::ElasticForce& law : elastic_) {
-    const elements::ForceAndTangent found = elements::force_and_tangent(law, state_ + deviation);
+    const elements::ForceInMotion found = elements::force_in_motion(law, state_ + deviation, rate);
     sum.force += found.force;
-    sum.by_deviation += found.tangent;
+    sum.by_deviation += found.by_deflection;
+    sum.by_rate += found.by_rate;
   }
   for (const elements::DampingForce& law : dampers_) {
     const elements::ForceOfRate found = elements::force_of_rate(law, rate);

@@ -36,7 +36,7 @@ class LawAbout {
   [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
   /// Are all tangents constant between kinks?
   [[nodiscard]] bool is_piecewise_linear() const;
-  [[nodiscard]] bool has_dampers() const { return !dampers_.empty(); }
+  [[nodiscard]] bool has_dampers() const { return has_dampers_; }
 
   /// Deviations and rates at which the parts without memory are not smooth, ascending.
   [[nodiscard]] const std::vector<double>& kinks() const { return kinks_; }
@@ -52,6 +52,7 @@ class LawAbout {
   std::vector<Hysteretic> hysteretic_;
   double state_ = 0, offset_ = 0;
   elements::SmallMotion reference_;
+  bool has_dampers_;
   std::vector<double> kinks_, rate_kinks_;
 };
 

@@ -22,6 +22,8 @@ struct Extent {
     constexpr double beyond = 1.5;
     double extent = 0;
     for (const double kink : elements::kinks(law)) extent = std::max(extent, beyond * std::abs(kink - at_rest));
+    constexpr double of_stroke = 0.3;
+    if (const auto* gas = std::get_if<elements::GasForce>(&law)) return of_stroke * gas->volume / gas->area;
     const auto* polynomial = std::get_if<elements::PolynomialForce>(&law);
     if (!polynomial) return extent;
     const std::vector<double>& c = polynomial->coefficients;

@@ -11,6 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/search/zero_between.h"
 
 namespace trivet::nonlinear {
 
@@ -61,12 +62,42 @@ std::optional<VectorXd> LoadPath::only_one() const {
   if (!std::all_of(deflections_.begin(), deflections_.end(), [](const Deflection& d) { return d.law.is_monotone(); }))
     return std::nullopt;
   if (std::optional<VectorXd> at_once = solved(linear_, 0)) return at_once;
-  std::optional<VectorXd> found = linear_;
+  std::optional<Forced> found = Forced{linear_, VectorXd::Zero(linear_.size())};
   for (const double held : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 0.0}) {
-    found = solved(*found, held);
+    found = least_energy(std::move(*found), held);
     if (!found) return std::nullopt;
   }
-  return found;
+  return found->deflections;
+}
+
+std::optional<LoadPath::Forced> LoadPath::least_energy(Forced now, double held) const {
+  constexpr int most = 200;
+  constexpr double accurate = 1e-13, beyond = 0.1;
+  const Index count = linear_.size();
+  const auto forces = [&](const VectorXd& deflections) {
+    VectorXd found = held * references_.cwiseProduct(deflections);
+    for (Index j = 0; j < count; ++j) found(j) += deflections_[to_size(j)].law.at_rest(deflections(j)).force;
+    return found;
+  };
+  for (int i = 0; i < most; ++i) {
+    VectorXd tangents = held * references_;
+    for (Index j = 0; j < count; ++j) tangents(j) += deflections_[to_size(j)].law.at_rest(now.deflections(j)).tangent;
+    const VectorXd missing = forces(now.deflections) - now.forces;
+    const MatrixXd matrix = MatrixXd::Identity(count, count) + tangents.asDiagonal() * receptance_;
+    const VectorXd more = numerics::PivotedLu<double>(matrix).solve(missing), change = -(receptance_ * more);
+    if (!change.allFinite()) return std::nullopt;
+    if (change.norm() <= accurate * now.deflections.norm()) return now;
+    // Slope of the energy along the step.
+    const auto slope = [&](double step) {
+      return (forces(now.deflections + step * change) - now.forces - step * more).dot(change);
+    };
+    const double first = slope(0), last = slope(1);
+    if (!(first < 0) || !std::isfinite(last)) return std::nullopt;
+    const double step = last > -beyond * first ? numerics::zero_between(0, 1, slope) : 1;
+    now.deflections += step * change;
+    now.forces += step * more;
+  }
+  return std::nullopt;
 }
 
 std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {

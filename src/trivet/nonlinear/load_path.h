@@ -43,6 +43,13 @@ class LoadPath {
   void evaluate(const Eigen::VectorXd& deflections, double share, numerics::Equations& equations) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;
+  /// Deflections that the load and forces of the parts cause together.
+  struct Forced {
+    Eigen::VectorXd deflections, forces;
+  };
+  /// If no force falls, the position of rest has the least energy. Newton's method with an exact search along each step
+  /// finds it across kinks of any stiffness. @param held  as above
+  [[nodiscard]] std::optional<Forced> least_energy(Forced now, double held) const;
   /// Positions of one deflection that may begin a search.
   [[nodiscard]] std::vector<double> starts(Eigen::Index deflection) const;
 

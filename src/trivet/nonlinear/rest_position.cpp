@@ -30,10 +30,57 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
   return notes;
 }
 
+namespace {
+
+template <typename Visit>
+void each_part(model::Description& description, const Visit& visit) {
+  for (model::Element& element : description.elements)
+    for (model::NonlinearPart& part : element.nonlinear_parts) visit(part);
+}
+
+/// Stops whose gaps are those of the machine at rest.
+template <typename Visit>
+void each_gap_at_rest(model::Description& description, const Visit& visit) {
+  each_part(description, [&](model::NonlinearPart& part) {
+    for (elements::ScalarLaw& law : part.laws)
+      if (auto* elastic = std::get_if<elements::ElasticForce>(&law))
+        if (auto* stop = std::get_if<elements::GapStop>(elastic); stop && stop->gaps_at_rest) visit(part, *stop);
+  });
+}
+
+RestPosition rest_in(model::Description description);
+
+/// The machine rests without the stops whose gaps are counted from there.
+RestPosition rest_between_gaps(model::Description description) {
+  model::Description open = description;
+  each_gap_at_rest(open, [](model::NonlinearPart&, elements::GapStop& stop) {
+    stop.gap_above = stop.gap_below = elements::GapStop::none;
+    stop.gaps_at_rest = false;
+  });
+  const RestPosition found = rest_in(std::move(open));
+  for (std::size_t e = 0; e < description.elements.size(); ++e)
+    for (std::size_t p = 0; p < description.elements[e].nonlinear_parts.size(); ++p)
+      description.elements[e].nonlinear_parts[p].at_rest = found.system.elements()[e].nonlinear_parts[p].at_rest;
+  each_gap_at_rest(description,
+                   [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
+  const model::System there = *model::System::checked(std::move(description));
+  return {with_references(there, tangents_at_rest(there)), found.limit_loads, found.stable};
+}
+
+}  // namespace
+
 RestPosition rest_position(const model::System& system) {
   model::Description description = system.description();
-  for (model::Element& element : description.elements)
-    for (model::NonlinearPart& part : element.nonlinear_parts) part.at_rest = 0;
+  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
+  bool counts_from_rest = false;
+  each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
+  return counts_from_rest ? rest_between_gaps(std::move(description)) : rest_in(std::move(description));
+}
+
+namespace {
+
+/// From a description of the undeformed machine.
+RestPosition rest_in(model::Description description) {
   const auto at = [&] { return *model::System::checked(description); };
   const LoadPath path(at());
   std::vector<double> limit_loads;
@@ -61,10 +108,11 @@ RestPosition rest_position(const model::System& system) {
   return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections)};
 }
 
+}  // namespace
+
 std::vector<RestState> rest_states(const model::System& system) {
   model::Description description = system.description();
-  for (model::Element& element : description.elements)
-    for (model::NonlinearPart& part : element.nonlinear_parts) part.at_rest = 0;
+  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
   const LoadPath path(*model::System::checked(description));
   std::vector<RestState> states;
   for (const VectorXd& deflections : path.all()) {

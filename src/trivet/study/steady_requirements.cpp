@@ -61,7 +61,7 @@ std::vector<Stop> stops_of(const model::System& system) {
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
         if (const auto* stop = std::get_if<elements::GapStop>(&law))
-          stops.push_back({element.name, deflection, stop->gap_above - part.at_rest, stop->gap_below + part.at_rest});
+          stops.push_back({element.name, deflection, stop->upper() - part.at_rest, part.at_rest - stop->lower()});
       ++deflection;
     }
   return stops;

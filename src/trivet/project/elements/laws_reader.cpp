@@ -18,7 +18,8 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
   model::NonlinearPart part{axis, centre, {}};
   const bool is_rotation = axis >= 3;
   const std::size_t before = reader.errors();
-  reader.also_known({"quadratic", "cubic", "polynomial", "gap_stop", "curve", "damping_curve", "friction", "bouc_wen"});
+  reader.also_known(
+      {"quadratic", "cubic", "polynomial", "gap_stop", "gas", "curve", "damping_curve", "friction", "bouc_wen"});
   if (const auto polynomial = read_polynomial(reader, is_rotation))
     part.laws.emplace_back(elements::ElasticForce(*polynomial));
   const auto inside = [&](const char* key, const auto& read) {
@@ -41,6 +42,12 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
                    fmt::format("the stop is softer than the element itself, {:.6g}", own), "check digits and unit")
           .origin = law.content().origin;
   });
+  if (is_rotation && reader.has("gas"))
+    reader.error("gas", "gas about an axis", "it acts along an axis", "give it under x, y or z");
+  else
+    inside("gas", [&](TableReader& law) {
+      if (const auto gas = read_gas_force(law)) part.laws.emplace_back(elements::ElasticForce(*gas));
+    });
   inside("curve", [&](TableReader& law) {
     if (auto curve = read_force_curve(law, is_rotation)) part.laws.emplace_back(elements::ElasticForce(*curve));
   });
@@ -55,9 +62,10 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
   });
   reader.finish();
   if (part.laws.empty() && reader.errors() == before)
-    reader.error("", "no law",
-                 "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, damping_curve, friction and bouc_wen",
-                 "give one, or remove it");
+    reader.error(
+        "", "no law",
+        "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, gas, damping_curve, friction and bouc_wen",
+        "give one, or remove it");
   if (!part.laws.empty()) element.nonlinear_parts.push_back(std::move(part));
 }
 
@@ -100,6 +108,8 @@ const ElementLaw stop_law = {
    "gaps": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "m: along and against the axis"},
    "stiffness": {"$ref": "#/$defs/number", "description": "N/m beyond the gap; with power p: N/m^p, a bare number"},
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
+   "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},
+   "gap_at": {"enum": ["unloaded", "rest"], "description": "the state in which the gap is measured (default: unloaded)"},
    "damping": false,
    "scale": false,
    "laws": false},

@@ -135,6 +135,35 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
   law.stiffness = reader.required_number("stiffness", stiffness);
   if (reader.errors() == before && !(law.stiffness > 0))
     reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
+  law.dissipation = reader.number("dissipation", Quantity::pure).value_or(0);
+  if (!(law.dissipation >= 0))
+    reader.error("dissipation", fmt::format("{:.6g} s/m", law.dissipation), "a stop does not feed energy: it is ≥ 0",
+                 "correct its sign");
+  const auto gap_at = reader.choice("gap_at", {"unloaded", "rest"});
+  law.gaps_at_rest = gap_at && *gap_at == "rest";
+  return reader.errors() == before ? std::optional(law) : std::nullopt;
+}
+
+std::optional<elements::GasForce> read_gas_force(TableReader& reader) {
+  const std::size_t before = reader.errors();
+  constexpr double standard_atmosphere = 101325;
+  elements::GasForce law;
+  law.pressure = read_positive(reader, "pressure", Quantity::pressure);
+  law.volume = read_positive(reader, "volume", Quantity::volume);
+  law.area = read_positive(reader, "area", Quantity::area);
+  law.exponent = reader.number("exponent", Quantity::pure).value_or(1.4);
+  law.atmosphere = reader.number("atmosphere", Quantity::pressure).value_or(standard_atmosphere);
+  if (!(law.exponent >= 1 && law.exponent <= 2))
+    reader.error("exponent", fmt::format("{:.6g}", law.exponent),
+                 "it is from 1 (isothermal) over 1.4 (air, adiabatic) to 2", "correct it");
+  if (!(law.atmosphere >= 0))
+    reader.error("atmosphere", fmt::format("{:.6g} Pa", law.atmosphere), "an absolute pressure is ≥ 0", "correct it");
+  if (reader.errors() == before && law.pressure < law.atmosphere)
+    reader.problems()
+        .warning(reader.path() + ".pressure", fmt::format("{:.6g} Pa", law.pressure),
+                 fmt::format("it is absolute, and below that of the atmosphere, {:.6g} Pa", law.atmosphere),
+                 "add that of the atmosphere if it is a gauge pressure")
+        .origin = reader.content().origin;
   return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 
@@ -171,10 +200,11 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
                      "two are expected: for positive and for negative rates", "complete or shorten the list");
       }
     }
+    const bool may_feed = reader.boolean("allow_active").value_or(false);
     for (const double c : {law.above, law.below})
-      if (c < 0) {
+      if (c < 0 && !may_feed) {
         reader.error(reader.has("quadratic") ? "quadratic" : "quadratics", fmt::format("{:.6g}", c),
-                     "a damper does not feed energy: it is ≥ 0", "correct its sign");
+                     "a damper does not feed energy: it is ≥ 0", "correct its sign, or set allow_active = true");
         break;
       }
     return reader.errors() == before ? std::optional<elements::DampingForce>(law) : std::nullopt;
@@ -184,12 +214,14 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
   const auto points =
       read_points(reader, "velocity", "force", is_rotation ? Quantity::angular_velocity : Quantity::velocity,
                   force_quantity(is_rotation));
+  const bool may_feed = reader.boolean("allow_active").value_or(false);
   if (!points || reader.errors() > before) return std::nullopt;
   for (std::size_t i = 0; i < points->x.size(); ++i)
-    if (points->x[i] * points->y[i] < 0) {
+    if (points->x[i] * points->y[i] < 0 && !may_feed) {
       reader.error(reader.has("rows") ? "rows" : "file",
                    fmt::format("row {}: a force of {:.6g} at a velocity of {:.6g}", i + 1, points->y[i], points->x[i]),
-                   "a damper does not feed energy: both have the same sign", "correct the sign");
+                   "a damper does not feed energy: both have the same sign",
+                   "correct the sign, or set allow_active = true");
       return std::nullopt;
     }
   law.force = elements::KnotCurve(points->x, points->y, law.interpolation);
@@ -246,13 +278,21 @@ std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rota
   law.exponent = reader.number("exponent", Quantity::pure).value_or(1);
   law.beta = reader.number("beta", Quantity::pure).value_or(law.beta);
   law.gamma = reader.number("gamma", Quantity::pure).value_or(law.gamma);
+  law.asymmetry = reader.number("asymmetry", Quantity::pure).value_or(0);
+  const bool may_feed = reader.boolean("allow_active").value_or(false);
   constexpr double highest = 20;
   if (!(law.exponent >= 1 && law.exponent <= highest))
     reader.error("exponent", fmt::format("{:.6g}", law.exponent), fmt::format("it is from 1 to {:g}", highest),
                  "correct it");
-  if (!(law.beta > 0 && law.gamma > -law.beta && law.gamma <= law.beta))
+  if (!(law.beta > 0 && law.gamma > -law.beta && (law.gamma <= law.beta || may_feed)))
     reader.error(reader.has("gamma") ? "gamma" : "beta", fmt::format("beta {:.6g}, gamma {:.6g}", law.beta, law.gamma),
-                 "0 < beta and −beta < gamma ≤ beta: outside, some loops feed energy", "correct them");
+                 "0 < beta and −beta < gamma ≤ beta: outside, some loops feed energy or have no limit",
+                 "correct them, or set allow_active = true for gamma > beta");
+  else if (!(2 * std::abs(law.asymmetry) < law.beta + law.gamma))
+    reader.error("asymmetry", fmt::format("{:.6g}", law.asymmetry),
+                 fmt::format("2 |asymmetry| < beta + gamma = {:.6g}: beyond, the force has no limit on one side",
+                             law.beta + law.gamma),
+                 "reduce it");
   return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 

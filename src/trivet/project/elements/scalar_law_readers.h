@@ -14,6 +14,7 @@ namespace trivet::project {
 /// `gap` or `gaps`, `stiffness`, `power`.
 [[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation);
 /// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
+[[nodiscard]] std::optional<elements::GasForce> read_gas_force(TableReader& reader);
 [[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);
 /// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);

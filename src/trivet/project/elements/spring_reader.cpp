@@ -175,9 +175,36 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
        fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
+/// coil_bind = true: the coils touch, and the stack of wires is a tube as thick as the wire, without its voids.
+void read_coil_bind(TableReader& reader, const CoilSpring& spring, model::Element& element) {
+  if (!reader.boolean("coil_bind").value_or(false)) return;
+  if (reader.has("preload")) {
+    reader.error("coil_bind", "coil_bind with a preload", "its travel is counted from the free length",
+                 "remove the preload, and let gravity or a constant force compress the spring");
+    return;
+  }
+  const auto* round = std::get_if<elements::RoundWire>(&spring.wire);
+  const auto* rectangular = std::get_if<elements::RectangularWire>(&spring.wire);
+  const double height = round ? round->diameter : rectangular->axial_height;
+  const double section = round ? std::numbers::pi / 4 * round->diameter : rectangular->radial_width;
+  elements::GapStop bind;
+  bind.gap_below = spring.active_length - spring.active_coils * height;
+  bind.stiffness =
+      spring.youngs_modulus * std::numbers::pi * spring.mean_diameter * section / (spring.active_coils * height);
+  if (!(bind.gap_below > 0)) {
+    reader.error("coil_bind", fmt::format("a travel of {:.6g} m", bind.gap_below),
+                 "the coils do not touch when unloaded", "check free_length, active_coils and the wire");
+    return;
+  }
+  constexpr int along = 2;
+  constexpr double middle = 0.5;
+  element.nonlinear_parts.push_back({along, middle, {elements::ElasticForce(bind)}});
+  element.facts.push_back({"travel until its coils touch", fmt::format("{:.6g} m", bind.gap_below)});
+}
+
 ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
   const std::size_t before = reader.errors();
-  reader.also_known({"preload", "internal_modes"});
+  reader.also_known({"preload", "internal_modes", "coil_bind"});
   CoilSpring spring;
   read_wire(reader, spring);
   spring.mean_diameter = reader.required_number("mean_diameter", Quantity::length);
@@ -217,6 +244,7 @@ ElementLength read_coil_spring(TableReader& reader, model::Element& element) {
   }
   if (reader.errors() > before) return std::nullopt;
   add_facts(spring, distance, element);
+  read_coil_bind(reader, spring, element);
   read_level(reader, seated, level, element);
   return distance;
 }
@@ -249,6 +277,7 @@ const ElementLaw coil_spring_law = {
      "description": "stiffness alone; with mass and internal modes; frequency-dependent (default: quasi_static)"},
    "internal_modes": {"type": "integer", "minimum": 0, "maximum": 60, "description": "with mass (default: 6)"},
    "material": {"$ref": "#/$defs/metal"},
+   "coil_bind": {"type": "boolean", "description": "the coils touch and stop the spring (default: false)"},
    "preload": {"$ref": "#/$defs/preload"}},
   "required": ["mean_diameter", "active_coils", "material"],
   "allOf": [{"oneOf": [{"required": ["free_length"]}, {"required": ["pitch"]}]}, {"anyOf": [{"required": )json"

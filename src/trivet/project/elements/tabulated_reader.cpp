@@ -13,6 +13,7 @@
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
 #include "trivet/project/elements/matrix_table.h"
+#include "trivet/project/elements/scalar_law_readers.h"
 #include "trivet/project/elements/stiffness_column.h"
 #include "trivet/project/text/csv_table.h"
 #include "trivet/project/text/file_name.h"
@@ -108,6 +109,28 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
 
 }  // namespace
 
+namespace {
+
+/// A table, or a column of gas along e3 that is compressed as K approaches N.
+void read_air_spring(TableReader& reader, Placement& ends, model::Element& element) {
+  const bool is_gas = reader.has("pressure") || reader.has("volume") || reader.has("area");
+  if (!is_gas) return read_tabulated(reader, ends, element);
+  reader.also_known({"file", "interpolation", "center"});
+  if (reader.has("file")) reader.error("file", "a table and a gas law", "an air spring is one of them", "remove one");
+  constexpr double middle = 0.5;
+  constexpr int along = 2;
+  const double lateral = reader.number("lateral", Quantity::force_per_length).value_or(0);
+  if (!(lateral >= 0)) reader.error("lateral", fmt::format("{:.6g} N/m", lateral), "it is ≥ 0", "correct its sign");
+  elements::Vector6 constants = elements::Vector6::Zero();
+  constants.head<2>().setConstant(lateral);
+  element.law.nominal_stiffness =
+      elements::in_end_axes(elements::constants_at_point(constants, ends.span.arm, middle), ends.span.n_from_k);
+  if (const auto gas = read_gas_force(reader))
+    element.nonlinear_parts.push_back({along, middle, {elements::ElasticForce(*gas)}});
+}
+
+}  // namespace
+
 /// Three names of one law.
 constexpr const char* table_keys =
     R"json({"properties": {
@@ -122,7 +145,22 @@ constexpr const char* table_keys =
    "damping": false},
   "required": ["file"]})json";
 const ElementLaw table_law = {.type = "table", .placed = read_tabulated, .keys = table_keys};
-const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_tabulated, .keys = table_keys};
+const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_air_spring, .keys = R"json([
+   {"properties": {
+   "file": {"type": "string", "description": "CSV as of a table"},
+   "interpolation": {"enum": ["monotone_cubic", "linear"]},
+   "center": {"$ref": "#/$defs/number"},
+   "damping": false},
+   "required": ["file"]},
+   {"properties": {
+   "pressure": {"$ref": "#/$defs/number", "description": "absolute, Pa, at the length where the ends are, > 0"},
+   "volume": {"$ref": "#/$defs/number", "description": "of the gas there, m^3, > 0"},
+   "area": {"$ref": "#/$defs/number", "description": "effective, m^2, > 0"},
+   "exponent": {"$ref": "#/$defs/number", "description": "polytropic, 1 to 2 (default: 1.4)"},
+   "atmosphere": {"$ref": "#/$defs/number", "description": "Pa (default: 101325)"},
+   "lateral": {"$ref": "#/$defs/number", "description": "stiffness across the axis, N/m (default: 0)"},
+   "damping": false},
+   "required": ["pressure", "volume", "area"]}])json"};
 const ElementLaw wire_rope_law = {.type = "wire_rope", .placed = read_tabulated, .keys = table_keys};
 
 }  // namespace trivet::project

@@ -16,6 +16,10 @@ Largest largest(Quantity quantity) {
       return {1e30, "no plain number of a machine is larger"};
     case Quantity::length:
       return {1e9, "the moon is at 4e8 m"};
+    case Quantity::area:
+      return {1e15, "the earth has 5e14 m²"};
+    case Quantity::volume:
+      return {1e22, "the earth has 1.1e21 m³"};
     case Quantity::mass:
       return {1e15, "a mountain has less"};
     case Quantity::inertia:

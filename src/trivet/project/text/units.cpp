@@ -286,6 +286,10 @@ const char* si_unit(Quantity quantity) {
       return "1";
     case Quantity::length:
       return "m";
+    case Quantity::area:
+      return "m2";
+    case Quantity::volume:
+      return "m3";
     case Quantity::mass:
       return "kg";
     case Quantity::inertia:

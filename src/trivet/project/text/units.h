@@ -12,6 +12,8 @@ namespace trivet::project {
 enum class Quantity {
   pure,
   length,
+  area,
+  volume,
   mass,
   inertia,
   angle,
