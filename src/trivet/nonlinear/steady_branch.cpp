@@ -54,9 +54,12 @@ References references_of(const model::System& given, bool holds) {
 /// Results and stability of the motions on a path.
 class Observed {
  public:
-  Observed(const ReferenceMachine& machine, const SteadyPath& path, const SteadyOptions& options)
+  /// @param all  with the path itself: the motions among which a jump lands
+  Observed(const ReferenceMachine& machine, const SteadyPath& path, std::vector<const SteadyPath*> all,
+           const SteadyOptions& options)
       : machine_(machine),
         path_(path),
+        all_(std::move(all)),
         options_(options),
         observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
         stability_(machine.assembled, machine.deflections),
@@ -72,6 +75,7 @@ class Observed {
     found.left_out = path_.left_out();
     found.held_share = path_.held_share();
     found.ended = path_.ended();
+    found.closed = path_.closed();
     const bool over_frequency = machine_.assembled.frequency_dependent();
     using Multipliers = SteadyBranch::Multipliers;
     found.multipliers_of = over_frequency    ? Multipliers::constant_machine
@@ -150,15 +154,16 @@ class Observed {
     }
   }
 
-  /// The only stable motion at the parameter of a fold, besides those that meet there.
+  /// The only stable motion that is known at the parameter of a fold, besides those that meet there.
   [[nodiscard]] std::optional<SteadyPoint> landing(const BranchPoint& fold) const {
     constexpr double same = 1e-2;  // of the motion
     std::vector<SteadyPoint> stable;
-    for (const BranchPoint& other : path_.all_at(fold.parameter)) {
-      if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
-      SteadyPoint point = steady(other);
-      if (point.stable) stable.push_back(std::move(point));
-    }
+    for (const SteadyPath* path : all_)
+      for (const BranchPoint& other : path->all_at(fold.parameter)) {
+        if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
+        SteadyPoint point = steady(other);
+        if (point.stable) stable.push_back(std::move(point));
+      }
     return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
   }
 
@@ -211,6 +216,7 @@ class Observed {
 
   const ReferenceMachine& machine_;
   const SteadyPath& path_;
+  std::vector<const SteadyPath*> all_;
   const SteadyOptions& options_;
   Observer observer_;
   PeriodicStability stability_;
@@ -303,6 +309,21 @@ const char* words(StabilityChange::Kind kind) {
   return "";
 }
 
+std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch) {
+  std::vector<const SteadyPoint*> stable;
+  for (const SteadyPoint& point : branch.points)
+    if (point.stable) stable.push_back(&point);
+  for (const Fold& fold : branch.folds) {
+    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
+    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
+  }
+  for (const SteadyBranch& detached : branch.detached) {
+    const std::vector<const SteadyPoint*> more = stable_points(detached);
+    stable.insert(stable.end(), more.begin(), more.end());
+  }
+  return stable;
+}
+
 SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                            const foundation::Progress& progress) {
   check(options);
@@ -316,7 +337,21 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
     const bool is_last = is_given || harmonics == most_steady_harmonics;
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
     if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : options.tolerance, progress)) continue;
-    SteadyBranch found = Observed(machine, path, options).branch(progress);
+    DetachedPaths others;
+    if (options.detached)
+      others = detached_paths(
+          path, machine.deflections, options,
+          [&] {
+            return std::make_unique<SteadyPath>(machine.condensed, machine.deflections, machine.excitation, options,
+                                                harmonics);
+          },
+          progress);
+    std::vector<const SteadyPath*> all = {&path};
+    for (const auto& other : others.paths) all.push_back(other.get());
+    SteadyBranch found = Observed(machine, path, all, options).branch(progress);
+    if (options.detached) found.search = others.search;
+    for (const auto& other : others.paths)
+      found.detached.push_back(Observed(machine, *other, all, options).branch(progress));
     found.lost_means = lost_means(machine.deflections);
     if (holds && !found.results.empty()) add_linear(system, options, found);
     return found;

@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/model/system.h"
+#include "trivet/nonlinear/detached_motions.h"
 #include "trivet/nonlinear/observed_motion.h"
 #include "trivet/nonlinear/steady_options.h"
 
@@ -90,7 +91,13 @@ struct SteadyBranch {
                                         ///< force depends on what happened before
   std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion
   std::string ended;                    ///< why the branch ends before the end of the band; empty: it does not
+  bool closed = false;                  ///< a detached one that returns to its first point
+  std::optional<DetachedSearch> search;
+  std::vector<SteadyBranch> detached;  ///< found by the search
 };
+
+/// Stable motions of a curve and of its detached ones, and folds beside a stable point, which are their ends.
+[[nodiscard]] std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch);
 
 /// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.
 /// @throws foundation::NotComputable if there is no motion at the lower end, or for what CondensedMachine and

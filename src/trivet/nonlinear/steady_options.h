@@ -22,6 +22,7 @@ struct SteadyOptions {
   std::vector<std::string> of;           ///< results, as channels; empty: none
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
+  bool detached = false;   ///< seek motions that are not connected with the one at the lower end of the band
   bool deep = false;       ///< judge the stability of every point in two ways
   int most_points = 20000;
 };

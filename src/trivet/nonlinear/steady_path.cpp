@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -139,18 +140,82 @@ std::optional<BranchPoint> SteadyPath::raised_to_load() const {
   return followed_to_one(branch, branch.start(balance_.linear_motion({whole.omega, small * whole.factor}), small));
 }
 
+std::vector<BranchPoint> SteadyPath::motions_over_load(double parameter, double most_load) const {
+  const Driving whole = driving(parameter);
+  const numerics::Branch branch(
+      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
+        equations.by_parameter *= whole.factor;
+      },
+      1.0, scale());
+  constexpr double small = 1e-3;
+  constexpr int most_points = 600;
+  std::vector<BranchPoint> found;
+  std::optional<BranchPoint> now = branch.start(balance_.linear_motion({whole.omega, small * whole.factor}), small);
+  double step = 0.02;
+  for (int i = 0; now && i < most_points && std::abs(now->parameter) < most_load; ++i) {
+    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
+    if (!advance) break;
+    if ((now->parameter < 1) != (advance->to.parameter < 1))
+      if (const std::optional<BranchPoint> there = branch.at(1, *now, 0, advance->length))
+        if (std::optional<BranchPoint> motion = branch_.start(there->unknowns, parameter))
+          found.push_back(std::move(*motion));
+    now = advance->to;
+  }
+  return found;
+}
+
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
-  constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
-  constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
   const std::optional<BranchPoint> start = first();
   if (!start)
     throw foundation::NotComputable(
         fmt::format("steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above "
                     "the motions that were sought",
                     place(options_.from)));
-  if (!add_point(*start, most_left_out)) return false;
+  return add_point(*start, most_left_out) && walk(most_left_out, false, progress);
+}
+
+void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Progress& progress) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  detached_ = true;
+  (void)add_point(start, any);
+  (void)walk(any, true, progress);
+  if (closed_) return;
+  // It has left the band, or ended: the whole curve from there.
+  BranchPoint end = points_.back();
+  end.tangent = -end.tangent;
+  end.bend.resize(0);
+  const std::string ended = ended_;
+  points_.clear();
+  asked_for_.clear();
+  lengths_.clear();
+  turns_.clear();
+  pieces_.clear();
+  ended_.clear();
+  (void)add_point(end, any);
+  (void)walk(any, false, progress);
+  if (!ended.empty()) ended_ = ended_.empty() ? ended : ended + "; " + ended_;
+}
+
+/// Does the step to the next point pass the first one in the same direction?
+bool SteadyPath::passes_start(const BranchPoint& next, double length) const {
+  constexpr std::size_t fewest = 4;
+  if (points_.size() < fewest) return false;
+  const BranchPoint &start = points_.front(), &now = points_.back();
+  VectorXd way(start.scale.size());
+  way << start.unknowns - now.unknowns, start.parameter - now.parameter;
+  way = way.cwiseQuotient(now.scale);
+  constexpr double beside = 0.2;  // of the step
+  return start.tangent.dot(next.tangent) > 0 && now.tangent.dot(way) >= 0 && way.norm() <= length &&
+      (way - now.tangent.dot(way) * now.tangent).norm() <= beside * length;
+}
+
+/// Goes on from the last point to an end of the band, or to the first point if the curve may be closed.
+bool SteadyPath::walk(double most_left_out, bool may_close, const foundation::Progress& progress) {
+  constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
+  constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
   double step = first_step;
-  while (points_.back().parameter < options_.to) {
+  while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
     const BranchPoint& now = points_.back();
     if (to_index(points_.size()) >= options_.most_points) {
       ended_ = fmt::format("stopped after {} points", options_.most_points);
@@ -176,6 +241,21 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
+    if (detached_ && next.parameter < options_.from && now.parameter > options_.from) {
+      std::optional<BranchPoint> end = branch_.at(options_.from, now, 0, length);
+      if (!end) {
+        ended_ = "no motion was found at the lower end of the band";
+        break;
+      }
+      length = numerics::Branch::length(now, *end);
+      next = std::move(*end);
+    }
+    if (may_close && passes_start(next, length)) {
+      const BranchPoint start = points_.front();
+      (void)add_step(start, numerics::Branch::length(now, start), most_left_out);
+      closed_ = true;
+      break;
+    }
     if (ended_ = leaves_curve(next); !ended_.empty()) break;
     const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next, length);
     constexpr double least = 1e-5;
@@ -187,6 +267,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
       if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
     if (on_the_way && !on_the_way->empty()) length = numerics::Branch::length(points_.back(), next);
     if (!add_step(next, length, most_left_out)) return false;
+    if (detached_ && next.parameter <= options_.from) break;
     if (next.parameter < options_.from) {
       ended_ = "left the band downwards at " + place(next.parameter);
       break;

@@ -25,6 +25,17 @@ class SteadyPath {
   /// @throws foundation::NotComputable if there is no motion at the lower end
   [[nodiscard]] bool follow(double most_left_out, const foundation::Progress& progress);
 
+  /// Instead: a curve of motions through one that is not on another path, until it closes or leaves the band.
+  void follow_detached(const numerics::BranchPoint& start, const foundation::Progress& progress);
+  [[nodiscard]] bool closed() const { return closed_; }
+
+  /// The motion that Newton's method finds from a guess; empty if it does not converge.
+  [[nodiscard]] std::optional<numerics::BranchPoint> motion_near(const Eigen::VectorXd& guess, double parameter) const {
+    return branch_.start(guess, parameter);
+  }
+  /// Motions at a frequency on the path over the load, from a small one through its folds.
+  [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const;
+
   /// Where the parameter turns.
   struct Turn {
     numerics::BranchPoint point;
@@ -57,6 +68,8 @@ class SteadyPath {
     double begin, end;
     double parameter_begin, parameter_end;
   };
+  [[nodiscard]] bool walk(double most_left_out, bool may_close, const foundation::Progress& progress);
+  [[nodiscard]] bool passes_start(const numerics::BranchPoint& next, double length) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_forces(const Eigen::VectorXd& linear) const;
@@ -84,6 +97,7 @@ class SteadyPath {
   std::vector<Piece> pieces_;
   double left_out_ = 0, held_share_ = 0;
   std::string ended_;
+  bool detached_ = false, closed_ = false;
 };
 
 }  // namespace trivet::nonlinear

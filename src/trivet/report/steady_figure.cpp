@@ -138,6 +138,14 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
     for (const double y : piece.y) largest = std::max(largest, y);
     row.curves.push_back(std::move(piece));
   }
+  bool key = true;
+  for (const SteadyBranch& detached : branch.detached)
+    for (PanelCurve piece : pieces(detached, display, value, "#009E73", "detached")) {
+      if (!key) piece.key.clear();
+      key = false;
+      for (const double y : piece.y) largest = std::max(largest, y);
+      row.curves.push_back(std::move(piece));
+    }
   add_jumps(branch, result, display, unit, largest, row);
   for (const nonlinear::StabilityChange& change : branch.changes)
     row.marks.push_back({place(branch, change.point, display),
@@ -174,6 +182,8 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
   for (std::size_t c = 0; c < branch->results.size(); ++c) {
     double range = 0;
     for (const SteadyPoint& point : branch->points) range = std::max(range, point.results[c].half_of_range());
+    for (const SteadyBranch& detached : branch->detached)
+      for (const SteadyPoint& point : detached.points) range = std::max(range, point.results[c].half_of_range());
     largest.push_back(range);
   }
   std::vector<Figure> figures;
@@ -212,9 +222,10 @@ std::string steady_tables(const study::Answers& answers) {
            fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
     }
   const std::string about = hint(fmt::format(
-      "Periodic motions at the frequency of the excitation, connected with the one at the lower end of the band; "
-      "detached ones are not sought. {} harmonics, which leave out at most {:.2g} of the deflections. Motions are "
-      "deviations from rest.{}",
+      "Periodic motions connected with the one at the lower end of the band; {}. {} harmonics, which leave out at most "
+      "{:.2g} of the deflections. Motions are deviations from rest.{}",
+      branch->search ? fmt::format("{} detached curves were found by a search", branch->detached.size())
+                     : "detached ones are not sought",
       branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
   if (rows.empty()) return about + hint("No folds: one motion at each place of this branch, no jumps.");
   return html_table({{"jump of a"},

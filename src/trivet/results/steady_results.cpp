@@ -36,6 +36,13 @@ std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, con
 
 const SteadyBranch& branch_of(const study::Answers& answers) { return *answers.find<SteadyBranch>("steady"); }
 
+/// The connected curve, and the detached ones.
+std::vector<const SteadyBranch*> all_curves(const SteadyBranch& branch) {
+  std::vector<const SteadyBranch*> curves = {&branch};
+  for (const SteadyBranch& detached : branch.detached) curves.push_back(&detached);
+  return curves;
+}
+
 /// Numbers of one result along the branch.
 template <typename Value>
 std::vector<double> along(const SteadyBranch& branch, std::size_t result, const Value& value) {
@@ -72,29 +79,13 @@ const char* multipliers_of(const SteadyBranch& branch) {
   return "machine";
 }
 
-Json steady(const project::Case&, const study::Answers& answers) {
-  const SteadyBranch& branch = branch_of(answers);
-  Json result{{"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
-              {"excitations", branch.excitations},
-              {"of_shaft", branch.of_shaft},
-              {"first_harmonic", branch.first_harmonic},
-              {"harmonics", branch.harmonics},
-              {"left_out", number(branch.left_out)},
-              {"held_share", number(branch.held_share)},
-              {"ended", branch.ended},
-              {"multipliers_of", multipliers_of(branch)},
-              {"winding",
-               {{"points", branch.winding.points},
-                {"undecided", branch.winding.undecided},
-                {"differs_at", branch.winding.differs_at},
-                {"decides", branch.winding.decides}}},
-              {"results", Json::array()},
+/// Points, folds and changes of one curve.
+Json curve(const SteadyBranch& branch) {
+  Json result{{"ended", branch.ended},
+              {"closed", branch.closed},
               {"points", Json::array()},
               {"folds", Json::array()},
-              {"stability_changes", Json::array()},
-              {"warnings", warnings(answers.warnings)}};
-  for (std::size_t c = 0; c < branch.results.size(); ++c)
-    result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
+              {"stability_changes", Json::array()}};
   for (const SteadyPoint& p : branch.points) result["points"].push_back(point(p));
   for (const Fold& fold : branch.folds)
     result["folds"].push_back({{"point", point(fold.point)},
@@ -105,6 +96,36 @@ Json steady(const project::Case&, const study::Answers& answers) {
   return result;
 }
 
+Json steady(const project::Case&, const study::Answers& answers) {
+  const SteadyBranch& branch = branch_of(answers);
+  Json result{{"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
+              {"excitations", branch.excitations},
+              {"of_shaft", branch.of_shaft},
+              {"first_harmonic", branch.first_harmonic},
+              {"harmonics", branch.harmonics},
+              {"left_out", number(branch.left_out)},
+              {"held_share", number(branch.held_share)},
+              {"multipliers_of", multipliers_of(branch)},
+              {"winding",
+               {{"points", branch.winding.points},
+                {"undecided", branch.winding.undecided},
+                {"differs_at", branch.winding.differs_at},
+                {"decides", branch.winding.decides}}},
+              {"search", nullptr},
+              {"detached", Json::array()},
+              {"results", Json::array()},
+              {"warnings", warnings(answers.warnings)}};
+  for (std::size_t c = 0; c < branch.results.size(); ++c)
+    result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
+  result.update(curve(branch));
+  if (branch.search)
+    result["search"] = {{"places", branch.search->places},
+                        {"starts", branch.search->starts},
+                        {"load_up_to", branch.search->load_up_to}};
+  for (const SteadyBranch& detached : branch.detached) result["detached"].push_back(curve(detached));
+  return result;
+}
+
 }  // namespace
 }  // namespace json
 
@@ -112,7 +133,7 @@ namespace {
 
 std::string steady_csv(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
-  std::string text = "angular_frequency [rad/s],load factor,stable,largest multiplier";
+  std::string text = "curve,angular_frequency [rad/s],load factor,stable,largest multiplier";
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     for (const char* part : {"re", "im"})
       text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], part, branch.units[c]));
@@ -120,16 +141,18 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
       text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], course.name, branch.units[c]));
   }
   text += "\n";
-  for (const SteadyPoint& point : branch.points) {
-    text += fmt::format("{},{},{},{}", point.angular_frequency, point.load_factor, point.stable ? "yes" : "no",
-                        csv_number(point.largest_multiplier()));
-    for (const ObservedMotion& motion : point.results) {
-      append_csv_number(text, motion.harmonics(0).real());
-      append_csv_number(text, motion.harmonics(0).imag());
-      for (const MotionNumber& course : motion_numbers) append_csv_number(text, course.value(motion));
+  const std::vector<const SteadyBranch*> curves = all_curves(branch);
+  for (std::size_t number = 0; number < curves.size(); ++number)
+    for (const SteadyPoint& point : curves[number]->points) {
+      text += fmt::format("{},{},{},{},{}", number, point.angular_frequency, point.load_factor,
+                          point.stable ? "yes" : "no", csv_number(point.largest_multiplier()));
+      for (const ObservedMotion& motion : point.results) {
+        append_csv_number(text, motion.harmonics(0).real());
+        append_csv_number(text, motion.harmonics(0).imag());
+        for (const MotionNumber& course : motion_numbers) append_csv_number(text, course.value(motion));
+      }
+      text += "\n";
     }
-    text += "\n";
-  }
   return text;
 }
 
@@ -178,16 +201,48 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
   return table.text();
 }
 
-/// Stable motions: points, and folds beside a stable point, which are the ends of stable motions.
-std::vector<const SteadyPoint*> stable_motions(const SteadyBranch& branch) {
-  std::vector<const SteadyPoint*> stable;
-  for (const SteadyPoint& point : branch.points)
-    if (point.stable) stable.push_back(&point);
-  for (const Fold& fold : branch.folds) {
-    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
-    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
+std::string search_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+  if (!branch.search) return "";
+  std::string text =
+      fmt::format("  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}\n",
+                  branch.detached.size(), branch.search->starts, branch.search->places,
+                  branch.search->load_up_to > 0
+                      ? fmt::format(", and there with the load raised to {:g} times", branch.search->load_up_to)
+                      : "");
+  if (branch.detached.empty()) return text;
+  TextTable table({"detached curve", "from [" + varied_unit(branch, display) + "]", "to", "points", "unstable",
+                   "largest half of the range"});
+  for (std::size_t i = 0; i < branch.detached.size(); ++i) {
+    const SteadyBranch& curve = branch.detached[i];
+    double low = foundation::infinity, high = 0;
+    for (const SteadyPoint& point : curve.points) {
+      low = std::min(low, branch.parameter(point));
+      high = std::max(high, branch.parameter(point));
+    }
+    for (const Fold& fold : curve.folds) {
+      low = std::min(low, branch.parameter(fold.point));
+      high = std::max(high, branch.parameter(fold.point));
+    }
+    std::string largest;
+    double share = 0;  // of the largest on the connected curve
+    for (std::size_t c = 0; c < branch.results.size(); ++c) {
+      const auto top = [c](const SteadyBranch& of) {
+        double value = 0;
+        for (const SteadyPoint& point : of.points) value = std::max(value, point.results[c].half_of_range());
+        return value;
+      };
+      if (!(top(branch) > 0) || !(top(curve) / top(branch) > share)) continue;
+      share = top(curve) / top(branch);
+      largest = branch.results[c] + " " + value_text(top(curve), display_unit(display, branch.units[c]));
+    }
+    table.add({fmt::format("{}{}", i + 1, curve.closed ? ", closed" : ""),
+               number_text(shown_varied(branch, low, display), 7), number_text(shown_varied(branch, high, display), 7),
+               std::to_string(curve.points.size()),
+               std::to_string(std::count_if(curve.points.begin(), curve.points.end(),
+                                            [](const SteadyPoint& point) { return !point.stable; })),
+               largest});
   }
-  return stable;
+  return text + table.text();
 }
 
 std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
@@ -230,19 +285,18 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   const auto [low, high] = std::minmax_element(
       branch.points.begin(), branch.points.end(),
       [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
-  std::string text =
-      excited_at_once(branch.excitations) + orders_text(branch) +
-      fmt::format(
-          "Periodic motions from {} to {} {}, connected with the one at the lower end (detached ones are not sought)\n"
-          "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
-          place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit, branch.points.size(),
-          unstable, branch.harmonics, branch.left_out);
+  std::string text = excited_at_once(branch.excitations) + orders_text(branch) +
+      fmt::format("Periodic motions from {} to {} {}, connected with the one at the lower end{}\n"
+                  "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
+                  place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit,
+                  branch.search ? "" : " (detached ones are not sought)", branch.points.size(), unstable,
+                  branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
   text += stability_text(branch);
-  text += changes_text(branch, display) + folds_text(branch, display);
+  text += search_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
-  const std::vector<const SteadyPoint*> stable = stable_motions(branch);
+  const std::vector<const SteadyPoint*> stable = nonlinear::stable_points(branch);
   if (stable.empty()) return text + "  no motion of this branch is stable\n";
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     const auto is_lower = [c](const SteadyPoint* a, const SteadyPoint* b) {
@@ -251,7 +305,8 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
     const SteadyPoint& top = **std::max_element(stable.begin(), stable.end(), is_lower);
     double smallest = 0, of_all = top.results[c].largest;
     for (const SteadyPoint* point : stable) smallest = std::min(smallest, point->results[c].smallest);
-    for (const SteadyPoint& point : branch.points) of_all = std::max(of_all, point.results[c].largest);
+    for (const SteadyBranch* curve : all_curves(branch))
+      for (const SteadyPoint& point : curve->points) of_all = std::max(of_all, point.results[c].largest);
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     table.add({branch.results[c], value_text(top.results[c].largest, shown), place_text(branch, top, display, 5),
                value_text(smallest, shown),
@@ -259,6 +314,26 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
                value_text(of_all, shown)});
   }
   return text + table.text();
+}
+
+/// Points of all detached curves, one after another.
+void detached_arrays(const SteadyBranch& branch, LabelledArrays& list) {
+  std::vector<SteadyPoint> points;
+  std::vector<double> curve;
+  for (std::size_t i = 0; i < branch.detached.size(); ++i)
+    for (const SteadyPoint& point : branch.detached[i].points) {
+      points.push_back(point);
+      curve.push_back(static_cast<double>(i + 1));
+    }
+  list.copy("detached.curve", "1", "detached_point", curve);
+  list.column("detached.angular_frequency", "rad/s", "detached_point", points,
+              [](const SteadyPoint& point) { return point.angular_frequency; });
+  list.column("detached.load_factor", "1", "detached_point", points,
+              [](const SteadyPoint& point) { return point.load_factor; });
+  list.column("detached.stable", "1", "detached_point", points, [](const SteadyPoint& point) { return point.stable; });
+  for (std::size_t c = 0; c < branch.results.size(); ++c)
+    list.column("detached." + branch.results[c] + " half of range", branch.units[c], "detached_point", points,
+                [c](const SteadyPoint& point) { return point.results[c].half_of_range(); });
 }
 
 void steady_arrays(const project::Case&, const study::Answers& answers, LabelledArrays& list) {
@@ -294,6 +369,7 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
   list.column("change.load_factor", "1", "change", branch.changes,
               [](const nonlinear::StabilityChange& change) { return change.point.load_factor; });
   list.value("left_out", "1", branch.left_out);
+  detached_arrays(branch, list);
 }
 
 }  // namespace

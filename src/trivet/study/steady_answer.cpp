@@ -45,6 +45,7 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
   options.quantity = asked.selection.quantity;
   options.harmonics = asked.harmonics;
   options.tolerance = asked.tolerance;
+  options.detached = asked.all_branches;
   options.deep = asked.deep;
   return nonlinear::steady_branch(c.system, options, c.progress);
 }

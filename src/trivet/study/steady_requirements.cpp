@@ -18,20 +18,9 @@ namespace trivet::study {
 namespace {
 
 using foundation::infinity;
+using nonlinear::stable_points;
 using nonlinear::SteadyBranch;
 using nonlinear::SteadyPoint;
-
-/// Stable motions, and folds beside them.
-std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch) {
-  std::vector<const SteadyPoint*> stable;
-  for (const SteadyPoint& point : branch.points)
-    if (point.stable) stable.push_back(&point);
-  for (const nonlinear::Fold& fold : branch.folds) {
-    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
-    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
-  }
-  return stable;
-}
 
 /// The least and the greatest deviation from rest of one nonlinear deflection.
 std::pair<double, double> range_of(const SteadyPoint& point, std::size_t deflection) {
@@ -134,12 +123,15 @@ std::optional<double> without_stable_motion(const SteadyBranch& branch) {
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   const bool always_stable =
       std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
-  const std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
+  std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
+  for (const SteadyBranch& detached : branch.detached)
+    if (!stable_points(detached).empty()) jumps += std::max<std::size_t>(detached.folds.size(), 1);
   result.value = static_cast<double>(jumps);
   result.margin = jumps == 0 ? infinity : 0;
   if (!branch.folds.empty()) result.angular_frequency = branch.folds.front().point.angular_frequency;
   else if (!branch.changes.empty()) result.angular_frequency = branch.changes.front().point.angular_frequency;
-  result.detail = "detached motions are not sought";
+  result.detail = branch.detached.empty() ? "no detached motions found, which is no proof that there are none"
+                                          : fmt::format("{} detached curves of motions", branch.detached.size());
 }
 
 }  // namespace
@@ -157,6 +149,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   list.attempt(first, [&] {
     project::SteadyQuestion asked = question_of(analyses);
     for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
+    asked.all_branches = asked.all_branches || required.no_jump;
     const SteadyBranch branch = steady_motions(context, asked);
     if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
     if (required.no_jump) set_jumps(branch, list[first]);

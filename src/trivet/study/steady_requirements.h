@@ -7,7 +7,8 @@
 namespace trivet::study {
 
 /// Adds what a nonlinear machine must not do in steady motion: jump, close a gap, or exceed an amplitude. Judged on the
-/// branch of motions that is connected with the lower end of the band; detached ones are not sought.
+/// branch of motions that is connected with the lower end of the band; and, for no_jump, of detached ones that a search
+/// finds.
 void add_steady_requirements(const CaseContext& context, const project::Analyses& analyses, RequirementList& list);
 
 }  // namespace trivet::study

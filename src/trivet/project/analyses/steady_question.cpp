@@ -54,6 +54,8 @@ std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& na
                  "begin at a low frequency, such as a tenth of the first natural one");
   read_load_factor(reader, *asked);
   read_harmonics(reader, asked->harmonics, asked->tolerance);
+  const auto branches = reader.choice("branches", {"connected", "all"});
+  asked->all_branches = branches && *branches == "all";
   asked->deep = reader.boolean("deep").value_or(false);
   return asked;
 }
@@ -76,6 +78,7 @@ const QuestionReader steady_question = {
    "load_factor": {"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2, "description": "range of the factor on all excitations"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
    "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"},
+   "branches": {"enum": ["connected", "all"], "description": "all: seek detached motions too (default: connected)"},
    "deep": {"type": "boolean", "description": "judge the stability of every point in two ways (default: false)"}}})json"};
 
 }  // namespace trivet::project

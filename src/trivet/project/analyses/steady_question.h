@@ -10,9 +10,10 @@ struct SteadyQuestion : BandQuestion {
   bool over_load_factor = false;
   double at = 0;  ///< over the load factor: the fixed ω [rad/s]
   double load_from = 0, load_to = 0;
-  int harmonics = 0;        ///< 0: as many as `tolerance` needs
-  bool deep = false;        ///< judge the stability of every point in two ways
-  double tolerance = 1e-3;  ///< share of the deflections that harmonics beyond the last one may add
+  int harmonics = 0;          ///< 0: as many as `tolerance` needs
+  bool all_branches = false;  ///< seek detached motions too
+  bool deep = false;          ///< judge the stability of every point in two ways
+  double tolerance = 1e-3;    ///< share of the deflections that harmonics beyond the last one may add
 };
 
 }  // namespace trivet::project

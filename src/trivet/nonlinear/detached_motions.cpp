@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/detached_motions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using numerics::BranchPoint;
+
+/// Typical deviations of a deflection: under the load, and to its nearest kinks.
+std::vector<double> sizes(const SteadyPath& path, const std::vector<Deflection>& deflections, double parameter) {
+  const Index C = path.balance().coefficients();
+  const VectorXd linear = path.balance().linear_motion(path.driving(parameter));
+  double largest = 0;
+  std::vector<double> found;
+  for (Index j = 0; j < to_index(deflections.size()); ++j) {
+    double size = linear.segment(j * C, C).norm();
+    for (const double kink : deflections[to_size(j)].law.kinks()) size = std::max(size, std::abs(kink));
+    found.push_back(size);
+    largest = std::max(largest, size);
+  }
+  constexpr double least = 1e-3;
+  for (double& size : found) size = std::max(size, least * largest);
+  return found;
+}
+
+VectorXd random_motion(const std::vector<double>& of_size, Index coefficients, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> logarithm(std::log(0.2), std::log(20.0)), phase(0, foundation::two_pi);
+  std::normal_distribution<double> mean(0, 0.3);
+  VectorXd motion = VectorXd::Zero(to_index(of_size.size()) * coefficients);
+  const double common = std::exp(logarithm(random)), common_phase = phase(random);
+  for (std::size_t j = 0; j < of_size.size(); ++j) {
+    const double own = common * of_size[j] * std::exp(0.5 * mean(random)),
+                 turned = common_phase + mean(random) * foundation::two_pi;
+    const Index first = to_index(j) * coefficients;
+    motion(first) = mean(random) * of_size[j];
+    motion(first + 1) = own * std::cos(turned);
+    motion(first + 2) = own * std::sin(turned);
+  }
+  return motion;
+}
+
+}  // namespace
+
+DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<Deflection>& deflections,
+                             const SteadyOptions& options, const std::function<std::unique_ptr<SteadyPath>()>& new_path,
+                             const foundation::Progress& progress) {
+  constexpr int places = 24, starts = 16;
+  constexpr double load_up_to = 20;
+  constexpr double same = 1e-3;  // of the motion
+  DetachedPaths found{{places, places * starts, options.over == Parameter::frequency ? load_up_to : 0}, {}};
+  const auto is_known = [&](const BranchPoint& motion) {
+    const auto lies_on = [&](const SteadyPath& path) {
+      const std::vector<BranchPoint> there = path.all_at(motion.parameter);
+      return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
+        return (other.unknowns - motion.unknowns).norm() <=
+            same * std::max(other.unknowns.norm(), motion.unknowns.norm());
+      });
+    };
+    return lies_on(connected) ||
+        std::any_of(found.paths.begin(), found.paths.end(), [&](const auto& path) { return lies_on(*path); });
+  };
+  const auto take = [&](const BranchPoint& motion) {
+    if (is_known(motion)) return;
+    std::unique_ptr<SteadyPath> path = new_path();
+    path->follow_detached(motion, {});
+    found.paths.push_back(std::move(path));
+  };
+  std::mt19937_64 random(20261126);
+  for (int i = 0; i < places; ++i) {
+    const double parameter = options.from + (options.to - options.from) * (i + 0.5) / places;
+    if (options.over == Parameter::frequency)
+      for (const BranchPoint& motion : connected.motions_over_load(parameter, load_up_to)) take(motion);
+    const std::vector<double> of_size = sizes(connected, deflections, parameter);
+    for (int s = 0; s < starts; ++s)
+      if (const std::optional<BranchPoint> motion =
+              connected.motion_near(random_motion(of_size, connected.balance().coefficients(), random), parameter))
+        take(*motion);
+    foundation::report_progress(progress, "detached motions", (i + 1.0) / places);
+  }
+  return found;
+}
+
+}  // namespace trivet::nonlinear

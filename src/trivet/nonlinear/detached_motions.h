@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "trivet/nonlinear/steady_path.h"
+
+namespace trivet::nonlinear {
+
+/// What was done to find motions that are not connected with the one at the lower end of the band. It is a search, not
+/// a proof that there are no more.
+struct DetachedSearch {
+  int places = 0;         ///< of the parameter, evenly over the band
+  int starts = 0;         ///< of Newton's method, with random amplitudes and phases
+  double load_up_to = 0;  ///< the load was raised there at each place, through the folds of its path
+};
+
+struct DetachedPaths {
+  DetachedSearch search;
+  std::vector<std::unique_ptr<SteadyPath>> paths;
+};
+
+/// @param new_path  an empty path of the same machine and harmonics
+[[nodiscard]] DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<Deflection>& deflections,
+                                           const SteadyOptions& options,
+                                           const std::function<std::unique_ptr<SteadyPath>()>& new_path,
+                                           const foundation::Progress& progress);
+
+}  // namespace trivet::nonlinear
