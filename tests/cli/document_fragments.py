@@ -111,6 +111,7 @@ ON_THE_FRAME = (
 KEYS = "docs/project-file.md"
 
 POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
+ON_HYDROMOUNTS = (SOURCE / "examples/hydromount/engine.toml").read_text()
 SUSPENDED = """trivet = 1
 [bodies.machine]
 mass = 40
@@ -146,6 +147,9 @@ axis = "z"
     ("docs/nonlinear.md", "Laws"): (SOURCE / "examples/roll_stop/engine.toml")
     .read_text()
     .split('[elements."roll stop"]')[0],
+    ("docs/elements/hydromount.md", "Hydromount"): ON_HYDROMOUNTS.split("[element_types")[0]
+    + "[elements.rear]"
+    + ON_HYDROMOUNTS.partition("[elements.rear]")[2].partition("[cases")[0],
     ("docs/measurements.md", "Measured and computed curves"): DRIVEN_FRAME,
     ("docs/design.md", "Requirements, the verdict, and the best design"): REQUIRED[0]
     + "[cases."

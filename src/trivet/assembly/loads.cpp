@@ -43,6 +43,11 @@ void add_preload(const elements::Law& law, const ElementMap& map, Eigen::VectorX
   elements::Vector12 on_ends = elements::Vector12::Zero();
   if (law.preload) on_ends += *law.preload;
   if (law.nonlinear) on_ends += law.nonlinear->offset;
+  if (law.nonlinear) {
+    const Eigen::VectorXd& on_inner = law.nonlinear->inner_offset;
+    for (Eigen::Index i = 0; i < on_inner.size(); ++i)
+      load(map.rows[map.rows.size() - to_size(on_inner.size() - i)]) -= on_inner(i);
+  }
   if (on_ends.isZero(0)) return;
   const Eigen::VectorXd on_bodies = -(map.ends.topRows<12>().transpose() * on_ends);
   for (Eigen::Index j = 0; j < on_bodies.size(); ++j) load(map.rows[to_size(j)]) += on_bodies(j);

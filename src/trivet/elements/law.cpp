@@ -18,8 +18,10 @@ Matrix6x12 relative_motion(const Eigen::Vector3d& arm, double centre) {
 }  // namespace
 
 Matrix12 stiffness(const Law& law) {
-  const Matrix12 linear = law.scale * law.nominal_stiffness;
-  return law.nonlinear ? Matrix12(linear + law.nonlinear->tangent) : linear;
+  Matrix12 sum = law.scale * law.nominal_stiffness;
+  if (law.nonlinear) sum += law.nonlinear->tangent;
+  if (law.inner) sum += with_inner_parts(law, 0).real();
+  return sum;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -51,11 +52,20 @@ struct FrequencyDependence {
   std::vector<double> knots;  ///< boundaries between the pieces of a table [rad/s], ascending
 };
 
-/// The nonlinear parts of an element about its position of rest: tangent · u + damping · u̇ + offset on its ends.
+/// Coordinates of parts inside the element, such as columns of fluid, with the forces and masses that they add.
+struct InnerParts {
+  std::vector<std::string> names;            ///< one per coordinate
+  Eigen::MatrixXd stiffness, damping, mass;  ///< (12 + coordinates)², neither scaled nor damped by `damping`
+  [[nodiscard]] Eigen::Index count() const { return static_cast<Eigen::Index>(names.size()); }
+};
+
+/// The nonlinear parts of an element about its position of rest: tangent · u + damping · u̇ + offset on its ends, and
+/// one of each on every inner coordinate.
 struct Linearization {
   Matrix12 tangent = Matrix12::Zero();
   Matrix12 damping = Matrix12::Zero();
   Vector12 offset = Vector12::Zero();
+  Eigen::VectorXd inner_tangent, inner_damping, inner_offset;
 };
 
 /// Law of an element: nominal stiffness (at ω = 0), scale factor, damping, own mass, and static preload.
@@ -64,6 +74,7 @@ struct Law {
   double scale = 1;
   Damping damping;
   std::optional<Inertia> inertia;
+  std::optional<InnerParts> inner;
   std::optional<FrequencyDependence> frequency_dependence;
   std::optional<Linearization> nonlinear;  ///< neither scaled nor damped
   std::optional<Vector12> preload;         ///< forces and moments on the ends N, K in the state about which it vibrates
@@ -71,6 +82,8 @@ struct Law {
 
 /// Stiffness at ω = 0, scaled, with the tangent of the nonlinear parts.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
+/// What the inner parts add to the 12×12 at a frequency: their coordinates are free of other forces.
+[[nodiscard]] Matrix12c with_inner_parts(const Law& law, std::complex<double> omega);
 /// Viscous damping matrix at the ends, with that of the nonlinear parts.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);
 [[nodiscard]] double loss_factor(const Law& law);
@@ -78,9 +91,9 @@ struct Law {
 /// Is D(ω) more than `matrices` can represent exactly?
 [[nodiscard]] bool is_frequency_dependent(const Law& law);
 
-/// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, then strains
-/// of Maxwell branches without mass): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then an approximation for
-/// modes and starting values.
+/// The element as a linear system in 12 end displacements and its internal coordinates (modes of its mass, strains of
+/// Maxwell branches without mass, then the inner parts): K(1 + iη), B, M. Exact unless `is_frequency_dependent`; then
+/// an approximation for modes and starting values.
 struct Matrices {
   Eigen::MatrixXd stiffness, damping, mass;
   double loss_factor = 0;

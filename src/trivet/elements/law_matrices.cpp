@@ -7,6 +7,7 @@
 
 #include "trivet/elements/law.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 
 namespace trivet::elements {
@@ -54,6 +55,33 @@ void add_branch(const Strains& strain, double ratio, double time, Matrices& m) {
   m.stiffness.block(old, 0, rank, first) = -signed_shape.transpose();
   m.stiffness.bottomRightCorner(rank, rank) = ratio * Eigen::MatrixXd(strain.sign.asDiagonal());
   m.damping.bottomRightCorner(rank, rank) = ratio * time * Eigen::MatrixXd(strain.sign.asDiagonal());
+}
+
+/// Stiffness, damping and mass of the inner parts with the tangents of their laws.
+InnerParts tangents_of_inner_parts(const Law& law) {
+  InnerParts parts = *law.inner;
+  if (!law.nonlinear || law.nonlinear->inner_tangent.size() == 0) return parts;
+  parts.stiffness.diagonal().tail(parts.count()) += law.nonlinear->inner_tangent;
+  parts.damping.diagonal().tail(parts.count()) += law.nonlinear->inner_damping;
+  return parts;
+}
+
+/// Appends the inner parts, with the tangents of their laws.
+void add_inner_parts(const Law& law, Matrices& m) {
+  const InnerParts parts = tangents_of_inner_parts(law);
+  const Eigen::Index old = m.stiffness.rows(), n = parts.count();
+  std::vector<Eigen::Index> places;
+  for (Eigen::Index i = 0; i < 12; ++i) places.push_back(i);
+  for (Eigen::Index i = 0; i < n; ++i) places.push_back(old + i);
+  const auto add = [&](const Eigen::MatrixXd& part, Eigen::MatrixXd& whole) {
+    whole.conservativeResize(old + n, old + n);
+    whole.rightCols(n).setZero();
+    whole.bottomRows(n).setZero();
+    whole(places, places) += part;
+  };
+  add(parts.stiffness, m.stiffness);
+  add(parts.damping, m.damping);
+  add(parts.mass, m.mass);
 }
 
 RationalForm rational(const Viscoelastic& law) {
@@ -121,7 +149,16 @@ Matrices matrices(const Law& law) {
     m.stiffness.topLeftCorner<12, 12>() += law.nonlinear->tangent;
     m.damping.topLeftCorner<12, 12>() += law.nonlinear->damping;
   }
+  if (law.inner) add_inner_parts(law, m);
   return m;
+}
+
+Matrix12c with_inner_parts(const Law& law, Complex omega) {
+  const InnerParts parts = tangents_of_inner_parts(law);
+  const Eigen::MatrixXcd z = parts.stiffness + Complex(0, 1) * omega * parts.damping - omega * omega * parts.mass;
+  const Eigen::Index n = parts.count();
+  const Eigen::MatrixXcd inner = z.bottomRightCorner(n, n), coupling = z.bottomLeftCorner(n, 12);
+  return z.topLeftCorner<12, 12>() - coupling.transpose() * numerics::PivotedLu<Complex>(inner).solve(coupling);
 }
 
 Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
@@ -145,6 +182,7 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
     result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
   if (law.nonlinear)
     result += law.nonlinear->tangent.cast<Complex>() + Complex(0, 1) * omega * law.nonlinear->damping.cast<Complex>();
+  if (law.inner) result += with_inner_parts(law, omega);
   return result;
 }
 

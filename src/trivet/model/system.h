@@ -125,6 +125,10 @@ struct NonlinearPart {
   double centre = 0.5;  ///< point of the deflection: fraction of the arm from N
   elements::ScalarLaws laws;
   double at_rest = 0;  ///< its deflection in the position of rest [m, rad]
+  int inner = -1;      ///< instead of axis and centre: the inner coordinate of the element that is the deflection
+
+  [[nodiscard]] bool is_inner() const { return inner >= 0; }
+  [[nodiscard]] bool is_rotation() const { return !is_inner() && axis >= 3; }
 };
 
 struct Element {

@@ -83,7 +83,17 @@ model::System with_references(const model::System& system, const References& ref
     if (element.nonlinear_parts.empty()) continue;
     const model::Span span = model::span(description.bodies, element.n, element.k);
     elements::Linearization sum;
+    if (element.law.inner)
+      sum.inner_tangent = sum.inner_damping = sum.inner_offset = Eigen::VectorXd::Zero(element.law.inner->count());
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      if (part.is_inner()) {
+        const elements::SmallMotion& reference = references[next++];
+        sum.inner_tangent(part.inner) += reference.stiffness;
+        sum.inner_damping(part.inner) += reference.damping;
+        sum.inner_offset(part.inner) +=
+            elements::force_at_rest(part.laws, part.at_rest).force - reference.stiffness * part.at_rest;
+        continue;
+      }
       const elements::Vector12 row =
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
       const elements::SmallMotion& reference = references[next++];
@@ -98,6 +108,11 @@ model::System with_references(const model::System& system, const References& ref
   return std::move(*checked);
 }
 
+std::string name_of(const model::Element& element, const model::NonlinearPart& part) {
+  if (part.is_inner()) return element.name + "." + element.law.inner->names[to_size(part.inner)];
+  return element.name + ".deflection." + model::coordinate_names[to_size(part.axis)];
+}
+
 std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled,
                                               const References& references) {
   std::vector<Deflection> found;
@@ -107,13 +122,13 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
     const assembly::ElementMap& map = assembled.elements[e];
     const model::Span span = model::span(system.bodies(), element.n, element.k);
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
-      const Eigen::Matrix<double, 1, 12> row =
-          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
-      Deflection deflection{element.name + ".deflection." + model::coordinate_names[to_size(part.axis)], part.axis >= 3,
-                            Eigen::VectorXd::Zero(assembled.matrices.size()),
-                            Eigen::VectorXd::Zero(assembled.ground.size()),
-                            LawAbout(part.laws, part.at_rest, references[found.size()])};
-      const Eigen::RowVectorXd on_free = row * map.ends.topRows<12>(), on_ground = row * map.ground_ends.topRows<12>();
+      Deflection deflection{
+          name_of(element, part), part.is_rotation(), Eigen::VectorXd::Zero(assembled.matrices.size()),
+          Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout(part.laws, part.at_rest, references[found.size()])};
+      Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
+      if (part.is_inner()) row(row.size() - element.law.inner->count() + part.inner) = 1;
+      else row.head<12>() = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
+      const Eigen::RowVectorXd on_free = row * map.ends, on_ground = row * map.ground_ends;
       for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
       for (Eigen::Index c = 0; c < on_ground.size(); ++c)
         deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);

@@ -32,6 +32,9 @@ using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear p
 /// parts, so that static results are those of the nonlinear machine.
 [[nodiscard]] model::System with_references(const model::System& system, const References& references);
 
+/// "mount.deflection.z", or "mount.track" of an inner part.
+[[nodiscard]] std::string name_of(const model::Element& element, const model::NonlinearPart& part);
+
 /// All nonlinear parts of a system made by `with_references`.
 [[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
                                                             const assembly::Assembled& assembled,

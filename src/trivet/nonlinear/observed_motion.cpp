@@ -38,6 +38,10 @@ MatrixXd direct_forces(const model::System& system, const assembly::Assembled& a
     const model::Element& element = system.elements()[e];
     const model::Span span = model::span(system.bodies(), element.n, element.k);
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
+      if (part.is_inner()) {  // its forces stay inside the element
+        direct.col(column++).setZero();
+        continue;
+      }
       model::Description description = system.description();
       description.elements[e].law.nonlinear->offset +=
           elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();

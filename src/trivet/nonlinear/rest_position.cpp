@@ -21,7 +21,8 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       if (notes.empty())
         notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
-      const bool turns = part.axis >= 3;
+      const bool turns = part.is_rotation();
+      if (part.is_inner()) continue;
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],

@@ -80,7 +80,7 @@ const char* multipliers_of(const SteadyBranch& branch) {
 }
 
 /// Points, folds and changes of one curve.
-Json curve(const SteadyBranch& branch) {
+Json followed_curve(const SteadyBranch& branch) {
   Json result{{"ended", branch.ended},
               {"closed", branch.closed},
               {"points", Json::array()},
@@ -117,12 +117,12 @@ Json steady(const project::Case&, const study::Answers& answers) {
               {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
-  result.update(curve(branch));
+  result.update(followed_curve(branch));
   if (branch.search)
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
                         {"load_up_to", branch.search->load_up_to}};
-  for (const SteadyBranch& detached : branch.detached) result["detached"].push_back(curve(detached));
+  for (const SteadyBranch& detached : branch.detached) result["detached"].push_back(followed_curve(detached));
   return result;
 }
 

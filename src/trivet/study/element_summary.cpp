@@ -41,6 +41,7 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
   std::vector<ElementLaws> all;
   for (const model::NonlinearPart& part : element.nonlinear_parts) {
+    if (part.is_inner()) continue;
     const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
     const double own =
         element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);

@@ -49,7 +49,7 @@ std::vector<Stop> stops_of(const model::System& system) {
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
-        if (const auto* stop = std::get_if<elements::GapStop>(&law))
+        if (const auto* stop = std::get_if<elements::GapStop>(&law); stop && !part.is_inner())
           stops.push_back({element.name, deflection, stop->upper() - part.at_rest, part.at_rest - stop->lower()});
       ++deflection;
     }

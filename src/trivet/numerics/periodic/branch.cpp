@@ -62,17 +62,30 @@ bool set_direction(BranchPoint& point, const PivotedLu<double>& factors, const V
 
 }  // namespace
 
+namespace {
+
+/// Do Newton steps no longer shrink, because round-off of the equations is larger than the tolerance?
+bool is_round_off(double size, double before) {
+  constexpr double small = 1e-8, shrinks = 0.3;
+  return size < small && before < small && size > shrinks * before;
+}
+
+}  // namespace
+
 std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter, bool downwards) const {
   BranchPoint point{guess, parameter, scale(guess), {}, 0};
   Equations equations;
-  for (double last = 1; last > options_.tolerance; ++point.iterations) {
+  bool done = false;
+  for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
     evaluate_(point.unknowns, parameter, equations);
     const VectorXd change = PivotedLu<double>(equations.by_unknowns).solve(equations.value);
     if (!change.allFinite()) return std::nullopt;
     point.unknowns -= change;
     point.scale = scale(point.unknowns);
-    last = change.cwiseQuotient(point.scale.head(change.size())).norm();
+    const double size = change.cwiseQuotient(point.scale.head(change.size())).norm();
+    done = size <= options_.tolerance || is_round_off(size, last);
+    last = size;
   }
   VectorXd along = VectorXd::Zero(guess.size() + 1);
   along(guess.size()) = downwards ? -1 : 1;
@@ -109,7 +122,7 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, b
     // The next step would be smaller by the same factor at least; the direction is that of the place before the step.
     constexpr double good_direction = 1e-5;
     const double size = change.norm();
-    done = size <= options_.tolerance ||
+    done = size <= options_.tolerance || is_round_off(size, last) ||
         (!exact_direction && size <= good_direction && size * size <= options_.tolerance * last);
     last = size;
   }

@@ -44,6 +44,7 @@ struct ElementLaw {
   row(table) \
   row(air_spring) \
   row(wire_rope) \
+  row(hydromount) \
   row(coil_spring) \
   row(rubber_disc) \
   row(rubber_block) \

@@ -54,6 +54,9 @@ class ElementReader {
     if (law_ && law_->placed) law_->placed(reader_, ends_, element_);
     if (!law_) refuse_type();
     if (!law_ || law_->takes_damping) read_damping(reader_, ends_.span, ends_.damping_at, element_);
+    if (element_.law.inner && elements::is_frequency_dependent(element_.law))
+      reader_.error("damping", "fractional damping of a " + element_.type,
+                    "its fluid needs rubber with constant matrices", "take zener or maxwell");
     if (law_ && law_->type != std::string("stop")) read_laws(reader_, ends_.span, element_);
     if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, in_file_);
     if (law_) reader_.finish();

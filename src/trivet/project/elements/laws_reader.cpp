@@ -66,7 +66,13 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
         "", "no law",
         "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, gas, damping_curve, friction and bouc_wen",
         "give one, or remove it");
-  if (!part.laws.empty()) element.nonlinear_parts.push_back(std::move(part));
+  if (part.laws.empty()) return;
+  for (model::NonlinearPart& other : element.nonlinear_parts)  // of the type of the element
+    if (!other.is_inner() && other.axis == axis && other.centre == centre) {
+      other.laws.insert(other.laws.end(), part.laws.begin(), part.laws.end());
+      return;
+    }
+  element.nonlinear_parts.push_back(std::move(part));
 }
 
 }  // namespace

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+/// A hydromount against the closed forms of its lumped model (the form of Singh, Kim, Ravindra, J. Sound Vib. 158
+/// (1992)), with the decoupler closed and open, and against marching in time between them.
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+using Complex = std::complex<double>;
+
+constexpr double pi = std::numbers::pi;
+
+std::string mount(const std::string& decoupler, double force = 100) {
+  return R"(trivet = 1
+[bodies.m]
+mass = 100
+free = ["z"]
+[elements.mount]
+type = "hydromount"
+on = "m"
+at = [0, 0, 0]
+translation = [1e5, 1e5, 1.8e5]
+damping = {translation = [0, 0, 90]}
+upper = 4e10
+lower = 1e9
+piston_area = 0.0032
+track = {inertance = 2.5e6, resistance = 1.6e8}
+)" + decoupler +
+      "[excitations.F]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [0, 0, " + std::to_string(force) +
+      "]\n";
+}
+
+constexpr const char* with_decoupler = "decoupler = {inertance = 8e4, resistance = 2e7, play = 2e-6}\n";
+/// Nothing holds it, as in the closed form.
+constexpr const char* with_free_decoupler =
+    "decoupler = {inertance = 8e4, resistance = 2e7, play = 2e-6, centring = 1e-6}\n";
+
+Complex along_axis(const std::string& text, double hertz) {
+  const project::Project project = test::project(text);
+  return elements::dynamic_stiffness(project.base().system.elements()[0].law, 2 * pi * hertz)(8, 8);
+}
+
+void expect_near(Complex found, Complex expected, double relative) {
+  EXPECT_LT(std::abs(found - expected), relative * std::abs(expected)) << found << " " << expected;
+}
+
+TEST(Hydromount, StiffnessOverFrequencyWithTheDecouplerClosedAndOpen) {
+  const struct Row {
+    double hertz;
+    Complex closed, open;
+  } rows[] = {{1, {189267.82374938024, 10405.216972859122}, {189957.06406913415, 1654.9480898679935}},
+              {5, {171516.11959610274, 57366.157887106194}, {189186.48456794923, 8353.782193992209}},
+              {10, {113000.79163380756, 159565.46563950577}, {186949.53399151156, 17038.902912711903}},
+              {15, {59256.05670140666, 434025.44123576523}, {183402.67156546842, 26096.934401653707}},
+              {20, {528283.7497246393, 821542.793924356}, {178486.3743771215, 35584.2971538102}},
+              {50, {664748.8128774909, 46634.34805208131}, {112343.29890677714, 113346.06371163897}},
+              {150, {597080.9587795605, 85340.56011677139}, {1006210.3604089541, 350820.5973352066}}};
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.hertz);
+    expect_near(along_axis(mount(""), row.hertz), row.closed, 1e-10);
+    expect_near(along_axis(mount(with_free_decoupler), row.hertz), row.open, 1e-10);
+  }
+}
+
+TEST(Hydromount, SlowStiffnessContainsBothChambers) {
+  const project::Project project = test::project(mount(""));
+  EXPECT_THAT(elements::stiffness(project.base().system.elements()[0].law)(8, 8),
+              RelativelyNear(189990.24390243902, 1e-12));
+}
+
+/// Largest deflection of the mass at 8 Hz.
+double largest(const std::string& text) {
+  nonlinear::SteadyOptions options{.from = 2 * pi * 3, .to = 2 * pi * 30, .harmonics = 31, .of = {"m.z"}};
+  options.at = {2 * pi * 8};
+  const project::Project project = test::project(text);
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(project.base().system, options);
+  return branch.at.empty() ? NAN : branch.at[0].results[0].largest;
+}
+
+TEST(Hydromount, SmallMotionIsThatOfTheOpenDecouplerAndLargeMotionThatOfTheClosedOne) {
+  const Complex open = along_axis(mount(with_decoupler), 8), closed = along_axis(mount(""), 8);
+  const double inertia = 100 * std::pow(2 * pi * 8, 2);
+  EXPECT_THAT(largest(mount(with_decoupler, 1)), RelativelyNear(1 / std::abs(open - inertia), 1e-9));
+  constexpr double play_left = 0.05;  // its seat is as soft as the upper chamber
+  EXPECT_THAT(largest(mount(with_decoupler, 1e4)), RelativelyNear(1e4 / std::abs(closed - inertia), play_left));
+}
+
+/// Mass, track with quadratic losses and decoupler that opens and closes, by Runge and Kutta's method.
+TEST(Hydromount, BetweenThemAsMarchedInTime) {
+  constexpr double upper = 4e10, lower = 1e9, area = 0.0032, omega = 2 * pi * 8, force = 100, play = 2e-6, track = 5e11;
+  const std::string text = mount(with_decoupler, force);
+  std::string lossy = text;
+  lossy.replace(lossy.find("resistance = 1.6e8"), 18, "resistance = 1.6e8, quadratic_resistance = 5e11");
+  using State = Eigen::Matrix<double, 6, 1>;  // m.z, its rate, volumes and flows of track and decoupler
+  const double seat = upper, dissipation = 2 / (std::sqrt(seat / 8e4) * 0.1 * play);
+  const auto slope = [&](double t, const State& y) {
+    const double p_upper = upper * (-area * y(0) - y(2) - y(4)), p_lower = lower * (y(2) + y(4));
+    double closing = 0;
+    if (std::abs(y(4)) > play) {
+      const double sign = y(4) > 0 ? 1 : -1;
+      closing = sign * seat * (std::abs(y(4)) - play) * std::max(0.0, 1 + dissipation * sign * y(5));
+    }
+    State rate;
+    rate << y(1), (force * std::cos(omega * t) - 1.8e5 * y(0) - 90 * y(1) + area * p_upper) / 100, y(3),
+        (p_upper - p_lower - 1.6e8 * y(3) - track * y(3) * std::abs(y(3))) / 2.5e6, y(5),
+        (p_upper - p_lower - 2e7 * y(5) - 1e4 * y(4) - closing) / 8e4;
+    return rate;
+  };
+  constexpr int periods = 60, steps = 8000;
+  const double h = 2 * pi / omega / steps;
+  State y = State::Zero();
+  double expected = 0;
+  for (int i = 0; i < periods * steps; ++i) {
+    const double t = i * h;
+    const State k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1), k3 = slope(t + h / 2, y + h / 2 * k2),
+                k4 = slope(t + h, y + h * k3);
+    y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    if (i >= (periods - 1) * steps) expected = std::max(expected, y(0));
+  }
+  EXPECT_THAT(largest(lossy), RelativelyNear(expected, 5e-4));  // 31 harmonics of a seat with a kink
+  EXPECT_GT(std::abs(largest(text) / expected - 1), 1e-3);      // the quadratic loss counts
+}
+
+}  // namespace
