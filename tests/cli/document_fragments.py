@@ -111,7 +111,7 @@ ON_THE_FRAME = (
 KEYS = "docs/project-file.md"
 
 POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
-ON_HYDROMOUNTS = (SOURCE / "examples/hydromount/engine.toml").read_text()
+ON_HYDROMOUNTS = (SOURCE / "examples/hydromount/engine.toml").read_text().replace("gravity", "# gravity")
 SUSPENDED = """trivet = 1
 [bodies.machine]
 mass = 40
