@@ -48,6 +48,13 @@ double loss_factor(const Law& law) {
   return loss ? loss->value : 0;
 }
 
+Eigen::Matrix<double, 3, 12> difference_rows(const Eigen::Matrix3d& n_from_k) {
+  Eigen::Matrix<double, 3, 12> rows = Eigen::Matrix<double, 3, 12>::Zero();
+  rows.leftCols<3>() = -n_from_k.transpose();
+  rows.middleCols<3>(6).setIdentity();
+  return rows;
+}
+
 Matrix12 from_moved_end(const Matrix6& moved_end, const Eigen::Vector3d& arm) {
   const Matrix6x12 e = relative_motion(arm, 1);
   return e.transpose() * moved_end * e;

@@ -124,6 +124,9 @@ struct Matrices {
 [[nodiscard]] Eigen::Matrix<double, 1, 12> deflection_row(int axis, const Eigen::Vector3d& arm,
                                                           const Eigen::Matrix3d& n_from_k, double centre);
 
+/// Translations of end K less those of end N, axes of K, on the 12 end displacements.
+[[nodiscard]] Eigen::Matrix<double, 3, 12> difference_rows(const Eigen::Matrix3d& n_from_k);
+
 /// The same element with separate axes for N: rows and columns of N rotated by `n_from_k`.
 [[nodiscard]] Matrix12 in_end_axes(const Matrix12& in_axes_of_k, const Eigen::Matrix3d& n_from_k);
 

@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "trivet/elements/distance_force.h"
 #include "trivet/elements/law.h"
-#include "trivet/elements/scalar_law.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
 #include "trivet/model/observations.h"
@@ -131,6 +131,13 @@ struct NonlinearPart {
   [[nodiscard]] bool is_rotation() const { return !is_inner() && axis >= 3; }
 };
 
+/// A force over the distance of the ends, in addition to the linear law. Its deflections are the translations of end K
+/// less those of end N, axes of K.
+struct DistancePart {
+  elements::DistanceForce law;
+  Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();  ///< deflections in the position of rest [m]
+};
+
 struct Element {
   std::string name;
   std::string type;  ///< the law's name in the project file, for messages and reports
@@ -138,6 +145,7 @@ struct Element {
   End k;
   elements::Law law;
   std::vector<NonlinearPart> nonlinear_parts;
+  std::vector<DistancePart> distance_parts;
   bool symmetric = true;
   bool allow_residual = false;
   bool is_foundation = false;    ///< impedance of a ground point: elements on it count as "on the ground"
@@ -149,6 +157,11 @@ struct Element {
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< first natural frequency of the element itself
                                                                     ///< if its mass is neglected [rad/s]
 };
+
+/// Has it any nonlinear parts?
+[[nodiscard]] inline bool has_laws(const Element& element) {
+  return !element.nonlinear_parts.empty() || !element.distance_parts.empty();
+}
 
 /// True for the impedance from the ground (N) to a foundation (K).
 [[nodiscard]] inline bool joins_foundation_to_ground(const Element& element) {

@@ -11,7 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
 #include "trivet/nonlinear/deflections.h"
-#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/branch.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -40,6 +40,16 @@ std::vector<Deflection> laws_of(const model::System& system, const assembly::Ass
       }
       found[next++].law = LawAbout(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
     }
+  for (const model::Element& element : system.elements())
+    for (model::DistancePart part : element.distance_parts) {
+      std::erase_if(part.law.laws, [](const elements::ScalarLaw& law) {
+        return !std::holds_alternative<elements::ElasticForce>(law);
+      });
+      for (elements::ScalarLaw& law : part.law.laws)
+        if (auto* stop = std::get_if<elements::GapStop>(&std::get<elements::ElasticForce>(law))) stop->dissipation = 0;
+      found[next].distance.emplace(part.law, part.at_rest);
+      next += 3;
+    }
   return found;
 }
 
@@ -56,19 +66,17 @@ class FreeMotion {
         K_loss_(assembled.matrices.K_loss),
         damped_(damped),
         harmonics_(harmonics),
-        across_(A_.rows(), to_index(deflections.size())) {
-    for (std::size_t j = 0; j < deflections.size(); ++j) {
-      across_.col(to_index(j)) = deflections[j].on_coordinates;
-      laws_.emplace_back(deflections[j].law, harmonics);
-      wider_.emplace_back(deflections[j].law, 3 * harmonics);
-    }
+        across_(A_.rows(), to_index(deflections.size())),
+        laws_(deflections, harmonics),
+        wider_(deflections, 3 * harmonics) {
+    for (std::size_t j = 0; j < deflections.size(); ++j) across_.col(to_index(j)) = deflections[j].on_coordinates;
   }
 
   [[nodiscard]] Index coordinates() const { return A_.rows(); }
   [[nodiscard]] Index size() const {
     return damped_ ? coordinates() * (2 * harmonics_ + 1) + 1 : coordinates() * (harmonics_ + 1);
   }
-  [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
+  [[nodiscard]] const MatrixXd& across() const { return across_; }
 
   /// Row of the Fourier coefficient c (numerics/periodic/fourier_basis.h) of the first coordinate among the unknowns;
   /// negative if it is not one of them.
@@ -91,10 +99,7 @@ class FreeMotion {
   [[nodiscard]] MatrixXd deflections(const VectorXd& unknowns) const { return motion(unknowns) * across_; }
 
   [[nodiscard]] MatrixXd forces(const VectorXd& unknowns, double omega) const {
-    const MatrixXd course = deflections(unknowns);
-    MatrixXd found(course.rows(), course.cols());
-    for (Index j = 0; j < course.cols(); ++j) found.col(j) = laws_[to_size(j)].force_at(course.col(j), omega);
-    return found;
+    return laws_.forces(deflections(unknowns), omega);
   }
 
   void evaluate(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
@@ -143,12 +148,9 @@ class FreeMotion {
   /// Largest amplitude that the harmonics from H + 1 to 3H add, as a share of the largest.
   [[nodiscard]] double left_out(const VectorXd& unknowns, double omega) const {
     const MatrixXd course = deflections(unknowns);
-    MatrixXd forces(numerics::coefficient_count(3 * harmonics_), course.cols());
-    for (Index j = 0; j < course.cols(); ++j) {
-      VectorXd padded = VectorXd::Zero(forces.rows());
-      padded.head(course.rows()) = course.col(j);
-      forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
-    }
+    MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), course.cols());
+    padded.topRows(course.rows()) = course;
+    const MatrixXd forces = wider_.forces(padded, omega);
     double sum = 0;
     for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
       const double frequency = static_cast<double>(k) * omega;
@@ -164,19 +166,19 @@ class FreeMotion {
 
  private:
   void add_forces(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
-    const MatrixXd course = deflections(unknowns);
+    const CoupledForces forces = laws_.at(deflections(unknowns), omega);
     const Index n = coordinates();
-    for (Index j = 0; j < course.cols(); ++j) {
-      const ForceHarmonics force = laws_[to_size(j)].at(course.col(j), omega);
-      const VectorXd row_of = across_.col(j);
-      for (Index c = 0; c < course.rows(); ++c) {
-        if (place(c) < 0) continue;
-        equations.value.segment(place(c), n) += force.force(c) * row_of;
-        equations.by_parameter.segment(place(c), n) += force.by_omega(c) * row_of;
-        for (Index d = 0; d < course.rows(); ++d)
-          if (place(d) >= 0)
-            equations.by_unknowns.block(place(c), place(d), n, n) += force.tangent(c, d) * row_of * row_of.transpose();
-      }
+    for (Index c = 0; c < forces.force.rows(); ++c) {
+      if (place(c) < 0) continue;
+      equations.value.segment(place(c), n) += across_ * forces.force.row(c).transpose();
+      equations.by_parameter.segment(place(c), n) += across_ * forces.by_omega.row(c).transpose();
+    }
+    for (const CoupledForces::Tangent& tangent : forces.tangents) {
+      const MatrixXd outer = across_.col(tangent.of) * across_.col(tangent.by).transpose();
+      for (Index c = 0; c < tangent.matrix.rows(); ++c)
+        for (Index d = 0; d < tangent.matrix.cols(); ++d)
+          if (place(c) >= 0 && place(d) >= 0)
+            equations.by_unknowns.block(place(c), place(d), n, n) += tangent.matrix(c, d) * outer;
     }
   }
 
@@ -184,7 +186,7 @@ class FreeMotion {
   bool damped_;
   Index harmonics_;
   MatrixXd across_;  ///< coordinates × deflections
-  std::vector<LawHarmonics> laws_, wider_;
+  MachineLaws laws_, wider_;
   VectorXd phase_;
   double ratio_scale_ = 1;
 };
@@ -320,7 +322,12 @@ class FreeCourse {
     if (!options_.damped) {
       const VectorXd q = (numerics::fourier_row(options_.harmonics, 0) * motion).transpose();
       double sum = q.dot(assembled_.matrices.K * q) / 2;
-      for (const Deflection& deflection : deflections_) sum += deflection.law.energy(deflection.on_coordinates.dot(q));
+      const VectorXd deviations = motion_.across().transpose() * q;
+      for (Index j = 0; j < deviations.size(); ++j) {
+        const Deflection& deflection = deflections_[to_size(j)];
+        sum += deflection.law.energy(deviations(j));
+        if (deflection.distance) sum += deflection.distance->energy(deviations.segment<3>(j));
+      }
       return sum;
     }
     MatrixXd rates(motion.rows(), motion.cols());

@@ -50,7 +50,7 @@ elements::SmallMotion positive_reference(const model::NonlinearPart& part) {
 
 bool is_nonlinear(const model::System& system) {
   return std::any_of(system.elements().begin(), system.elements().end(),
-                     [](const model::Element& element) { return !element.nonlinear_parts.empty(); });
+                     [](const model::Element& element) { return model::has_laws(element); });
 }
 
 bool has_slack_dampers(const model::System& system) {
@@ -80,7 +80,7 @@ model::System with_references(const model::System& system, const References& ref
   model::Description description = system.description();
   std::size_t next = 0;
   for (model::Element& element : description.elements) {
-    if (element.nonlinear_parts.empty()) continue;
+    if (!model::has_laws(element)) continue;
     const model::Span span = model::span(description.bodies, element.n, element.k);
     elements::Linearization sum;
     if (element.law.inner)
@@ -101,6 +101,13 @@ model::System with_references(const model::System& system, const References& ref
       sum.damping += reference.damping * row * row.transpose();
       sum.offset += (elements::force_at_rest(part.laws, part.at_rest).force - reference.stiffness * part.at_rest) * row;
     }
+    for (const model::DistancePart& part : element.distance_parts) {
+      const Eigen::Matrix<double, 3, 12> rows = elements::difference_rows(span.n_from_k);
+      const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
+      sum.tangent += rows.transpose() * there.by_deflection * rows;
+      sum.damping += rows.transpose() * there.by_rate * rows;
+      sum.offset += rows.transpose() * (there.force - there.by_deflection * part.at_rest);
+    }
     element.law.nonlinear = sum;
   }
   auto checked = model::System::checked(std::move(description));
@@ -112,6 +119,33 @@ std::string name_of(const model::Element& element, const model::NonlinearPart& p
   if (part.is_inner()) return element.name + "." + element.law.inner->names[to_size(part.inner)];
   return element.name + ".deflection." + model::coordinate_names[to_size(part.axis)];
 }
+
+namespace {
+
+void add_distances(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found) {
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const assembly::ElementMap& map = assembled.elements[e];
+    for (const model::DistancePart& part : element.distance_parts) {
+      const Eigen::Matrix<double, 3, 12> rows =
+          elements::difference_rows(model::span(system.bodies(), element.n, element.k).n_from_k);
+      const Eigen::MatrixXd on_free = rows * map.ends.topRows<12>(), on_ground = rows * map.ground_ends.topRows<12>();
+      for (Eigen::Index a = 0; a < 3; ++a) {
+        Deflection deflection{element.name + ".difference." + model::coordinate_names[to_size(a)], false,
+                              Eigen::VectorXd::Zero(assembled.matrices.size()),
+                              Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
+        for (Eigen::Index c = 0; c < on_free.cols(); ++c)
+          deflection.on_coordinates(map.rows[to_size(c)]) += on_free(a, c);
+        for (Eigen::Index c = 0; c < on_ground.cols(); ++c)
+          deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(a, c);
+        if (a == 0) deflection.distance.emplace(part.law, part.at_rest);
+        found.push_back(std::move(deflection));
+      }
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled,
                                               const References& references) {
@@ -135,6 +169,7 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
       found.push_back(std::move(deflection));
     }
   }
+  add_distances(system, assembled, found);
   return found;
 }
 

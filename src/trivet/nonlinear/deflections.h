@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
+#include "trivet/nonlinear/distance_about.h"
 #include "trivet/nonlinear/law_about.h"
 
 namespace trivet::nonlinear {
@@ -17,6 +19,7 @@ struct Deflection {
   Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
   Eigen::VectorXd on_ground;       ///< ground coordinates
   LawAbout law;                    ///< beyond the tangents that the assembled machine contains
+  std::optional<DistanceAbout> distance = {};  ///< over this deflection and the next two
 };
 
 /// Stiffness and damping in place of a nonlinear part.
@@ -35,7 +38,8 @@ using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear p
 /// "mount.deflection.z", or "mount.track" of an inner part.
 [[nodiscard]] std::string name_of(const model::Element& element, const model::NonlinearPart& part);
 
-/// All nonlinear parts of a system made by `with_references`.
+/// All nonlinear parts of a system, first those over one deflection, then three deflections for each distance, made by
+/// `with_references`.
 [[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
                                                             const assembly::Assembled& assembled,
                                                             const References& references);

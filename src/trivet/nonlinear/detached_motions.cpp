@@ -24,6 +24,7 @@ std::vector<double> sizes(const SteadyPath& path, const std::vector<Deflection>&
   for (Index j = 0; j < to_index(deflections.size()); ++j) {
     double size = linear.segment(j * C, C).norm();
     for (const double kink : deflections[to_size(j)].law.kinks()) size = std::max(size, std::abs(kink));
+    if (deflections[to_size(j)].distance) size = std::max(size, deflections[to_size(j)].distance->extent());
     found.push_back(size);
     largest = std::max(largest, size);
   }

@@ -12,12 +12,7 @@ using Eigen::VectorXd;
 
 HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  Index harmonics)
-    : machine_(machine), harmonics_(harmonics) {
-  for (const Deflection& deflection : deflections) {
-    laws_.emplace_back(deflection.law, harmonics);
-    wider_.emplace_back(deflection.law, 3 * harmonics);
-  }
-}
+    : machine_(machine), harmonics_(harmonics), laws_(deflections, harmonics), wider_(deflections, 3 * harmonics) {}
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 
@@ -42,37 +37,39 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   equations.value = unknowns;
   equations.by_unknowns.setIdentity(size(), size());
   equations.by_parameter.setZero(size());
-  std::vector<ForceHarmonics> forces;
-  for (Index j = 0; j < m; ++j) forces.push_back(laws_[to_size(j)].at(unknowns.segment(j * C, C), omega));
+  const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
   const MatrixXd& at_rest = machine_.static_receptance();
-  for (Index i = 0; i < m; ++i)
-    for (Index j = 0; j < m; ++j) {
-      const ForceHarmonics& force = forces[to_size(j)];
-      equations.value(i * C) += at_rest(i, j) * force.force(0);
-      equations.by_unknowns.block(i * C, j * C, 1, C) += at_rest(i, j) * force.tangent.topRows<1>();
-      equations.by_parameter(i * C) += at_rest(i, j) * force.by_omega(0);
-    }
+  for (Index i = 0; i < m; ++i) {
+    equations.value(i * C) += at_rest.row(i).dot(forces.force.row(0));
+    equations.by_parameter(i * C) += at_rest.row(i).dot(forces.by_omega.row(0));
+    for (const CoupledForces::Tangent& tangent : forces.tangents)
+      equations.by_unknowns.block(i * C, tangent.by * C, 1, C) += at_rest(i, tangent.of) * tangent.matrix.topRows<1>();
+  }
   Receptance linear;
   for (Index k = 1; k <= harmonics_; ++k) {
     machine_.set_receptance(static_cast<double>(k) * omega, linear);
-    for (Index i = 0; i < m; ++i)
+    const Index cosine = 2 * k - 1, sine = 2 * k;
+    // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
+    for (Index i = 0; i < m; ++i) {
+      const Index row = i * C + cosine;
       for (Index j = 0; j < m; ++j) {
-        // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
-        const ForceHarmonics& force = forces[to_size(j)];
         const std::complex<double> g = linear.receptance(i, j), slope = static_cast<double>(k) * linear.slope(i, j);
-        const Index row = i * C + 2 * k - 1, cosine = 2 * k - 1, sine = 2 * k;
-        const double fa = force.force(cosine), fb = force.force(sine), wa = force.by_omega(cosine),
-                     wb = force.by_omega(sine);
+        const double fa = forces.force(cosine, j), fb = forces.force(sine, j), wa = forces.by_omega(cosine, j),
+                     wb = forces.by_omega(sine, j);
         equations.value(row) += g.real() * fa + g.imag() * fb;
         equations.value(row + 1) += g.real() * fb - g.imag() * fa;
         equations.by_parameter(row) += slope.real() * fa + slope.imag() * fb + g.real() * wa + g.imag() * wb;
         equations.by_parameter(row + 1) += slope.real() * fb - slope.imag() * fa + g.real() * wb - g.imag() * wa;
+      }
+      for (const CoupledForces::Tangent& tangent : forces.tangents) {
+        const std::complex<double> g = linear.receptance(i, tangent.of);
         for (Index c = 0; c < C; ++c) {
-          const double ta = force.tangent(cosine, c), tb = force.tangent(sine, c);
-          equations.by_unknowns(row, j * C + c) += g.real() * ta + g.imag() * tb;
-          equations.by_unknowns(row + 1, j * C + c) += g.real() * tb - g.imag() * ta;
+          const double ta = tangent.matrix(cosine, c), tb = tangent.matrix(sine, c);
+          equations.by_unknowns(row, tangent.by * C + c) += g.real() * ta + g.imag() * tb;
+          equations.by_unknowns(row + 1, tangent.by * C + c) += g.real() * tb - g.imag() * ta;
         }
       }
+    }
   }
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
@@ -92,20 +89,13 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
 }
 
 MatrixXd HarmonicBalance::forces(const VectorXd& unknowns, double omega) const {
-  MatrixXd all(coefficients(), machine_.size());
-  for (Index j = 0; j < machine_.size(); ++j)
-    all.col(j) = laws_[to_size(j)].force_at(unknowns.segment(j * coefficients(), coefficients()), omega);
-  return all;
+  return laws_.forces(unknowns.reshaped(coefficients(), machine_.size()), omega);
 }
 
 double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
-  const Index C = coefficients(), m = machine_.size();
-  MatrixXd forces(numerics::coefficient_count(3 * harmonics_), m);
-  for (Index j = 0; j < m; ++j) {
-    VectorXd padded = VectorXd::Zero(forces.rows());
-    padded.head(C) = unknowns.segment(j * C, C);
-    forces.col(j) = wider_[to_size(j)].force_at(padded, omega);
-  }
+  MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), machine_.size());
+  padded.topRows(coefficients()) = unknowns.reshaped(coefficients(), machine_.size());
+  const MatrixXd forces = wider_.forces(padded, omega);
   return added(forces, harmonics_, omega) / unknowns.cwiseAbs().maxCoeff();
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "trivet/nonlinear/condensed_machine.h"
-#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
@@ -31,7 +31,7 @@ class HarmonicBalance {
                 numerics::Equations& equations) const;
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(const Driving& driving) const;
-  [[nodiscard]] const std::vector<LawHarmonics>& laws() const { return laws_; }
+  [[nodiscard]] const MachineLaws& laws() const { return laws_; }
   /// Coefficients × deflections: the forces over a motion.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns, double omega) const;
   /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
@@ -45,8 +45,8 @@ class HarmonicBalance {
 
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
-  std::vector<LawHarmonics> laws_;
-  std::vector<LawHarmonics> wider_;  ///< the same laws with 3H harmonics: those of a cube
+  MachineLaws laws_;
+  MachineLaws wider_;  ///< the same laws with 3H harmonics: those of a cube
 };
 
 }  // namespace trivet::nonlinear

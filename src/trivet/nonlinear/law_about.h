@@ -36,6 +36,7 @@ class LawAbout {
   [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
   /// Are all tangents constant between kinks?
   [[nodiscard]] bool is_piecewise_linear() const;
+  [[nodiscard]] bool is_empty() const { return laws_.empty(); }
   [[nodiscard]] bool has_dampers() const { return has_dampers_; }
 
   /// Deviations and rates at which the parts without memory are not smooth, ascending.

@@ -6,6 +6,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"
 
 namespace trivet::nonlinear {
@@ -21,38 +22,6 @@ Index sample_count(Index harmonics) {
   Index count = fewest;
   while (count < per_harmonic * harmonics + 2) count *= 2;
   return count;
-}
-
-/// Derivatives of the force by the coefficients of the deflection, from the spectrum of the tangent: products of two
-/// harmonics k and l are those of k + l and k − l.
-Eigen::MatrixXd tangent_matrix(const VectorXd& spectrum, Index harmonics) {
-  const auto c = [&](Index n) { return n == 0 ? spectrum(0) : spectrum(2 * std::abs(n) - 1); };
-  const auto s = [&](Index n) { return n == 0 ? 0.0 : n > 0 ? spectrum(2 * n) : -spectrum(-2 * n); };
-  Eigen::MatrixXd matrix(numerics::coefficient_count(harmonics), numerics::coefficient_count(harmonics));
-  matrix(0, 0) = c(0) / 2;
-  for (Index k = 1; k <= harmonics; ++k) {
-    matrix(0, 2 * k - 1) = c(k) / 2;
-    matrix(0, 2 * k) = s(k) / 2;
-    matrix(2 * k - 1, 0) = c(k);
-    matrix(2 * k, 0) = s(k);
-    for (Index l = 1; l <= harmonics; ++l) {
-      matrix(2 * k - 1, 2 * l - 1) = (c(k - l) + c(k + l)) / 2;
-      matrix(2 * k, 2 * l - 1) = (s(k + l) + s(k - l)) / 2;
-      matrix(2 * k - 1, 2 * l) = (s(k + l) - s(k - l)) / 2;
-      matrix(2 * k, 2 * l) = (c(k - l) - c(k + l)) / 2;
-    }
-  }
-  return matrix;
-}
-
-/// Of a matrix that acts on the coefficients of dx/dφ: the one that acts on those of x.
-Eigen::MatrixXd on_motion(const Eigen::MatrixXd& on_rate) {
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(on_rate.rows(), on_rate.cols());
-  for (Index k = 1; 2 * k < on_rate.cols(); ++k) {
-    matrix.col(2 * k - 1) = -static_cast<double>(k) * on_rate.col(2 * k);
-    matrix.col(2 * k) = static_cast<double>(k) * on_rate.col(2 * k - 1);
-  }
-  return matrix;
 }
 
 }  // namespace
@@ -71,12 +40,12 @@ LawCourse LawHarmonics::course(const VectorXd& deflection, double omega) const {
 
 ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const {
   Spectra found = spectra(deflection, omega, true);
-  ForceHarmonics result{std::move(found.force), tangent_matrix(found.by_deflection, harmonics_),
+  ForceHarmonics result{std::move(found.force), numerics::product_matrix(found.by_deflection, harmonics_),
                         VectorXd::Zero(deflection.size())};
   if (found.by_memory.size() > 0) result.tangent += found.by_memory;
   if (law_.has_dampers()) {
-    const Eigen::MatrixXd on_rate = tangent_matrix(found.by_rate, harmonics_);
-    result.tangent += omega * on_motion(on_rate);
+    const Eigen::MatrixXd on_rate = numerics::product_matrix(found.by_rate, harmonics_);
+    result.tangent += omega * numerics::on_motion(on_rate);
     result.by_omega = on_rate * numerics::phase_derivative(deflection);
   }
   return result;

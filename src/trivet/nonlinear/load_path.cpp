@@ -28,10 +28,10 @@ LoadPath::LoadPath(const model::System& undeformed) {
   const Index count = to_index(deflections_.size());
   stiffness_ = assembled.matrices.K;
   across_.resize(stiffness_.rows(), count);
-  references_.resize(count);
+  references_ = VectorXd::Zero(count);  // distances are held by their tangents alone
   for (Index j = 0; j < count; ++j) {
     across_.col(j) = deflections_[to_size(j)].on_coordinates;
-    references_(j) = references[to_size(j)].stiffness;
+    if (to_size(j) < references.size()) references_(j) = references[to_size(j)].stiffness;
   }
   const VectorXd load = assembly::static_load(linear, assembled);
   const numerics::PivotedLu<double> stiffness(stiffness_);
@@ -45,21 +45,33 @@ LoadPath::LoadPath(const model::System& undeformed) {
   linear_ = across_.transpose() * stiffness.solve(load);
 }
 
+LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
+  const Index count = deflections.size();
+  Forces found{VectorXd::Zero(count), MatrixXd::Zero(count, count)};
+  for (Index j = 0; j < count; ++j) {
+    const Deflection& deflection = deflections_[to_size(j)];
+    const elements::ForceAndTangent single = deflection.law.at_rest(deflections(j));
+    found.force(j) += single.force;
+    found.tangent(j, j) += single.tangent;
+    if (!deflection.distance) continue;
+    const elements::SpatialForce spatial = deflection.distance->at(deflections.segment<3>(j), Eigen::Vector3d::Zero());
+    found.force.segment<3>(j) += spatial.force;
+    found.tangent.block<3, 3>(j, j) += spatial.by_deflection;
+  }
+  return found;
+}
+
 void LoadPath::evaluate(const VectorXd& deflections, double share, numerics::Equations& equations) const {
   const Index count = deflections.size();
-  VectorXd force(count), tangent(count);
-  for (Index j = 0; j < count; ++j) {
-    const elements::ForceAndTangent found = deflections_[to_size(j)].law.at_rest(deflections(j));
-    force(j) = found.force;
-    tangent(j) = found.tangent;
-  }
-  equations.value = deflections + receptance_ * force - share * linear_;
-  equations.by_unknowns = MatrixXd::Identity(count, count) + receptance_ * tangent.asDiagonal();
+  const Forces found = forces(deflections);
+  equations.value = deflections + receptance_ * found.force - share * linear_;
+  equations.by_unknowns = MatrixXd::Identity(count, count) + receptance_ * found.tangent;
   equations.by_parameter = -linear_;
 }
 
 std::optional<VectorXd> LoadPath::only_one() const {
-  if (!std::all_of(deflections_.begin(), deflections_.end(), [](const Deflection& d) { return d.law.is_monotone(); }))
+  if (!std::all_of(deflections_.begin(), deflections_.end(),
+                   [](const Deflection& d) { return d.law.is_monotone() && !d.distance; }))
     return std::nullopt;
   if (std::optional<VectorXd> at_once = solved(linear_, 0)) return at_once;
   std::optional<Forced> found = Forced{linear_, VectorXd::Zero(linear_.size())};
@@ -75,15 +87,13 @@ std::optional<LoadPath::Forced> LoadPath::least_energy(Forced now, double held) 
   constexpr double accurate = 1e-13, beyond = 0.1;
   const Index count = linear_.size();
   const auto forces = [&](const VectorXd& deflections) {
-    VectorXd found = held * references_.cwiseProduct(deflections);
-    for (Index j = 0; j < count; ++j) found(j) += deflections_[to_size(j)].law.at_rest(deflections(j)).force;
-    return found;
+    return VectorXd(held * references_.cwiseProduct(deflections) + this->forces(deflections).force);
   };
   for (int i = 0; i < most; ++i) {
-    VectorXd tangents = held * references_;
-    for (Index j = 0; j < count; ++j) tangents(j) += deflections_[to_size(j)].law.at_rest(now.deflections(j)).tangent;
+    MatrixXd tangents = this->forces(now.deflections).tangent;
+    tangents.diagonal() += held * references_;
     const VectorXd missing = forces(now.deflections) - now.forces;
-    const MatrixXd matrix = MatrixXd::Identity(count, count) + tangents.asDiagonal() * receptance_;
+    const MatrixXd matrix = MatrixXd::Identity(count, count) + tangents * receptance_;
     const VectorXd more = numerics::PivotedLu<double>(matrix).solve(missing), change = -(receptance_ * more);
     if (!change.allFinite()) return std::nullopt;
     if (change.norm() <= accurate * now.deflections.norm()) return now;
@@ -202,11 +212,9 @@ std::vector<VectorXd> LoadPath::all() const {
 }
 
 bool LoadPath::is_stable(const VectorXd& deflections) const {
-  VectorXd tangent(deflections.size());
-  for (Index j = 0; j < deflections.size(); ++j)
-    tangent(j) = deflections_[to_size(j)].law.at_rest(deflections(j)).tangent;
-  const MatrixXd stiffness = stiffness_ + across_ * tangent.asDiagonal() * across_.transpose();
-  const VectorXd scale = stiffness_.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  const MatrixXd stiffness = stiffness_ + across_ * forces(deflections).tangent * across_.transpose();
+  const VectorXd scale =
+      stiffness_.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
   const MatrixXd scaled = scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
   constexpr double round_off = 1e-12;
   return numerics::symmetric_eigen(scaled).values.minCoeff() > -round_off;

@@ -40,6 +40,12 @@ class LoadPath {
   [[nodiscard]] const std::vector<Deflection>& deflections() const { return deflections_; }
 
  private:
+  struct Forces {
+    Eigen::VectorXd force;
+    Eigen::MatrixXd tangent;
+  };
+  /// Of all parts at rest, beyond those of the machine.
+  [[nodiscard]] Forces forces(const Eigen::VectorXd& deflections) const;
   void evaluate(const Eigen::VectorXd& deflections, double share, numerics::Equations& equations) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;

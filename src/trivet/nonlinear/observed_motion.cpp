@@ -30,27 +30,33 @@ std::vector<double> forces_at_rest(const model::System& system, const assembly::
 MatrixXd direct_forces(const model::System& system, const assembly::Assembled& assembled,
                        const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
   Index parts = 0;
-  for (const model::Element& element : system.elements()) parts += to_index(element.nonlinear_parts.size());
+  for (const model::Element& element : system.elements())
+    parts += to_index(element.nonlinear_parts.size()) + 3 * to_index(element.distance_parts.size());
   const std::vector<double> without = forces_at_rest(system, assembled, of, quantity);
   MatrixXd direct(to_index(without.size()), parts);
   Index column = 0;
+  const auto add = [&](std::size_t e, const elements::Vector12& on_ends) {
+    model::Description description = system.description();
+    description.elements[e].law.nonlinear->offset += on_ends;
+    const model::System with_force = model::System::checked(std::move(description)).value();
+    const std::vector<double> with = forces_at_rest(with_force, assembled, of, quantity);
+    for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
+    ++column;
+  };
+  const auto span = [&](const model::Element& element) { return model::span(system.bodies(), element.n, element.k); };
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
-    const model::Span span = model::span(system.bodies(), element.n, element.k);
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
-      if (part.is_inner()) {  // its forces stay inside the element
-        direct.col(column++).setZero();
-        continue;
-      }
-      model::Description description = system.description();
-      description.elements[e].law.nonlinear->offset +=
-          elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre).transpose();
-      const model::System with_force = model::System::checked(std::move(description)).value();
-      const std::vector<double> with = forces_at_rest(with_force, assembled, of, quantity);
-      for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
-      ++column;
+      // Forces on inner coordinates stay inside the element.
+      if (part.is_inner()) direct.col(column++).setZero();
+      else
+        add(e, elements::deflection_row(part.axis, span(element).arm, span(element).n_from_k, part.centre).transpose());
     }
   }
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    for (std::size_t p = 0; p < system.elements()[e].distance_parts.size(); ++p)
+      for (Index a = 0; a < 3; ++a)
+        add(e, elements::difference_rows(span(system.elements()[e]).n_from_k).row(a).transpose());
   return direct;
 }
 

@@ -62,12 +62,17 @@ numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
 }  // namespace
 
 struct PeriodicStability::Motion {
-  Motion(const std::vector<LawHarmonics>& laws, const VectorXd& deflections, double frequency) : omega(frequency) {
-    const Index C = deflections.size() / to_index(laws.size());
+  Motion(const MachineLaws& laws, const VectorXd& deflections, double frequency) : omega(frequency) {
+    const std::vector<LawHarmonics>& single = laws.single();
+    const Index C = deflections.size() / to_index(single.size());
     harmonics = (C - 1) / 2;
-    for (std::size_t j = 0; j < laws.size(); ++j) {
-      courses.push_back(laws[j].course(deflections.segment(to_index(j) * C, C), omega));
-      is_piecewise_linear = is_piecewise_linear && laws[j].law().is_piecewise_linear();
+    for (std::size_t j = 0; j < single.size(); ++j) {
+      courses.push_back(single[j].course(deflections.segment(to_index(j) * C, C), omega));
+      is_piecewise_linear = is_piecewise_linear && single[j].law().is_piecewise_linear();
+    }
+    for (const MachineLaws::Distance& one : laws.distances()) {
+      distances.push_back({one.first, &one.law, deflections.segment(one.first * C, 3 * C).reshaped(C, 3)});
+      is_piecewise_linear = false;
     }
     for (std::size_t j = 0; j < courses.size(); ++j)
       for (const HystereticLoop& loop : courses[j].loops())
@@ -78,14 +83,22 @@ struct PeriodicStability::Motion {
     const HystereticLoop* loop;
   };
   [[nodiscard]] bool is_damped() const {
-    return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); });
+    return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
+        std::any_of(distances.begin(), distances.end(),
+                    [](const Distance& one) { return one.law->law().has_dampers(); });
   }
+  struct Distance {
+    Index first;
+    const DistanceHarmonics* law;
+    MatrixXd course;  ///< coefficients × 3
+  };
   double omega;
   Index harmonics = 0;
   bool is_piecewise_linear = true;
   std::vector<LawCourse> courses;
   std::vector<Loop> loops;     ///< with memory
   std::vector<Loop> sticking;  ///< as springs
+  std::vector<Distance> distances;
 };
 
 /// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
@@ -94,6 +107,7 @@ struct PeriodicStability::Tangents {
   VectorXd by_deflection, by_rate;
   VectorXd by_travel, by_start;  ///< one per loop
   Eigen::RowVectorXd row;        ///< of the Fourier basis
+  std::vector<elements::SpatialForce> distances;
 
   [[nodiscard]] std::vector<double> list() const {
     std::vector<double> all;
@@ -159,6 +173,9 @@ void PeriodicStability::set_tangents(const Motion& motion, double phase, Tangent
     found.by_deflection(j) = here.by_deviation;
     found.by_rate(j) = here.by_rate;
   }
+  found.distances.clear();
+  for (const Motion::Distance& one : motion.distances)
+    found.distances.push_back(one.law->at_phase(one.course, motion.omega, phase));
   const auto on_loop = [&](const Motion::Loop& one) {
     return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
   };
@@ -217,15 +234,22 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
     add_product(seen, machine, moved);
     for (Index h = 0; h < to_index(motion.loops.size()); ++h)
       tangent.by_deflection(motion.loops[to_size(h)].deflection) += tangent.by_travel(h);
+    const RowMatrix seen_now = motion.distances.empty() ? RowMatrix() : moved;
     for (Index j = 0; j < m; ++j) moved.row(j) *= tangent.by_deflection(j);
+    for (std::size_t d = 0; d < motion.distances.size(); ++d)
+      moved.middleRows<3>(motion.distances[d].first) +=
+          tangent.distances[d].by_deflection * seen_now.middleRows<3>(motion.distances[d].first);
     for (Index h = 0; h < to_index(motion.loops.size()); ++h)
       moved.row(motion.loops[to_size(h)].deflection) +=
           tangent.by_start(h) * memory.row(2 * h + 1) - tangent.by_travel(h) * memory.row(2 * h);
     if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
       rates.setZero();
       add_product(seen_rates, machine, rates);
-      for (Index j = 0; j < m; ++j) moved.row(j) += tangent.by_rate(j) * rates.row(j);
-      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (tangent.by_rate.asDiagonal() * rates_by_force);
+      MatrixXd by_rate = tangent.by_rate.asDiagonal();
+      for (std::size_t d = 0; d < motion.distances.size(); ++d)
+        by_rate.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += tangent.distances[d].by_rate;
+      moved += by_rate * rates;
+      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (by_rate * rates_by_force);
       moved = numerics::PivotedLu<double>(left).solve(MatrixXd(moved));
     }
     moved *= step;
@@ -271,12 +295,14 @@ void PeriodicStability::turn(const Motion& motion, std::size_t loop, double phas
   states.row(row + 1) = force;
 }
 
-Eigen::VectorXcd PeriodicStability::multipliers(const std::vector<LawHarmonics>& laws, const VectorXd& deflections,
+Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections,
                                                 double omega) const {
   const Motion motion(laws, deflections, omega);
   std::vector<double> corners = {0, two_pi};
   for (const LawCourse& course : motion.courses)
     for (const double phase : course.all_corners()) corners.push_back(phase);
+  for (const Motion::Distance& one : motion.distances)
+    for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
   std::sort(corners.begin(), corners.end());
   const Index all = F_.rows() + 2 * to_index(motion.loops.size());
   MatrixXd period = MatrixXd::Identity(all, all);

@@ -7,7 +7,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/nonlinear/condensed_machine.h"
-#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/periodic/linear_flow.h"
 
 namespace trivet::nonlinear {
@@ -27,7 +27,7 @@ class PeriodicStability {
   /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
   /// inside the unit circle.
   /// @param deflections  Fourier coefficients of one deflection after another
-  [[nodiscard]] Eigen::VectorXcd multipliers(const std::vector<LawHarmonics>& laws, const Eigen::VectorXd& deflections,
+  [[nodiscard]] Eigen::VectorXcd multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections,
                                              double omega) const;
 
   /// Is it that of the machine with its loss factors replaced?

@@ -28,6 +28,14 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
                                   part.at_rest, turns ? "rad" : "m"));
     }
+  for (const model::Element& element : system.elements())
+    for (const model::DistancePart& part : element.distance_parts) {
+      if (notes.empty())
+        notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
+      const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
+      notes.push_back(fmt::format("{}: a force of {:.4g} N at rest, over a distance of {:.4g} m", element.name,
+                                  there.force.norm(), part.law.distance(part.at_rest)));
+    }
   return notes;
 }
 
@@ -37,6 +45,12 @@ template <typename Visit>
 void each_part(model::Description& description, const Visit& visit) {
   for (model::Element& element : description.elements)
     for (model::NonlinearPart& part : element.nonlinear_parts) visit(part);
+}
+
+void undeform(model::Description& description) {
+  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
+  for (model::Element& element : description.elements)
+    for (model::DistancePart& part : element.distance_parts) part.at_rest.setZero();
 }
 
 /// Stops whose gaps are those of the machine at rest.
@@ -62,6 +76,9 @@ RestPosition rest_between_gaps(model::Description description) {
   for (std::size_t e = 0; e < description.elements.size(); ++e)
     for (std::size_t p = 0; p < description.elements[e].nonlinear_parts.size(); ++p)
       description.elements[e].nonlinear_parts[p].at_rest = found.system.elements()[e].nonlinear_parts[p].at_rest;
+  for (std::size_t e = 0; e < description.elements.size(); ++e)
+    for (std::size_t p = 0; p < description.elements[e].distance_parts.size(); ++p)
+      description.elements[e].distance_parts[p].at_rest = found.system.elements()[e].distance_parts[p].at_rest;
   each_gap_at_rest(description,
                    [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
   const model::System there = *model::System::checked(std::move(description));
@@ -72,7 +89,7 @@ RestPosition rest_between_gaps(model::Description description) {
 
 RestPosition rest_position(const model::System& system) {
   model::Description description = system.description();
-  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
+  undeform(description);
   bool counts_from_rest = false;
   each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
   return counts_from_rest ? rest_between_gaps(std::move(description)) : rest_in(std::move(description));
@@ -100,12 +117,22 @@ RestPosition rest_in(model::Description description) {
             "extend it, or take beyond = \"slope\"",
             element.name, part.at_rest, low, high));
       }
+    for (model::Element& element : description.elements)
+      for (model::DistancePart& part : element.distance_parts) {
+        part.at_rest = deflections.segment<3>(next);
+        next += 3;
+      }
   }
   const model::System there = at();
   VectorXd deflections = VectorXd::Zero(to_index(path.deflections().size()));
   Index next = 0;
   for (const model::Element& element : description.elements)
     for (const model::NonlinearPart& part : element.nonlinear_parts) deflections(next++) = part.at_rest;
+  for (const model::Element& element : there.elements())
+    for (const model::DistancePart& part : element.distance_parts) {
+      deflections.segment<3>(next) = part.at_rest;
+      next += 3;
+    }
   return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections)};
 }
 
@@ -113,7 +140,7 @@ RestPosition rest_in(model::Description description) {
 
 std::vector<RestState> rest_states(const model::System& system) {
   model::Description description = system.description();
-  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
+  undeform(description);
   const LoadPath path(*model::System::checked(description));
   std::vector<RestState> states;
   for (const VectorXd& deflections : path.all()) {

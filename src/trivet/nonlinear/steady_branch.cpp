@@ -170,7 +170,7 @@ class Observed {
   void note_sticking(const BranchPoint& point, SteadyBranch& found) const {
     const Index C = path_.balance().coefficients();
     for (Index j = 0; j < machine_.condensed.size(); ++j) {
-      const LawHarmonics& law = path_.balance().laws()[to_size(j)];
+      const LawHarmonics& law = path_.balance().laws().single()[to_size(j)];
       const std::string& name = machine_.deflections[to_size(j)].name;
       if (law.law().hysteretic().empty() ||
           std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end())

@@ -8,6 +8,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"
 
 namespace trivet::nonlinear {
@@ -16,9 +17,24 @@ namespace {
 using Complex = std::complex<double>;
 using Eigen::Index;
 using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using foundation::two_pi;
+
+/// The force by tangents of these spectra over a variation e^{i(μ + l)φ}, at the frequencies μ + k.
+MatrixXcd variation(const VectorXd& by_deflection, const VectorXd& by_rate, double mu, double omega, Index harmonics) {
+  const Index count = 2 * harmonics + 1;
+  MatrixXcd found(count, count);
+  for (Index k = 0; k < count; ++k)
+    for (Index l = 0; l < count; ++l) {
+      found(k, l) = numerics::exponential_coefficient(by_deflection, k - l);
+      if (by_rate.size() > 0)
+        found(k, l) += Complex(0, omega * (mu + static_cast<double>(l - harmonics))) *
+            numerics::exponential_coefficient(by_rate, k - l);
+    }
+  return found;
+}
 
 /// The force that a variation e^{i(μ + l)φ} of one deflection causes, at the frequencies μ + k, k = −K … K.
 class LawVariation {
@@ -52,15 +68,7 @@ class LawVariation {
   }
 
   [[nodiscard]] MatrixXcd at(double mu) const {
-    const Index count = 2 * harmonics_ + 1;
-    MatrixXcd found(count, count);
-    for (Index k = 0; k < count; ++k)
-      for (Index l = 0; l < count; ++l) {
-        found(k, l) = coefficient(tangents_.by_deflection, k - l);
-        if (tangents_.by_rate.size() > 0)
-          found(k, l) +=
-              Complex(0, omega_ * (mu + static_cast<double>(l - harmonics_))) * coefficient(tangents_.by_rate, k - l);
-      }
+    MatrixXcd found = variation(tangents_.by_deflection, tangents_.by_rate, mu, omega_, harmonics_);
     for (const Memory& memory : memories_) add_memory(memory, mu, found);
     return found;
   }
@@ -76,14 +84,6 @@ class LawVariation {
     std::vector<double> from;                   ///< phases of the turning points
     std::vector<elements::ForceOnTravel> ends;  ///< of the branches
   };
-
-  /// Of e^{inφ}, of real coefficients with a doubled mean.
-  [[nodiscard]] static Complex coefficient(const VectorXd& of, Index n) {
-    if (n == 0) return of(0) / 2;
-    const Index k = std::abs(n);
-    const Complex half(of(2 * k - 1) / 2, -of(2 * k) / 2);
-    return n > 0 ? half : std::conj(half);
-  }
 
   void add_memory(const Memory& memory, double mu, MatrixXcd& sum) const {
     const Index count = sum.rows();
@@ -130,23 +130,39 @@ class HillDeterminant {
                   double omega, Index harmonics)
       : machine_(machine), omega_(omega), harmonics_(harmonics) {
     const Index C = motion.size() / machine.size();
-    for (Index j = 0; j < machine.size(); ++j)
-      laws_.emplace_back(deflections[to_size(j)].law, motion.segment(j * C, C), omega, harmonics);
+    for (Index j = 0; j < machine.size(); ++j) {
+      const Deflection& deflection = deflections[to_size(j)];
+      laws_.emplace_back(deflection.law, motion.segment(j * C, C), omega, harmonics);
+      if (!deflection.distance) continue;
+      MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), 3);
+      padded.topRows(C) = motion.segment(j * C, 3 * C).reshaped(C, 3);
+      distances_.emplace_back(j, DistanceHarmonics(*deflection.distance, harmonics).tangents_at(padded, omega));
+    }
   }
 
   [[nodiscard]] Complex at(double nu) const {
     const Index m = machine_.size(), count = 2 * harmonics_ + 1;
     MatrixXcd whole = MatrixXcd::Identity(m * count, m * count), receptance;
-    std::vector<MatrixXcd> tangents;
-    for (const LawVariation& law : laws_) tangents.push_back(law.at(nu / omega_));
+    struct Tangent {
+      Index of, by;
+      MatrixXcd matrix;
+    };
+    std::vector<Tangent> tangents;
+    const double mu = nu / omega_;
+    for (Index j = 0; j < m; ++j) tangents.push_back({j, j, laws_[to_size(j)].at(mu)});
+    for (const auto& [first, spectra] : distances_)
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+          tangents.push_back({first + to_index(a), first + to_index(b),
+                              variation(spectra.by_deflection[a][b], spectra.by_rate[a][b], mu, omega_, harmonics_)});
     for (Index k = 0; k < count; ++k) {
       const double frequency = nu + static_cast<double>(k - harmonics_) * omega_;
       if (frequency == 0) receptance = machine_.static_receptance().cast<Complex>();
       else machine_.set_receptance(std::abs(frequency), receptance);
       if (frequency < 0) receptance = receptance.conjugate().eval();
       for (Index i = 0; i < m; ++i)
-        for (Index j = 0; j < m; ++j)
-          whole.block(i * count + k, j * count, 1, count) += receptance(i, j) * tangents[to_size(j)].row(k);
+        for (const Tangent& tangent : tangents)
+          whole.block(i * count + k, tangent.by * count, 1, count) += receptance(i, tangent.of) * tangent.matrix.row(k);
     }
     return numerics::PivotedLu<Complex>(whole).determinant();
   }
@@ -156,6 +172,7 @@ class HillDeterminant {
   double omega_;
   Index harmonics_;
   std::vector<LawVariation> laws_;
+  std::vector<std::pair<Index, DistanceHarmonics::Spectra>> distances_;
 };
 
 /// Places at which D may turn quickly: beside the poles of the receptance, folded into [0, ω/2].

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "trivet/nonlinear/condensed_machine.h"
-#include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/machine_laws.h"
 
 namespace trivet::nonlinear {
 

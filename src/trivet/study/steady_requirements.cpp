@@ -36,12 +36,26 @@ std::pair<double, double> range_of(const SteadyPoint& point, std::size_t deflect
   return {low, high};
 }
 
-/// A stop, with its gaps from rest.
+/// A stop, with its gaps from rest; or a ring, over a deflection and the next one.
 struct Stop {
   std::string element;
   std::size_t deflection;
   double above, below;
+  const model::DistancePart* ring = nullptr;
 };
+
+/// The largest distance from the axis of a ring over its play.
+double share_of_ring(const SteadyPoint& point, const Stop& stop) {
+  const Eigen::MatrixXd motion = point.deflections.middleCols(to_index(stop.deflection), 3);
+  const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 32 * (harmonics + 1);
+  double largest = 0;
+  for (Eigen::Index n = 0; n < samples; ++n) {
+    const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
+    const Eigen::Vector3d deviation = (numerics::fourier_row(harmonics, phase) * motion).transpose();
+    largest = std::max(largest, stop.ring->law.distance(stop.ring->at_rest + deviation));
+  }
+  return stop.above > 0 ? largest / stop.above : infinity;
+}
 
 std::vector<Stop> stops_of(const model::System& system) {
   std::vector<Stop> stops;
@@ -52,6 +66,14 @@ std::vector<Stop> stops_of(const model::System& system) {
         if (const auto* stop = std::get_if<elements::GapStop>(&law); stop && !part.is_inner())
           stops.push_back({element.name, deflection, stop->upper() - part.at_rest, part.at_rest - stop->lower()});
       ++deflection;
+    }
+  for (const model::Element& element : system.elements())
+    for (const model::DistancePart& part : element.distance_parts) {
+      if (part.law.across)
+        for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.law.laws))
+          if (const auto* stop = std::get_if<elements::GapStop>(&law))
+            stops.push_back({element.name, deflection, stop->upper(), infinity, &part});
+      deflection += 3;
     }
   return stops;
 }
@@ -76,12 +98,17 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
     RequirementResult& result = list[first + i];
     double share = 0;
     for (const SteadyPoint* point : stable_points(branch)) {
-      const auto [low, high] = range_of(*point, stops[i].deflection);
       const auto of_gap = [](double travel, double gap) {
         if (std::isinf(gap) || travel <= 0) return gap > 0 ? 0.0 : infinity;
         return gap > 0 ? travel / gap : infinity;
       };
-      const double here = std::max(of_gap(high, stops[i].above), of_gap(-low, stops[i].below));
+      double here = 0;
+      if (stops[i].ring) {
+        here = share_of_ring(*point, stops[i]);
+      } else {
+        const auto [low, high] = range_of(*point, stops[i].deflection);
+        here = std::max(of_gap(high, stops[i].above), of_gap(-low, stops[i].below));
+      }
       if (here <= share) continue;
       share = here;
       result.angular_frequency = point->angular_frequency;

@@ -261,10 +261,13 @@ namespace {
 
 void check_stops(const Requirements& required, const model::System& system, foundation::Problems& problems) {
   if (!required.no_contact) return;
-  for (const model::Element& element : system.elements())
+  for (const model::Element& element : system.elements()) {
     for (const model::NonlinearPart& part : element.nonlinear_parts)
       for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
-        if (std::holds_alternative<elements::GapStop>(law)) return;
+        if (std::holds_alternative<elements::GapStop>(law) && !part.is_inner()) return;
+    for (const model::DistancePart& part : element.distance_parts)
+      if (part.law.across) return;
+  }
   problems.error("requirements.no_contact", "a machine without stops", "it asks that no stop is touched",
                  "remove it, or give an element gap_stop or the type stop");
 }

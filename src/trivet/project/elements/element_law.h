@@ -25,6 +25,7 @@ struct ElementLaw {
   void (*placed)(TableReader& reader, Placement& ends, model::Element& element) = nullptr;
 
   bool takes_damping = true;  ///< has the table `damping` of all elements
+  bool takes_laws = true;     ///< and the table `laws`
   /// JSON Schema of its own keys: `properties`, `required`, `with` for groups of keys that several laws share
   /// (`shared_keys` in project.schema.json) …; or a list of variants.
   const char* keys;
@@ -55,6 +56,7 @@ struct ElementLaw {
   row(link) \
   row(stay) \
   row(stop) \
+  row(strut) \
   row(catalogue)
 // clang-format on
 

@@ -57,7 +57,7 @@ class ElementReader {
     if (element_.law.inner && elements::is_frequency_dependent(element_.law))
       reader_.error("damping", "fractional damping of a " + element_.type,
                     "its fluid needs rubber with constant matrices", "take zener or maxwell");
-    if (law_ && law_->type != std::string("stop")) read_laws(reader_, ends_.span, element_);
+    if (law_ && law_->takes_laws) read_laws(reader_, ends_.span, element_);
     if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, in_file_);
     if (law_) reader_.finish();
     else report_tables_inside(node_);  // the valid keys depend on the type

@@ -102,6 +102,22 @@ void read_stop(TableReader& reader, Placement&, model::Element& element) {
   if (!reader.has("axis") && !reader.has("orientation"))
     reader.missing("axis", "give the direction in which the body meets the stop: axis = \"z\" or \"-z\"");
   constexpr int along = 2;
+  reader.also_known({"ring", "gap", "gaps"});
+  if (reader.has("ring")) {
+    for (const char* other : {"gap", "gaps"})
+      if (reader.has(other))
+        reader.error(other, std::string("ring and ") + other, "a stop is within a ring, or along its axis",
+                     "remove one");
+    const auto play = reader.number("ring", Quantity::length);
+    if (!play) return;
+    if (const auto law = read_gap_stop(reader, false, *play)) {
+      model::DistancePart part;
+      part.law.across = true;
+      part.law.laws.emplace_back(elements::ElasticForce(*law));
+      element.distance_parts.push_back(std::move(part));
+    }
+    return;
+  }
   if (const auto law = read_gap_stop(reader, false))
     element.nonlinear_parts.push_back({along, 1.0, {elements::ElasticForce(*law)}});
 }
@@ -109,9 +125,10 @@ void read_stop(TableReader& reader, Placement&, model::Element& element) {
 }  // namespace
 
 const ElementLaw stop_law = {
-    .type = "stop", .placed = read_stop, .takes_damping = false, .keys = R"json({"properties": {
+    .type = "stop", .placed = read_stop, .takes_damping = false, .takes_laws = false, .keys = R"json({"properties": {
    "gap": {"$ref": "#/$defs/number", "description": "m, >= 0: travel of the body along the axis until it meets the stop"},
    "gaps": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "m: along and against the axis"},
+   "ring": {"$ref": "#/$defs/number", "description": "m, >= 0: play of a pin within a ring, in all directions across the axis"},
    "stiffness": {"$ref": "#/$defs/number", "description": "N/m beyond the gap; with power p: N/m^p, a bare number"},
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
    "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},

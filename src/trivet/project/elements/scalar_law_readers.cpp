@@ -103,11 +103,12 @@ std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bo
   return law.coefficients.empty() ? std::nullopt : std::optional(law);
 }
 
-std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation) {
+std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation, std::optional<double> ring) {
   const std::size_t before = reader.errors();
   elements::GapStop law;
   const Quantity travel = is_rotation ? Quantity::angle : Quantity::length;
-  if (reader.has("gap") == reader.has("gaps"))
+  if (ring) law.gap_above = *ring;
+  else if (reader.has("gap") == reader.has("gaps"))
     reader.error(reader.has("gap") ? "gaps" : "", reader.has("gap") ? "gap and gaps" : "neither gap nor gaps",
                  "a stop has a gap in the positive direction, or gaps in both",
                  "gap = \"6 mm\", or gaps = [\"6 mm\", \"9 mm\"]");
@@ -123,7 +124,10 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
   }
   for (const double gap : {law.gap_above, law.gap_below})
     if (gap < 0)
-      reader.error(reader.has("gap") ? "gap" : "gaps", fmt::format("{:.6g} {}", gap, si_unit(travel)), "a gap is ≥ 0",
+      reader.error(ring                    ? "ring"
+                       : reader.has("gap") ? "gap"
+                                           : "gaps",
+                   fmt::format("{:.6g} {}", gap, si_unit(travel)), "a gap is ≥ 0",
                    "describe a preloaded stop by its rest position: gravity closes gaps");
   law.power = reader.number("power", Quantity::pure).value_or(1);
   if (!(law.power >= 1 && law.power <= 10))
@@ -139,6 +143,8 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
   if (!(law.dissipation >= 0))
     reader.error("dissipation", fmt::format("{:.6g} s/m", law.dissipation), "a stop does not feed energy: it is ≥ 0",
                  "correct its sign");
+  if (ring && reader.has("gap_at"))
+    reader.error("gap_at", "gap_at of a ring", "its play is that of the undeformed machine", "remove it");
   const auto gap_at = reader.choice("gap_at", {"unloaded", "rest"});
   law.gaps_at_rest = gap_at && *gap_at == "rest";
   return reader.errors() == before ? std::optional(law) : std::nullopt;

@@ -12,7 +12,9 @@ namespace trivet::project {
 /// `quadratic`, `cubic` and `polynomial` of a table: coefficients of δ, δ², …
 [[nodiscard]] std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation);
 /// `gap` or `gaps`, `stiffness`, `power`.
-[[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation);
+/// @param ring  instead of the keys gap and gaps: the play within a ring [m]
+[[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation,
+                                                             std::optional<double> ring = std::nullopt);
 /// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
 [[nodiscard]] std::optional<elements::GasForce> read_gas_force(TableReader& reader);
 [[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/distance_harmonics.h"
+#include "trivet/nonlinear/law_harmonics.h"
+
+namespace trivet::nonlinear {
+
+/// Forces of all nonlinear parts over a periodic motion.
+struct CoupledForces {
+  Eigen::MatrixXd force, by_omega;  ///< coefficients × deflections
+  struct Tangent {
+    Eigen::Index of, by;     ///< force and deflection
+    Eigen::MatrixXd matrix;  ///< coefficients × coefficients
+  };
+  std::vector<Tangent> tangents;
+};
+
+/// The laws of all nonlinear parts: over one deflection each, and over the three of a distance.
+class MachineLaws {
+ public:
+  MachineLaws(const std::vector<Deflection>& deflections, Eigen::Index harmonics);
+
+  /// @param course  Fourier coefficients × deflections
+  /// @param omega   of the first harmonic [rad/s]
+  [[nodiscard]] CoupledForces at(const Eigen::MatrixXd& course, double omega) const;
+  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::MatrixXd& course, double omega) const;
+
+  [[nodiscard]] const std::vector<LawHarmonics>& single() const { return single_; }
+  struct Distance {
+    Eigen::Index first;  ///< of its three deflections
+    DistanceHarmonics law;
+  };
+  [[nodiscard]] const std::vector<Distance>& distances() const { return distances_; }
+
+ private:
+  std::vector<LawHarmonics> single_;  ///< one per deflection, some without any law
+  std::vector<Distance> distances_;
+};
+
+}  // namespace trivet::nonlinear

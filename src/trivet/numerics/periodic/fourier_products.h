@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+
+namespace trivet::numerics {
+
+/// The matrix that multiplies a periodic function of some harmonics by another one, both as coefficients
+/// (fourier_basis.h): products of two harmonics k and l are those of k + l and k − l.
+/// @param spectrum  coefficients of the factor to twice the harmonics, the first one doubled
+[[nodiscard]] Eigen::MatrixXd product_matrix(const Eigen::VectorXd& spectrum, Eigen::Index harmonics);
+
+/// Of a matrix that acts on the coefficients of dx/dφ: the one that acts on those of x.
+[[nodiscard]] Eigen::MatrixXd on_motion(const Eigen::MatrixXd& on_rate);
+
+/// The coefficient of e^{inφ}, of real coefficients of which the first one is doubled.
+[[nodiscard]] std::complex<double> exponential_coefficient(const Eigen::VectorXd& of, Eigen::Index n);
+
+}  // namespace trivet::numerics
