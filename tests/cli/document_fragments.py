@@ -111,6 +111,7 @@ ON_THE_FRAME = (
 KEYS = "docs/project-file.md"
 
 POWERTRAIN = (SOURCE / "examples/powertrain/decoupled.toml").read_text()
+ROLL_STOP = (SOURCE / "examples/roll_stop/engine.toml").read_text().split('[elements."roll stop"]')[0]
 ON_HYDROMOUNTS = (SOURCE / "examples/hydromount/engine.toml").read_text().replace("gravity", "# gravity")
 SUSPENDED = """trivet = 1
 [bodies.machine]
@@ -144,9 +145,8 @@ on = "frame"
 at = [0, 0, 0]
 axis = "z"
 """,
-    ("docs/nonlinear.md", "Laws"): (SOURCE / "examples/roll_stop/engine.toml")
-    .read_text()
-    .split('[elements."roll stop"]')[0],
+    ("docs/nonlinear.md", "Laws"): ROLL_STOP,
+    ("docs/nonlinear.md", "Struts and rings"): ROLL_STOP,
     ("docs/elements/hydromount.md", "Hydromount"): ON_HYDROMOUNTS.split("[element_types")[0]
     + "[elements.rear]"
     + ON_HYDROMOUNTS.partition("[elements.rear]")[2].partition("[cases")[0],
