@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long does a curve of steady motion take, with its folds, stability and results? One hardening spring, and a body
-// on four hardening mounts; compared with condensed harmonic balance in NumPy without stability.
+// on four hardening mounts; compared with condensed harmonic balance in NumPy without stability. Then machines with two
+// stops and with eight sliders, and the position of rest on stops, for which no program is at hand to compare with.
 #include "trivet/nonlinear/steady_branch.h"
 
 #include <cmath>
@@ -12,6 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/project.h"
 
 namespace {
@@ -128,6 +130,68 @@ void compare(const char* name, const char* text, SteadyOptions options, double c
       9);
 }
 
+const char* const two_stops = R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 180
+center_of_mass = [0.02, -0.015, 0.11]
+inertia = {about = "center_of_mass", xx = 9.5, yy = 14.0, zz = 12.5, xy = 0.4}
+[element_types.mount]
+type = "bushing"
+translation = [3e5, 3e5, 4.5e5]
+damping = {proportional = 2e-3}
+[tables.elements]
+rows = [
+  {name = "a", type = "mount", on = "m", at = [-0.45, -0.3, 0]},
+  {name = "b", type = "mount", on = "m", at = [-0.45, 0.3, 0]},
+  {name = "c", type = "mount", on = "m", at = [0.45, 0, 0]},
+  {name = "front", type = "stop", on = "m", at = [0.5, 0.2, 0], axis = "-z", gap = 2e-3, stiffness = 1e6},
+  {name = "rear", type = "stop", on = "m", at = [-0.5, 0.2, 0], axis = "z", gap = 5e-4, stiffness = 1e6},
+]
+[excitations.F]
+type = "harmonic"
+on = "m"
+at = [0.1, 0.05, 0.2]
+force = [0, 0, 400]
+)";
+
+/// Ten bodies in a row on bushings, eight of them with friction snubbers.
+std::string ten_bodies() {
+  std::string text = "trivet = 1\n";
+  for (int i = 0; i < 10; ++i) {
+    const std::string name = std::to_string(i), x = std::to_string(0.5 * i);
+    text += "[bodies.b" + name + "]\nmass = 20\nposition = [" + x +
+        ", 0, 0]\ninertia = {about = \"center_of_mass\", xx = 0.4, yy = 0.5, zz = 0.6}\n[elements.m" + name +
+        "]\ntype = \"bushing\"\non = \"b" + name +
+        "\"\nat = [0, 0, -0.1]\ntranslation = [4e4, 5e4, 6e4]\nrotation = [500, 500, 500]\ndamping = {proportional = "
+        "2e-3}\n" +
+        (i < 8 ? "laws.z = {friction = {slip = 6, stiffness = 3e4}}\n" : "");
+    if (i > 0)
+      text += "[elements.c" + name + "]\ntype = \"bushing\"\non = \"b" + name + "\"\nat = [-0.25, 0, 0]\nfrom = \"b" +
+          std::to_string(i - 1) + "\"\ntranslation = [2e4, 2e4, 2e4]\nrotation = [100, 100, 100]\n";
+  }
+  return text + "[excitations.F]\ntype = \"harmonic\"\non = \"b3\"\nat = [0.05, 0.05, 0.1]\nforce = [5, 0, 40]\n";
+}
+
+/// Of ours alone.
+void time_curve(const char* name, const std::string& text, const SteadyOptions& options) {
+  const model::System system = machine(text.c_str());
+  const SteadyBranch branch = nonlinear::steady_branch(system, options);
+  if (!branch.ended.empty()) {
+    std::fprintf(stderr, "%s: %s\n", name, branch.ended.c_str());
+    std::exit(1);
+  }
+  const auto points = static_cast<double>(branch.points.size());
+  measure({name, std::to_string(branch.points.size()) + " points", "point"},
+          {in_process("Trivet, with stability", points, [&] { (void)nonlinear::steady_branch(system, options); })}, 5);
+}
+
+void time_rest() {
+  const model::System system = machine(two_stops);
+  measure({"position of rest of six coordinates with two stops", "1 machine", "position"},
+          {in_process("Trivet", 1, [&] { (void)nonlinear::rest_position(system); })}, 9);
+}
+
 }  // namespace
 
 int main() {
@@ -136,4 +200,9 @@ int main() {
   compare("curve of a hardening spring", one_mass, one, 2e5, 35);
   SteadyOptions four{.from = 8 * two_pi, .to = 26 * two_pi, .harmonics = 9};
   compare("curve of a body on four hardening mounts", four_mounts, four, 1.2e11, 10);
+  time_curve("six coordinates with two stops, 25 harmonics", two_stops,
+             {.from = 8 * two_pi, .to = 16 * two_pi, .harmonics = 25});
+  time_curve("sixty coordinates with eight sliders, 9 harmonics", ten_bodies(),
+             {.from = 5 * two_pi, .to = 12 * two_pi, .harmonics = 9});
+  time_rest();
 }
