@@ -141,8 +141,9 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
   bool key = true;
   for (const SteadyBranch& detached : branch.detached)
     for (PanelCurve piece : pieces(detached, display, value, "#009E73", "detached")) {
-      if (!key) piece.key.clear();
-      key = false;
+      const bool is_keyed = key && !piece.key.empty() && piece.key.front() == "detached";  // its stable pieces
+      if (is_keyed) key = false;
+      else piece.key.clear();
       for (const double y : piece.y) largest = std::max(largest, y);
       row.curves.push_back(std::move(piece));
     }
@@ -163,7 +164,9 @@ PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const pro
       const ObservedMotion& motion = point.results[result];
       return unit.factor * (k == 0 ? std::abs(motion.mean) : std::abs(motion.harmonics(k - 1)));
     };
-    const std::string name = k == 0 ? "|mean|" : fmt::format("harmonic {}", k);
+    const std::string name = k == 0 ? "|mean|"
+        : branch.of_shaft           ? fmt::format("order {:.4g}", static_cast<double>(k) * branch.first_harmonic)
+                                    : fmt::format("harmonic {}", k);
     for (PanelCurve& piece : pieces(branch, display, value, series_colour(to_size(k)), name)) {
       if (!piece.key.empty() && piece.key.front() != name) piece.key.clear();  // dashes mean the same as above
       row.curves.push_back(std::move(piece));
