@@ -150,7 +150,7 @@ TEST(DetachedMotions, DenseStartsFindNoOthersOnRandomMachines) {
 /// The nonlinear tuned vibration absorber of a hardening machine: in a range of forces a closed curve of large motions
 /// lies beside the main one. [Detroux, Habib, Masset, Kerschen, Mech. Syst. Signal Process. 60–61 (2015)]
 TEST(DetachedMotions, AbsorberHasAnIsolaInARangeOfForces) {
-  const auto curves = [](double force) {
+  const auto curves = [](double force, double from = 0.4) {
     const project::Project project = test::project(
         R"(trivet = 1
 [bodies.m1]
@@ -180,7 +180,7 @@ on = "m1"
 at = [0, 0, 0]
 force = [)" +
         std::to_string(force) + ", 0, 0]\n");
-    nonlinear::SteadyOptions options{.from = 0.4, .to = 4, .harmonics = 5, .of = {"m1.x"}};
+    nonlinear::SteadyOptions options{.from = from, .to = 4, .harmonics = 5, .of = {"m1.x"}};
     options.detached = true;
     return nonlinear::steady_branch(project.base().system, options);
   };
@@ -190,6 +190,13 @@ force = [)" +
   EXPECT_TRUE(beside.detached[0].closed);
   EXPECT_EQ(beside.detached[0].folds.size(), 2u);
   EXPECT_FALSE(nonlinear::stable_points(beside.detached[0]).empty());
+  // A band that begins inside the curve cuts it; what is left goes from the end of the band and back to it.
+  const nonlinear::SteadyBranch cut = curves(0.15, 1.8);
+  ASSERT_EQ(cut.detached.size(), 1u);
+  EXPECT_FALSE(cut.detached[0].closed);
+  EXPECT_EQ(cut.detached[0].points.front().angular_frequency, 1.8);
+  EXPECT_EQ(cut.detached[0].points.back().angular_frequency, 1.8);
+  EXPECT_EQ(cut.detached[0].folds.size(), 1u);
   const nonlinear::SteadyBranch merged = curves(0.19);  // with the main curve
   EXPECT_THAT(merged.detached, testing::IsEmpty());
   const auto largest = [](const nonlinear::SteadyBranch& branch) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <Eigen/LU>
+
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -75,6 +77,34 @@ TEST(Hydromount, SlowStiffnessContainsBothChambers) {
   const project::Project project = test::project(mount(""));
   EXPECT_THAT(elements::stiffness(project.base().system.elements()[0].law)(8, 8),
               RelativelyNear(189990.24390243902, 1e-12));
+}
+
+/// The loss factor is that of the rubber; neither fluid nor gas is lossy, in the matrices as in the dynamic stiffness.
+TEST(Hydromount, LossFactorActsOnTheRubberAlone) {
+  std::string lossy = mount(with_decoupler);
+  lossy.replace(lossy.find("{translation = [0, 0, 90]}"), 26, "{loss_factor = 0.2}");
+  const std::string gas = R"([elements.bag]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 1e4]
+damping = {loss_factor = 0.3}
+laws.z = {gas = {pressure = 4e5, volume = 1e-3, area = 5e-3}}
+)";
+  const project::Project project = test::project(lossy + gas);
+  const double omega = 2 * pi * 12;
+  for (const model::Element& element : project.base().system.elements()) {
+    const elements::Matrices m = elements::matrices(element.law);
+    Eigen::MatrixXcd z = m.stiffness + Complex(0, omega) * m.damping - omega * omega * m.mass;
+    z += Complex(0, 1) * m.loss;
+    const Eigen::Index inner = z.rows() - 12;
+    Eigen::MatrixXcd ends = z.topLeftCorner(12, 12);
+    if (inner > 0)
+      ends -= z.topRightCorner(12, inner) * z.bottomRightCorner(inner, inner).inverse() * z.bottomLeftCorner(inner, 12);
+    expect_near(ends(8, 8), elements::dynamic_stiffness(element.law, omega)(8, 8), 1e-12);
+    const double own = element.law.nominal_stiffness(8, 8);
+    EXPECT_THAT(m.loss(8, 8), RelativelyNear(elements::loss_factor(element.law) * own, 1e-12)) << element.name;
+  }
 }
 
 /// Largest deflection of the mass at 8 Hz.

@@ -143,7 +143,7 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
     add(map.matrices.stiffness, 1, ground.K);
     add(map.matrices.damping, 1, ground.B);
     add(map.matrices.mass, 1, ground.A);
-    add(map.matrices.stiffness, map.matrices.loss_factor, ground.K_loss);
+    add(map.matrices.loss, 1, ground.K_loss);
     lossy = lossy || map.matrices.loss_factor > 0;
   }
   if (!lossy) ground.K_loss.resize(0, 0);
@@ -224,7 +224,7 @@ numerics::DynamicMatrices summed(const model::System& system, const Assembled& a
     scatter(map, map.matrices.stiffness, 1, m.K);
     scatter(map, map.matrices.damping, 1, m.B);
     scatter(map, map.matrices.mass, 1, m.A);
-    scatter(map, map.matrices.stiffness, map.matrices.loss_factor, m.K_loss);
+    scatter(map, map.matrices.loss, 1, m.K_loss);
     lossy = lossy || map.matrices.loss_factor > 0;
   }
   m.K += geometric_stiffness(system, assembled.layout).topLeftCorner(n, n);

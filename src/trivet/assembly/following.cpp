@@ -146,12 +146,12 @@ Columns coupled(const model::System& system, const Assembled& assembled, const P
     const FollowedForces forces = followed_forces(map, assembled.ground);
     if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
-                          damping = map.ends.transpose() * forces.damping;
+                          damping = map.ends.transpose() * forces.damping, loss = map.ends.transpose() * forces.loss;
     for (Eigen::Index i = 0; i < stiffness.rows(); ++i) {
       const Eigen::Index row = map.rows[to_size(i)];
       c.K.row(row) += stiffness.row(i);
       c.B.row(row) += damping.row(i);
-      c.K_loss.row(row) += map.matrices.loss_factor * stiffness.row(i);
+      c.K_loss.row(row) += loss.row(i);
     }
   }
   const Ground& ground = assembled.ground;
@@ -234,7 +234,8 @@ Eigen::MatrixXd beyond_rest(const SystemDampingMatrices& damping, const Ground& 
 FollowedForces followed_forces(const ElementMap& map, const Ground& ground) {
   const Eigen::ArrayXd share = stress_free(ground);
   return {element_product(map.matrices.stiffness, map.followed_ends, share),
-          element_product(map.matrices.damping, map.followed_ends, share), map.matrices.mass * map.followed_ends};
+          element_product(map.matrices.damping, map.followed_ends, share), map.matrices.mass * map.followed_ends,
+          element_product(map.matrices.loss, map.followed_ends, share)};
 }
 
 Eigen::RowVectorXd followed_row(const Ground& ground, const Eigen::RowVectorXd& on_coordinates,

@@ -11,7 +11,7 @@ namespace trivet::assembly {
 /// of a rigid motion are zero: an element that meets the rigid-motion rule without a warning is stress-free, and the
 /// remainder of its rows is rounding of its data.
 struct FollowedForces {
-  Eigen::MatrixXd stiffness, damping, mass;
+  Eigen::MatrixXd stiffness, damping, mass, loss;
 };
 [[nodiscard]] FollowedForces followed_forces(const ElementMap& map, const Ground& ground);
 

@@ -81,27 +81,32 @@ class EndRows {
 
 /// Sets the terms of an element with constant matrices.
 void set_constant_terms(const ElementMap& map, const EndRows& end, const Ground& ground, WrenchRows& rows) {
-  const std::complex<double> lossy(1, map.matrices.loss_factor);
+  using Scalar = std::complex<double>;
+  const auto lossy = [](const auto& real, const auto& imaginary) {
+    return (real.template cast<Scalar>() + Scalar(0, 1) * imaginary.template cast<Scalar>()).eval();
+  };
   const WrenchRows::Real stiffness = end.on_coordinates(map.matrices.stiffness),
                          damping = end.on_coordinates(map.matrices.damping),
-                         mass = end.on_coordinates(map.matrices.mass);
+                         mass = end.on_coordinates(map.matrices.mass), loss = end.on_coordinates(map.matrices.loss);
   for (Eigen::Index j = 0; j < map.ends.cols(); ++j) {
     const Eigen::Index row = map.rows[to_size(j)];
-    rows.on_displacement.col(row) += stiffness.col(j) * lossy;
+    rows.on_displacement.col(row) += lossy(stiffness.col(j), loss.col(j));
     rows.on_velocity.col(row) += damping.col(j);
     rows.on_acceleration.col(row) += mass.col(j);
   }
   const WrenchRows::Real ground_stiffness = end.on_ground(map.matrices.stiffness),
                          ground_damping = end.on_ground(map.matrices.damping),
-                         ground_mass = end.on_ground(map.matrices.mass);
+                         ground_mass = end.on_ground(map.matrices.mass), ground_loss = end.on_ground(map.matrices.loss);
   for (Eigen::Index j = 0; j < map.ground_ends.cols(); ++j) {
     const Eigen::Index row = map.ground_rows[to_size(j)];
-    rows.ground_displacement.col(row) += ground_stiffness.col(j) * lossy;
+    rows.ground_displacement.col(row) += lossy(ground_stiffness.col(j), ground_loss.col(j));
     rows.ground_velocity.col(row) += ground_damping.col(j);
     rows.ground_acceleration.col(row) += ground_mass.col(j);
   }
   const FollowedForces followed = followed_forces(map, ground);
-  rows.ground_displacement.rightCols(ground.followed()) = -(end.turn() * followed.stiffness.topRows<6>()) * lossy;
+  rows.ground_displacement.rightCols(ground.followed()) =
+      -lossy(WrenchRows::Real(end.turn() * followed.stiffness.topRows<6>()),
+             WrenchRows::Real(end.turn() * followed.loss.topRows<6>()));
   rows.ground_velocity.rightCols(ground.followed()) = -(end.turn() * followed.damping.topRows<6>());
   rows.ground_acceleration.rightCols(ground.followed()) = -(end.turn() * followed.mass.topRows<6>());
 }

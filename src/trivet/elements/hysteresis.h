@@ -24,7 +24,7 @@ struct BergFriction {
 /// Eng. Mech. 126 (2000)]
 struct BoucWen {
   double stiffness = 0;  ///< k at z = 0 [N/m or N m/rad], > 0
-  double force = 0;      ///< F [N or N m], > 0; the limit of |f| is F (β + γ)^(−1/n)
+  double force = 0;      ///< F [N or N m], > 0
   double exponent = 1;   ///< n ≥ 1
   double beta = 0.5;     ///< β > 0
   double gamma = 0.5;    ///< −β < γ ≤ β: no loop feeds energy

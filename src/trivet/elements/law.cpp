@@ -20,7 +20,7 @@ Matrix6x12 relative_motion(const Eigen::Vector3d& arm, double centre) {
 Matrix12 stiffness(const Law& law) {
   Matrix12 sum = law.scale * law.nominal_stiffness;
   if (law.nonlinear) sum += law.nonlinear->tangent;
-  if (law.inner) sum += with_inner_parts(law, 0).real();
+  if (law.inner) sum += stiffness_of_inner_parts(law, 0).real();
   return sum;
 }
 

@@ -83,7 +83,7 @@ struct Law {
 /// Stiffness at ω = 0, scaled, with the tangent of the nonlinear parts.
 [[nodiscard]] Matrix12 stiffness(const Law& law);
 /// What the inner parts add to the 12×12 at a frequency: their coordinates are free of other forces.
-[[nodiscard]] Matrix12c with_inner_parts(const Law& law, std::complex<double> omega);
+[[nodiscard]] Matrix12c stiffness_of_inner_parts(const Law& law, std::complex<double> omega);
 /// Viscous damping matrix at the ends, with that of the nonlinear parts.
 [[nodiscard]] Matrix12 viscous_damping(const Law& law);
 [[nodiscard]] double loss_factor(const Law& law);
@@ -96,7 +96,9 @@ struct Law {
 /// an approximation for modes and starting values.
 struct Matrices {
   Eigen::MatrixXd stiffness, damping, mass;
-  double loss_factor = 0;
+  Eigen::MatrixXd
+      loss;  ///< imaginary part of the stiffness: η times that of the linear law, without laws and inner parts
+  double loss_factor = 0;  ///< η
 };
 [[nodiscard]] Matrices matrices(const Law& law);
 

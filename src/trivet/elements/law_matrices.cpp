@@ -82,6 +82,7 @@ void add_inner_parts(const Law& law, Matrices& m) {
   add(parts.stiffness, m.stiffness);
   add(parts.damping, m.damping);
   add(parts.mass, m.mass);
+  add(Eigen::MatrixXd::Zero(12 + n, 12 + n), m.loss);
 }
 
 RationalForm rational(const Viscoelastic& law) {
@@ -145,6 +146,7 @@ Matrices matrices(const Law& law) {
     for (std::size_t i = 0; i < form.ratios.size(); ++i)
       if (form.ratios[i] > 0) add_branch(strain, form.ratios[i], form.times[i], m);
   }
+  m.loss = m.loss_factor * m.stiffness;
   if (law.nonlinear) {
     m.stiffness.topLeftCorner<12, 12>() += law.nonlinear->tangent;
     m.damping.topLeftCorner<12, 12>() += law.nonlinear->damping;
@@ -153,7 +155,7 @@ Matrices matrices(const Law& law) {
   return m;
 }
 
-Matrix12c with_inner_parts(const Law& law, Complex omega) {
+Matrix12c stiffness_of_inner_parts(const Law& law, Complex omega) {
   const InnerParts parts = tangents_of_inner_parts(law);
   const Eigen::MatrixXcd z = parts.stiffness + Complex(0, 1) * omega * parts.damping - omega * omega * parts.mass;
   const Eigen::Index n = parts.count();
@@ -182,7 +184,7 @@ Matrix12c dynamic_stiffness(const Law& law, Complex omega, double near) {
     result += Complex(0, 1) * omega * given->matrix.cast<Complex>();
   if (law.nonlinear)
     result += law.nonlinear->tangent.cast<Complex>() + Complex(0, 1) * omega * law.nonlinear->damping.cast<Complex>();
-  if (law.inner) result += with_inner_parts(law, omega);
+  if (law.inner) result += stiffness_of_inner_parts(law, omega);
   return result;
 }
 

@@ -122,9 +122,8 @@ std::vector<std::string> write_nastran(const Content& content, const Target& tar
     if (!matrices.damping.isZero(0))
       deck.damping += columns("MOUNTB", grid, in_ground_axes(system, element, matrices.damping));
     if (matrices.loss_factor != 0)
-      deck.loss += columns(
-          "MOUNTS", grid,
-          in_ground_axes(system, element, matrices.loss_factor * end_stiffness_at_rest(element, matrices.stiffness)));
+      deck.loss +=
+          columns("MOUNTS", grid, in_ground_axes(system, element, Matrix12(matrices.loss.topLeftCorner<12, 12>())));
   }
   std::string selection = "$   K2GG = MOUNTK\n", cards;
   const auto add = [&](const char* name, const char* by, const std::string& text) {

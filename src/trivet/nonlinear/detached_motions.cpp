@@ -24,27 +24,33 @@ std::vector<double> sizes(const SteadyPath& path, const std::vector<Deflection>&
   for (Index j = 0; j < to_index(deflections.size()); ++j) {
     double size = linear.segment(j * C, C).norm();
     for (const double kink : deflections[to_size(j)].law.kinks()) size = std::max(size, std::abs(kink));
-    if (deflections[to_size(j)].distance) size = std::max(size, deflections[to_size(j)].distance->extent());
     found.push_back(size);
     largest = std::max(largest, size);
   }
+  for (std::size_t j = 0; j < deflections.size(); ++j)
+    if (deflections[j].distance)
+      for (std::size_t a = j; a < j + 3; ++a) found[a] = std::max(found[a], deflections[j].distance->extent());
   constexpr double least = 1e-3;
   for (double& size : found) size = std::max(size, least * largest);
   return found;
 }
 
-VectorXd random_motion(const std::vector<double>& of_size, Index coefficients, std::mt19937_64& random) {
+/// Amplitudes between a fifth and twenty times the typical ones, in the excited harmonics.
+VectorXd random_motion(const std::vector<double>& of_size, const HarmonicBalance& balance, std::mt19937_64& random) {
   std::uniform_real_distribution<double> logarithm(std::log(0.2), std::log(20.0)), phase(0, foundation::two_pi);
   std::normal_distribution<double> mean(0, 0.3);
-  VectorXd motion = VectorXd::Zero(to_index(of_size.size()) * coefficients);
-  const double common = std::exp(logarithm(random)), common_phase = phase(random);
-  for (std::size_t j = 0; j < of_size.size(); ++j) {
-    const double own = common * of_size[j] * std::exp(0.5 * mean(random)),
-                 turned = common_phase + mean(random) * foundation::two_pi;
-    const Index first = to_index(j) * coefficients;
-    motion(first) = mean(random) * of_size[j];
-    motion(first + 1) = own * std::cos(turned);
-    motion(first + 2) = own * std::sin(turned);
+  const Index coefficients = balance.coefficients();
+  VectorXd motion = VectorXd::Zero(balance.size());
+  for (std::size_t j = 0; j < of_size.size(); ++j) motion(to_index(j) * coefficients) = mean(random) * of_size[j];
+  for (const Index k : balance.excited()) {
+    const double common = std::exp(logarithm(random)), common_phase = phase(random);
+    for (std::size_t j = 0; j < of_size.size(); ++j) {
+      const double own = common * of_size[j] * std::exp(0.5 * mean(random)),
+                   turned = common_phase + mean(random) * foundation::two_pi;
+      const Index cosine = to_index(j) * coefficients + 2 * k - 1;
+      motion(cosine) = own * std::cos(turned);
+      motion(cosine + 1) = own * std::sin(turned);
+    }
   }
   return motion;
 }
@@ -83,7 +89,7 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<Defl
     const std::vector<double> of_size = sizes(connected, deflections, parameter);
     for (int s = 0; s < starts; ++s)
       if (const std::optional<BranchPoint> motion =
-              connected.motion_near(random_motion(of_size, connected.balance().coefficients(), random), parameter))
+              connected.motion_near(random_motion(of_size, connected.balance(), random), parameter))
         take(*motion);
     foundation::report_progress(progress, "detached motions", (i + 1.0) / places);
   }

@@ -31,6 +31,15 @@ double DistanceAbout::energy(const Vector3d& deviation) const {
       there_.force.dot(deviation) - deviation.dot(there_.by_deflection * deviation) / 2;
 }
 
+std::pair<double, double> DistanceAbout::range() const {
+  std::pair<double, double> common = elements::range(elements::PolynomialForce{});
+  for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(law_.laws)) {
+    const auto [low, high] = elements::range(law);
+    common = {std::max(common.first, low + law_.length), std::min(common.second, high + law_.length)};
+  }
+  return common;
+}
+
 double DistanceAbout::extent() const {
   constexpr double of_distance = 0.1;
   const double distance = law_.distance(at_rest_);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "trivet/elements/distance_force.h"
 
 namespace trivet::nonlinear {
@@ -15,10 +18,16 @@ class DistanceAbout {
   /// ∫ over the deviation from 0, with the tangent [J].
   [[nodiscard]] double energy(const Eigen::Vector3d& deviation) const;
   [[nodiscard]] double distance(const Eigen::Vector3d& deviation) const { return law_.distance(at_rest_ + deviation); }
+  /// Distances for which all forces are known [m].
+  [[nodiscard]] std::pair<double, double> range() const;
   /// Distances at which it is not smooth.
   [[nodiscard]] const std::vector<double>& kinks() const { return kinks_; }
+  /// The deviation to the same length on the other side, along one axis: where a strut has snapped through.
+  [[nodiscard]] double mirrored(Eigen::Index axis) const { return -2 * (law_.offset(axis) + at_rest_(axis)); }
+  /// A stop within a ring.
+  [[nodiscard]] bool is_ring() const { return law_.across; }
   [[nodiscard]] bool has_dampers() const { return has_dampers_; }
-  /// Deviation that brings the points to their nearest kink, or a tenth of their distance.
+  /// Deviation that brings the points to their farthest kink, or a tenth of their distance if that is more [m].
   [[nodiscard]] double extent() const;
 
  private:

@@ -29,6 +29,8 @@ class HarmonicBalance {
   [[nodiscard]] Eigen::Index size() const { return coefficients() * machine_.size(); }
   void evaluate(const Eigen::VectorXd& unknowns, const Driving& driving, Parameter parameter,
                 numerics::Equations& equations) const;
+  /// Harmonics that are excited, ascending.
+  [[nodiscard]] const std::vector<Eigen::Index>& excited() const { return machine_.excited(); }
   /// Coefficients of the linear motion, without the nonlinear forces.
   [[nodiscard]] Eigen::VectorXd linear_motion(const Driving& driving) const;
   [[nodiscard]] const MachineLaws& laws() const { return laws_; }

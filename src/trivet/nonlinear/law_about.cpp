@@ -73,6 +73,14 @@ bool LawAbout::is_piecewise_linear() const {
                   [](const Hysteretic& part) { return std::holds_alternative<elements::Slider>(part.law); });
 }
 
+std::pair<double, double> LawAbout::untouched() const {
+  std::pair<double, double> between = elements::range(elements::PolynomialForce{});
+  for (const elements::ElasticForce& law : elastic_)
+    if (const auto* stop = std::get_if<elements::GapStop>(&law))
+      between = {std::max(between.first, stop->lower() - state_), std::min(between.second, stop->upper() - state_)};
+  return between;
+}
+
 std::pair<double, double> LawAbout::range() const {
   std::pair<double, double> common = elements::range(elements::PolynomialForce{});
   for (const elements::ElasticForce& law : elastic_) {

@@ -43,6 +43,8 @@ class LawAbout {
   [[nodiscard]] const std::vector<double>& kinks() const { return kinks_; }
   [[nodiscard]] const std::vector<double>& rate_kinks() const { return rate_kinks_; }
 
+  /// Deviations between which no stop is touched; infinite without stops.
+  [[nodiscard]] std::pair<double, double> untouched() const;
   /// Deviations for which all forces are known.
   [[nodiscard]] std::pair<double, double> range() const;
 

@@ -39,7 +39,9 @@ LoadPath::LoadPath(const model::System& undeformed) {
   if (!(stiffness.reciprocal_condition() > singular)) {
     if (load.isZero(0)) return;
     throw foundation::NotComputable(
-        "static: the machine is free to move, so it has no position of rest; hold it by another element");
+        "static: the machine is free to move, so it has no position of rest; hold it by another element, or give a "
+        "strut "
+        "a free_length with which it is tensioned");
   }
   receptance_ = across_.transpose() * stiffness.solve(across_);
   linear_ = across_.transpose() * stiffness.solve(load);
@@ -181,6 +183,9 @@ std::vector<double> LoadPath::starts(Index j) const {
     grid.insert(grid.begin(), -x);
   }
   std::vector<double> found = {linear_(j)};
+  for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
+    if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())
+      found.push_back(distance->mirrored(j - first));
   for (std::size_t i = 0; i + 1 < grid.size(); ++i)
     if ((missing(grid[i]) < 0) != (missing(grid[i + 1]) < 0)) found.push_back((grid[i] + grid[i + 1]) / 2);
   return found;

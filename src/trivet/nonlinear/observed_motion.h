@@ -31,7 +31,7 @@ class Observer {
   [[nodiscard]] const std::vector<assembly::Channel>& channels() const { return channels_; }
 
   /// @param coordinates  free coordinates × harmonics 0, 1, …: complex amplitudes
-  /// @param forces       Fourier coefficients × nonlinear parts, beyond the tangents of the machine
+  /// @param forces       Fourier coefficients × nonlinear deflections, beyond the tangents of the machine
   /// @param omega        of the first harmonic [rad/s]
   /// @param factor       on the motion of the ground
   [[nodiscard]] std::vector<ObservedMotion> at(const Eigen::MatrixXcd& coordinates, const Eigen::MatrixXd& forces,
@@ -44,7 +44,7 @@ class Observer {
   const assembly::Assembled& assembled_;
   PeriodicExcitation excitation_;
   std::vector<assembly::Channel> channels_;
-  Eigen::MatrixXd direct_;  ///< channels × nonlinear parts: their forces in results that are forces
+  Eigen::MatrixXd direct_;  ///< channels × nonlinear deflections: their forces in results that are forces
 };
 
 }  // namespace trivet::nonlinear

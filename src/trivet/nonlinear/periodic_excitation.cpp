@@ -78,8 +78,14 @@ PeriodicExcitation periodic_excitation(const model::System& system, const assemb
   found.first_harmonic = *divisor;
   found.of_shaft = true;
   for (const response::OrderLoading& one : orders) {
-    found.harmonics.push_back(static_cast<Eigen::Index>(std::llround(one.order / *divisor)));
-    found.loadings.push_back(one.loading);
+    const auto harmonic = static_cast<Eigen::Index>(std::llround(one.order / *divisor));
+    if (!found.harmonics.empty() && found.harmonics.back() == harmonic) {  // the same order with other digits
+      for (const numerics::LoadTerm& term : one.loading.force.terms()) found.loadings.back().force.add(term);
+      for (const numerics::LoadTerm& term : one.loading.motion.terms()) found.loadings.back().motion.add(term);
+    } else {
+      found.harmonics.push_back(harmonic);
+      found.loadings.push_back(one.loading);
+    }
     for (const std::string& name : one.excitations)
       if (std::find(found.names.begin(), found.names.end(), name) == found.names.end()) found.names.push_back(name);
   }

@@ -16,8 +16,8 @@ namespace trivet::nonlinear {
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
 /// the variations of deflection and force at its last turning point. If all tangents are constant between the corners,
 /// each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine around
-/// a kick by the tangents (splitting), extrapolated from three step lengths. [Strang 1968; Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, II.4]
+/// a kick by the tangents (splitting), extrapolated from smaller and smaller steps (Romberg). [Strang 1968; Hairer,
+/// Lubich, Wanner, Geometric Numerical Integration, II.4]
 class PeriodicStability {
  public:
   /// Loss factors, which define no motion in time, are replaced by viscous damping that is the same in every mode at

@@ -33,8 +33,10 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       if (notes.empty())
         notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
-      notes.push_back(fmt::format("{}: a force of {:.4g} N at rest, over a distance of {:.4g} m", element.name,
-                                  there.force.norm(), part.law.distance(part.at_rest)));
+      notes.push_back(fmt::format(
+          "{}: a force of {:.4g} N at rest, over a distance of {:.4g} m; its lever changes as bodies rotate, which is "
+          "left out",
+          element.name, there.force.norm(), part.law.distance(part.at_rest)));
     }
   return notes;
 }
@@ -113,14 +115,21 @@ RestPosition rest_in(model::Description description) {
         const auto [low, high] = LawAbout(part.laws).range();
         if (part.at_rest >= low && part.at_rest <= high) continue;
         throw foundation::NotComputable(fmt::format(
-            "static: {} rests at a deflection of {:.6g}, and its curve is known from {:.6g} to {:.6g} only; "
-            "extend it, or take beyond = \"slope\"",
+            "static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; correct "
+            "them, or take beyond = \"slope\" for a curve",
             element.name, part.at_rest, low, high));
       }
     for (model::Element& element : description.elements)
       for (model::DistancePart& part : element.distance_parts) {
         part.at_rest = deflections.segment<3>(next);
         next += 3;
+        const auto [low, high] = DistanceAbout(part.law).range();
+        if (const double distance = part.law.distance(part.at_rest); distance < low || distance > high)
+          throw foundation::NotComputable(
+              fmt::format("static: {} rests at a length of {:.6g} m, and its forces are known from {:.6g} to {:.6g} m "
+                          "only; correct "
+                          "them, or take beyond = \"slope\" for a curve",
+                          element.name, distance, low, high));
       }
   }
   const model::System there = at();

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/contact_share.h"
 #include "trivet/nonlinear/periodic_stability.h"
 #include "trivet/nonlinear/steady_path.h"
 #include "trivet/nonlinear/winding_stability.h"
@@ -63,9 +64,16 @@ class Observed {
         options_(options),
         observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
         stability_(machine.assembled, machine.deflections),
-        winding_(machine.condensed, machine.deflections) {}
+        winding_(machine.condensed, machine.deflections) {
+    for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
+      const Deflection& deflection = machine.deflections[j];
+      const auto [low, high] = deflection.law.untouched();
+      const bool is_ring = deflection.distance && deflection.distance->is_ring();
+      if (std::isfinite(low) || std::isfinite(high) || is_ring) stops_.push_back(j);
+    }
+  }
 
-  SteadyBranch branch(const foundation::Progress& progress) const {
+  SteadyBranch branch(const foundation::Progress& progress) {
     SteadyBranch found;
     found.harmonics = path_.balance().harmonics();
     found.over = options_.over;
@@ -82,6 +90,7 @@ class Observed {
         : stability_.is_of_viscous_machine() ? Multipliers::viscous_machine
                                              : Multipliers::machine;
     for (const Deflection& deflection : machine_.deflections) found.deflections.push_back(deflection.name);
+    for (const std::size_t stop : stops_) found.stops.push_back(machine_.deflections[stop].name);
     for (const assembly::Channel& channel : observer_.channels()) {
       found.results.push_back(channel.name);
       found.units.push_back(channel.unit);
@@ -113,13 +122,26 @@ class Observed {
     if (!observer_.channels().empty())
       result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
     result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
+    for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, result));
     result.stable = result.unstable_multipliers() == 0;
+    if (by_winding_) {
+      result.unstable_by_winding = winding_.unstable_exponents(point.unknowns, omega);
+      if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
+    }
     return result;
+  }
+
+  [[nodiscard]] double contact(std::size_t stop, const SteadyPoint& point) const {
+    const auto first = to_index(stop);
+    for (const MachineLaws::Distance& one : path_.balance().laws().distances())
+      if (one.first == first) return contact_share(one.law, point.deflections.middleCols(first, 3));
+    return contact_share(path_.balance().laws().single()[stop], point.deflections.col(first),
+                         point.angular_frequency * machine_.excitation.first_harmonic);
   }
 
   /// The second verdict: at all points, or, of elements that depend on frequency, at some and beside each change of
   /// the first one. If it contradicts the multipliers of the nearest constant matrices, it decides.
-  void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress) const {
+  void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress) {
     constexpr std::size_t samples = 16;
     const std::size_t count = found.points.size(), every = 1 + count / samples;
     const auto is_beside_change = [&](std::size_t i) {
@@ -135,7 +157,7 @@ class Observed {
     for (std::size_t i = 0; i < count; ++i)
       if (!found.points[i].unstable_by_winding) chosen.push_back(i);
     judge(chosen, found, progress);
-    found.winding.decides = true;
+    found.winding.decides = by_winding_ = true;
     for (SteadyPoint& point : found.points)
       if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;
   }
@@ -201,7 +223,13 @@ class Observed {
                  .maxCoeff() -
           1;
     };
-    std::optional<BranchPoint> middle = path_.zero_after(point, excess, accurate);
+    const auto by_winding = [&](const BranchPoint& there) {
+      const std::optional<int> unstable =
+          winding_.unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
+      return unstable && *unstable > 0 ? 1.0 : -1.0;
+    };
+    std::optional<BranchPoint> middle =
+        by_winding_ ? path_.zero_after(point, by_winding, accurate) : path_.zero_after(point, excess, accurate);
     if (!middle) middle = path_.points()[point + 1];  // not located; the next point is the nearest known
     StabilityChange change{steady(*middle), point};
     Index critical = 0;
@@ -218,9 +246,11 @@ class Observed {
   const SteadyPath& path_;
   std::vector<const SteadyPath*> all_;
   const SteadyOptions& options_;
+  std::vector<std::size_t> stops_;  ///< deflections that have any
   Observer observer_;
   PeriodicStability stability_;
   WindingStability winding_;
+  bool by_winding_ = false;  ///< the winding number decides, because the multipliers of constant matrices differ
 };
 
 /// Amplitudes of the machine that is linear about rest.
@@ -244,6 +274,22 @@ void add_linear(const model::System& given, const SteadyOptions& options, Steady
       found.linear(i, to_index(c)) =
           excitation.of_shaft ? motions[c].half_of_range() : std::abs(motions[c].harmonics(0));
   }
+}
+
+/// Gas hardens without limit as it is compressed: stability depends on a small share of the motion.
+constexpr double share_for_gas = 0.1;
+bool has_gas(const model::System& system) {
+  const auto is_gas = [](const elements::ScalarLaw& law) {
+    const auto* elastic = std::get_if<elements::ElasticForce>(&law);
+    return elastic && std::holds_alternative<elements::GasForce>(*elastic);
+  };
+  const auto any = [&](const auto& laws) { return std::any_of(laws.begin(), laws.end(), is_gas); };
+  return std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& element) {
+    return std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
+                       [&](const auto& part) { return any(part.laws); }) ||
+        std::any_of(element.distance_parts.begin(), element.distance_parts.end(),
+                    [&](const auto& part) { return any(part.law.laws); });
+  });
 }
 
 /// 5, 7, 10, 14 …: a number that is too small is found out early.
@@ -285,9 +331,12 @@ void check(const SteadyOptions& options, const ReferenceMachine& machine) {
   const double last = options.over == Parameter::frequency ? options.to : options.angular_frequency,
                excited = static_cast<double>(highest) * machine.excitation.first_harmonic * last;
   if (excited > machine.condensed.known_to())
-    throw foundation::NotComputable(fmt::format(
-        "steady: the excitation reaches {:.6g} Hz, and the table of an element ends at {:.6g} Hz; end the band there",
-        excited / foundation::two_pi, machine.condensed.known_to() / foundation::two_pi));
+    throw foundation::NotComputable(
+        fmt::format("steady: the excitation reaches {:.6g} Hz, and the table of an element ends at {:.6g} Hz; end the "
+                    "band at {:.6g} "
+                    "Hz",
+                    excited / foundation::two_pi, machine.condensed.known_to() / foundation::two_pi,
+                    machine.condensed.known_to() / excited * last / foundation::two_pi));
 }
 
 }  // namespace
@@ -324,6 +373,47 @@ std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch) {
   return stable;
 }
 
+namespace {
+
+using Stretch = std::pair<double, double>;
+
+void add_stable_stretches(const SteadyBranch& branch, std::vector<Stretch>& stretches) {
+  const auto add = [&](const SteadyPoint& a, const SteadyPoint& b) {
+    stretches.emplace_back(std::minmax(branch.parameter(a), branch.parameter(b)));
+  };
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
+    const auto in_step = [i](const auto& one) { return one.after == i; };
+    const auto fold = std::find_if(branch.folds.begin(), branch.folds.end(), in_step);
+    const auto change = std::find_if(branch.changes.begin(), branch.changes.end(), in_step);
+    const SteadyPoint* middle = fold != branch.folds.end() ? &fold->point
+        : change != branch.changes.end()                   ? &change->point
+                                                           : nullptr;
+    if (!middle && here.stable && next.stable) add(here, next);
+    if (middle && here.stable) add(here, *middle);
+    if (middle && next.stable) add(*middle, next);
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch) {
+  std::vector<Stretch> stable, without;
+  add_stable_stretches(branch, stable);
+  for (const SteadyBranch& detached : branch.detached) add_stable_stretches(detached, stable);
+  std::sort(stable.begin(), stable.end());
+  const auto [from, to] = std::minmax(branch.parameter(branch.points.front()), branch.parameter(branch.points.back()));
+  double covered = from;
+  constexpr double round_off = 1e-9;
+  for (const auto& [low, high] : stable) {
+    if (low > covered * (1 + round_off)) without.emplace_back(covered, std::min(low, to));
+    covered = std::max(covered, high);
+    if (covered >= to) break;
+  }
+  if (covered < to * (1 - round_off)) without.emplace_back(covered, to);
+  return without;
+}
+
 SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                            const foundation::Progress& progress) {
   check(options);
@@ -336,7 +426,8 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
        harmonics = std::min(most_steady_harmonics, more_harmonics(harmonics))) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
-    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : options.tolerance, progress)) continue;
+    const double most_left_out = options.tolerance * (has_gas(system) ? share_for_gas : 1);
+    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : most_left_out, progress)) continue;
     DetachedPaths others;
     if (options.detached)
       others = detached_paths(

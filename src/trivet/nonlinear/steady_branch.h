@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
@@ -22,6 +23,7 @@ struct SteadyPoint {
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
   Eigen::VectorXcd multipliers;
   bool stable = true;
+  std::vector<double> contact;             ///< shares of the period in which stops are touched, as SteadyBranch::stops
   std::optional<int> unstable_by_winding;  ///< Floquet exponents with Re > 0 (WindingStability), where computed
 
   [[nodiscard]] int unstable_multipliers() const;  ///< their number outside the unit circle
@@ -53,6 +55,7 @@ struct StabilityChange {
 
 struct SteadyBranch {
   std::vector<std::string> deflections;  ///< names
+  std::vector<std::string> stops;        ///< names of the deflections that have any
   std::vector<std::string> results, units;
   std::vector<SteadyPoint> points;       ///< along the branch, from `from`
   std::vector<SteadyPoint> at;           ///< at the frequencies asked for, in the order of the branch
@@ -98,6 +101,9 @@ struct SteadyBranch {
 
 /// Stable motions of a curve and of its detached ones, and folds beside a stable point, which are their ends.
 [[nodiscard]] std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch);
+
+/// Stretches of the parameter, between the ends of the branch, in which no motion of a known curve is stable.
+[[nodiscard]] std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch);
 
 /// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.
 /// @throws foundation::NotComputable if there is no motion at the lower end, or for what CondensedMachine and

@@ -73,7 +73,9 @@ numerics::ScaleUnknowns SteadyPath::scale() const {
   constexpr double share = 1e-3, of_mean = 1e-4;
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
   const double linear = motion.size() > 0 ? motion.cwiseAbs().maxCoeff() : 0;
-  if (!(linear > 0)) throw foundation::NotComputable("steady: no excitation moves a nonlinear part");
+  if (!(linear > 0))
+    throw foundation::NotComputable(
+        "steady: no excitation moves a nonlinear part, so that the motion is linear; take response");
   return [C = balance_.coefficients(), smallest = share * linear](const VectorXd& unknowns) {
     double mean = 0, harmonic = smallest;
     for (Index i = 0; i < unknowns.size(); ++i)
@@ -238,6 +240,7 @@ bool SteadyPath::walk(double most_left_out, bool may_close, const foundation::Pr
         ended_ = "no motion was found at the upper end of the band";
         break;
       }
+      if (end->parameter_direction() < 0) end->tangent = -end->tangent;
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
@@ -247,6 +250,7 @@ bool SteadyPath::walk(double most_left_out, bool may_close, const foundation::Pr
         ended_ = "no motion was found at the lower end of the band";
         break;
       }
+      if (end->parameter_direction() > 0) end->tangent = -end->tangent;
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
@@ -340,10 +344,29 @@ std::vector<BranchPoint> SteadyPath::all_at(double parameter) const {
   return found;
 }
 
+/// Of a motion that leaves the distances for which the forces that begin at a deflection are known.
+std::string SteadyPath::leaves_distance(const BranchPoint& point, Index j) const {
+  const std::optional<DistanceAbout>& law = deflections_[to_size(j)].distance;
+  if (!law) return "";
+  const auto [low, high] = law->range();
+  if (!std::isfinite(low) && !std::isfinite(high)) return "";
+  const Index C = balance_.coefficients(), samples = 4 * C;
+  const Eigen::MatrixXd course = point.unknowns.segment(j * C, 3 * C).reshaped(C, 3);
+  for (Index n = 0; n < samples; ++n) {
+    const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
+    const Eigen::Vector3d here = (numerics::fourier_row(balance_.harmonics(), phase) * course).transpose();
+    if (const double distance = law->distance(here); distance < low || distance > high)
+      return fmt::format("{} reaches a length of {:.6g} m at {}; its forces are known from {:.6g} to {:.6g} m",
+                         deflections_[to_size(j)].name, distance, place(point.parameter), low, high);
+  }
+  return "";
+}
+
 /// Of a motion that leaves the points of a curve which must not be extended.
 std::string SteadyPath::leaves_curve(const BranchPoint& point) const {
   const Index C = balance_.coefficients();
   for (Index j = 0; j < to_index(deflections_.size()); ++j) {
+    if (const std::string left = leaves_distance(point, j); !left.empty()) return left;
     const auto [low, high] = deflections_[to_size(j)].law.range();
     if (!std::isfinite(low)) continue;
     const VectorXd motion = point.unknowns.segment(j * C, C);

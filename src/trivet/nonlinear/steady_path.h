@@ -83,6 +83,7 @@ class SteadyPath {
                                                                           double length) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
+  [[nodiscard]] std::string leaves_distance(const numerics::BranchPoint& point, Eigen::Index deflection) const;
   [[nodiscard]] std::string leaves_curve(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;

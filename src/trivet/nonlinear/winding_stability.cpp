@@ -192,17 +192,19 @@ std::vector<double> first_places(const CondensedMachine& machine, double omega) 
   return places;
 }
 
-/// Change of the argument of D from one place to another.
-double turn(const HillDeterminant& determinant, double from, Complex there, double to, Complex end, int halvings) {
+/// Change of the argument of D from one place to another; empty if it jumps however close the places are.
+std::optional<double> turn(const HillDeterminant& determinant, double from, Complex there, double to, Complex end,
+                           int halvings) {
   constexpr double gentle = 0.9;  // [rad]
-  const double whole = std::arg(end / there);
-  if (halvings == 0) return whole;
+  if (halvings == 0) return std::nullopt;
   const double middle = (from + to) / 2;
   const Complex between = determinant.at(middle);
   const double first = std::arg(between / there), second = std::arg(end / between);
   if (std::abs(first) < gentle && std::abs(second) < gentle) return first + second;
-  return turn(determinant, from, there, middle, between, halvings - 1) +
-      turn(determinant, middle, between, to, end, halvings - 1);
+  const std::optional<double> before = turn(determinant, from, there, middle, between, halvings - 1);
+  if (!before) return std::nullopt;
+  const std::optional<double> after = turn(determinant, middle, between, to, end, halvings - 1);
+  return after ? std::optional(*before + *after) : std::nullopt;
 }
 
 }  // namespace
@@ -217,7 +219,9 @@ std::optional<int> WindingStability::unstable_exponents(const VectorXd& deflecti
   constexpr int halvings = 24;
   for (std::size_t i = 0; i + 1 < places.size(); ++i) {
     const Complex next = determinant.at(places[i + 1]);
-    turned += turn(determinant, places[i], before, places[i + 1], next, halvings);
+    const std::optional<double> step = turn(determinant, places[i], before, places[i + 1], next, halvings);
+    if (!step) return std::nullopt;
+    turned += *step;
     before = next;
   }
   const auto open = std::count_if(machine_.poles().begin(), machine_.poles().end(),

@@ -21,8 +21,8 @@ class WindingStability {
   WindingStability(const CondensedMachine& machine, const std::vector<Deflection>& deflections)
       : machine_(machine), deflections_(deflections) {}
 
-  /// Number of Floquet exponents with Re s > 0; empty if D turns by no whole number of half turns, as happens where an
-  /// exponent lies on the axis.
+  /// Number of Floquet exponents with Re s > 0; empty if an exponent lies on the axis, to
+  /// round-off: D is then almost zero somewhere, and its turns cannot be told.
   /// @param deflections  Fourier coefficients of one deflection after another
   /// @param omega        of the first harmonic [rad/s]
   [[nodiscard]] std::optional<int> unstable_exponents(const Eigen::VectorXd& deflections, double omega) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_figures.h"
@@ -86,12 +87,12 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
 bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, double width, double height) {
   constexpr double room = 0.12;  // of the picture
   const SteadyPoint& here = branch.folds[fold].point;
-  for (std::size_t i = 0; i < branch.folds.size(); ++i) {
+  for (std::size_t i = 0; i < fold; ++i) {
     const SteadyPoint& other = branch.folds[i].point;
     const bool near_x = std::abs(branch.parameter(other) - branch.parameter(here)) < room * width,
                near_y = std::abs(other.results[result].half_of_range() - here.results[result].half_of_range()) <
         room * height;
-    if (i != fold && near_x && near_y) return false;
+    if (near_x && near_y) return false;
   }
   return true;
 }
@@ -199,10 +200,14 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
     const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(answers.display, branch->units[c]));
     std::vector<PanelRow> rows = {range_row(*branch, c, answers.display, unit),
                                   harmonics_row(*branch, c, answers.display, unit)};
-    const double from = place(*branch, branch->points.front(), answers.display),
-                 to = place(*branch, branch->points.back(), answers.display);
-    for (PanelRow& row : rows)
-      row.x = {std::min(from, to), std::max(from, to), false, results::varied_heading(*branch, answers.display)};
+    double from = foundation::infinity, to = 0;
+    for (const PanelRow& row : rows)
+      for (const PanelCurve& curve : row.curves)
+        for (const double x : curve.x) {
+          from = std::min(from, x);
+          to = std::max(to, x);
+        }
+    for (PanelRow& row : rows) row.x = {from, to, false, results::varied_heading(*branch, answers.display)};
     figures.push_back(stacked_rows(case_title("Steady motion of " + branch->results[c], answers),
                                    "steady-" + file_part(branch->results[c]) + ".svg", rows));
   }
@@ -230,7 +235,11 @@ std::string steady_tables(const study::Answers& answers) {
       branch->search ? fmt::format("{} detached curves were found by a search", branch->detached.size())
                      : "detached ones are not sought",
       branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
-  if (rows.empty()) return about + hint("No folds: one motion at each place of this branch, no jumps.");
+  if (rows.empty())
+    return about +
+        hint(branch->changes.empty() && branch->detached.empty()
+                 ? "No folds: one motion at each place of this branch, no jumps."
+                 : "No folds on this branch.");
   return html_table({{"jump of a"},
                      right("at [" + results::varied_unit(*branch, answers.display) + "]"),
                      {"half of the range of"},

@@ -63,6 +63,7 @@ Json point(const SteadyPoint& p) {
           {"load_factor", p.load_factor},
           {"stable", p.stable},
           {"largest_multiplier", number(p.largest_multiplier())},
+          {"contact", p.contact},
           {"unstable_by_winding", p.unstable_by_winding ? Json(*p.unstable_by_winding) : Json(nullptr)},
           {"results", std::move(motions)}};
 }
@@ -81,7 +82,8 @@ const char* multipliers_of(const SteadyBranch& branch) {
 
 /// Points, folds and changes of one curve.
 Json followed_curve(const SteadyBranch& branch) {
-  Json result{{"ended", branch.ended},
+  Json result{{"left_out", number(branch.left_out)},
+              {"ended", branch.ended},
               {"closed", branch.closed},
               {"points", Json::array()},
               {"folds", Json::array()},
@@ -103,8 +105,8 @@ Json steady(const project::Case&, const study::Answers& answers) {
               {"of_shaft", branch.of_shaft},
               {"first_harmonic", branch.first_harmonic},
               {"harmonics", branch.harmonics},
-              {"left_out", number(branch.left_out)},
               {"held_share", number(branch.held_share)},
+              {"stops", branch.stops},
               {"multipliers_of", multipliers_of(branch)},
               {"winding",
                {{"points", branch.winding.points},
@@ -134,6 +136,7 @@ namespace {
 std::string steady_csv(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   std::string text = "curve,angular_frequency [rad/s],load factor,stable,largest multiplier";
+  for (const std::string& stop : branch.stops) text += "," + csv_field(stop + " contact");
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     for (const char* part : {"re", "im"})
       text += "," + csv_field(fmt::format("{} {} [{}]", branch.results[c], part, branch.units[c]));
@@ -146,6 +149,7 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
     for (const SteadyPoint& point : curves[number]->points) {
       text += fmt::format("{},{},{},{},{}", number, point.angular_frequency, point.load_factor,
                           point.stable ? "yes" : "no", csv_number(point.largest_multiplier()));
+      for (const double share : point.contact) append_csv_number(text, share);
       for (const ObservedMotion& motion : point.results) {
         append_csv_number(text, motion.harmonics(0).real());
         append_csv_number(text, motion.harmonics(0).imag());
@@ -188,13 +192,14 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
       fmt::format("{} from {}", branch.results[*told], value_text(fold.point.results[*told].half_of_range(), unit));
   return from +
       (fold.lands ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
-                  : "; this branch has no other stable motion there, or several");
+                  : "; no other stable motion is known there, or several are");
 }
 
 std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
   if (branch.folds.empty())
-    return branch.changes.empty() ? "  no folds: one motion at each place of this branch, no jumps\n"
-                                  : "  no folds: one motion at each place of this branch\n";
+    return branch.changes.empty() && branch.detached.empty()
+        ? "  no folds: one motion at each place of this branch, no jumps\n"
+        : "  no folds: one motion at each place of this branch\n";
   TextTable table({"fold", "at [" + varied_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
     table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
@@ -250,7 +255,12 @@ std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& 
   TextTable table({"stability changes", "at [" + varied_unit(branch, display) + "]"});
   for (const nonlinear::StabilityChange& change : branch.changes)
     table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9)});
-  return table.text() + "  the motions that begin there are not computed\n";
+  std::string text = table.text() + "  the motions that begin there are not computed\n";
+  for (const auto& [from, to] : nonlinear::without_stable_motion(branch))
+    text += fmt::format("  between {} and {} {} no stable motion is known; the largest values leave it out\n",
+                        number_text(shown_varied(branch, from, display), 6),
+                        number_text(shown_varied(branch, to, display), 6), varied_unit(branch, display));
+  return text;
 }
 
 std::string stability_text(const SteadyBranch& branch) {
@@ -260,8 +270,10 @@ std::string stability_text(const SteadyBranch& branch) {
     text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
   if (winding.decides)
     return text +
-        "  stability: by the winding number at every point, because the nearest machine with constant "
-        "matrices differs\n";
+        fmt::format(
+               "  stability: by the winding number, because the nearest machine with constant matrices differs; it "
+               "cannot tell at {} of {} points, which keep the verdict of the multipliers\n",
+               winding.undecided, winding.points);
   if (branch.multipliers_of == SteadyBranch::Multipliers::constant_machine)
     text += "  stability: multipliers of the nearest machine with constant matrices\n";
   if (winding.points > 0)
@@ -303,7 +315,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
       return a->results[c].largest < b->results[c].largest;
     };
     const SteadyPoint& top = **std::max_element(stable.begin(), stable.end(), is_lower);
-    double smallest = 0, of_all = top.results[c].largest;
+    double smallest = top.results[c].smallest, of_all = top.results[c].largest;
     for (const SteadyPoint* point : stable) smallest = std::min(smallest, point->results[c].smallest);
     for (const SteadyBranch* curve : all_curves(branch))
       for (const SteadyPoint& point : curve->points) of_all = std::max(of_all, point.results[c].largest);
@@ -346,6 +358,11 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
   list.field("angular_frequency", "rad/s", axis, points, &SteadyPoint::angular_frequency);
   list.column("stable", "1", axis, points, &SteadyPoint::stable);
   list.column("largest_multiplier", "1", axis, points, &SteadyPoint::largest_multiplier);
+  for (std::size_t i = 0; i < branch.stops.size(); ++i) {
+    std::vector<double> shares;
+    for (const SteadyPoint& point : points) shares.push_back(point.contact[i]);
+    list.copy(branch.stops[i] + " contact", "1", axis, std::move(shares));
+  }
   list.count("harmonic", harmonics);
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
     const std::string &name = branch.results[c], &unit = branch.units[c];

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/study/question_answer.h"
@@ -10,17 +13,23 @@
 namespace trivet::study {
 namespace {
 
-/// From a tenth of the lowest to 1.5 times the highest natural frequency about rest.
-response::Band usual_band(const CaseContext& c) {
-  double low = 0, high = 0;
+/// From a tenth of the lowest to 1.5 times the highest natural frequency about rest, or the speeds at which orders are
+/// there. Modes of parts that float, such as decouplers, do not count.
+response::Band usual_band(const CaseContext& c, const std::vector<std::string>& excitations) {
+  std::vector<double> frequencies;
   for (const modal::Mode& mode : c.modes.list)
-    if (mode.angular_frequency && *mode.angular_frequency > 0) {
-      low = low > 0 ? std::min(low, *mode.angular_frequency) : *mode.angular_frequency;
-      high = std::max(high, *mode.angular_frequency);
-    }
-  if (!(high > 0))
+    if (mode.angular_frequency && *mode.angular_frequency > 0) frequencies.push_back(*mode.angular_frequency);
+  if (frequencies.empty())
     throw foundation::NotComputable("steady: no natural frequency about rest to choose a band from; give band = […]");
-  return {0.1 * low, 1.5 * high};
+  constexpr double floats = 1e-3;
+  const double high = *std::max_element(frequencies.begin(), frequencies.end());
+  double low = high;
+  for (const double omega : frequencies)
+    if (omega > floats * high) low = std::min(low, omega);
+  const nonlinear::PeriodicExcitation acting = nonlinear::periodic_excitation(c.system, c.assembled, excitations);
+  const double first = acting.first_harmonic * static_cast<double>(acting.harmonics.front()),
+               last = acting.first_harmonic * static_cast<double>(acting.highest());
+  return {0.1 * low / last, 1.5 * high / first};
 }
 
 }  // namespace
@@ -36,7 +45,7 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
     options.from = asked.load_from;
     options.to = asked.load_to;
   } else {
-    const response::Band band = asked.band ? *asked.band : usual_band(c);
+    const response::Band band = asked.band ? *asked.band : usual_band(c, asked.selection.excitations);
     options.from = band.from;
     options.to = band.to;
   }
@@ -55,6 +64,12 @@ namespace {
 nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
                                       foundation::Problems& warnings) {
   const nonlinear::SteadyBranch branch = steady_motions(c, asked);
+  if (!branch.of_shaft && asked.selection.excitations.empty())
+    for (const model::Excitation& excitation : c.system.description().excitations)
+      if (std::holds_alternative<model::Orders>(excitation.course))
+        warnings.warning("analyses.steady", "\"" + excitation.name + "\" does not act",
+                         "harmonic excitations and orders have no common period, and the harmonic ones are taken",
+                         "name it in excitations of steady to have the motion under its orders");
   if (branch.left_out > asked.tolerance)
     warnings.warning("analyses.steady",
                      fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
@@ -67,11 +82,25 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
                      fmt::format("they have {:.2g} of the deflections", branch.held_share),
                      "extend the table if this share matters");
   if (!branch.winding.differs_at.empty() && !branch.winding.decides)
-    warnings.warning("analyses.steady",
-                     fmt::format("two verdicts on stability differ at {} of {} points",
-                                 branch.winding.differs_at.size(), branch.winding.points),
-                     fmt::format("the first at {:.10g} (rad/s, or a factor)", branch.winding.differs_at.front()),
-                     "take more harmonics; close to a change of stability both are uncertain");
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("two verdicts on stability differ at {} of {} points", branch.winding.differs_at.size(),
+                    branch.winding.points),
+        branch.over == nonlinear::Parameter::load_factor
+            ? fmt::format("the first at {:.6g} times the load", branch.winding.differs_at.front())
+            : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
+        "take more harmonics; close to a change of stability both are uncertain");
+  for (std::size_t i = 0; i < branch.detached.size(); ++i) {
+    const nonlinear::SteadyBranch& detached = branch.detached[i];
+    if (detached.left_out > asked.tolerance)
+      warnings.warning("analyses.steady",
+                       fmt::format("detached curve {}: {} harmonics leave out {:.2g} of the deflections", i + 1,
+                                   detached.harmonics, detached.left_out),
+                       fmt::format("the tolerance is {:.2g}", asked.tolerance), "take more harmonics");
+    if (!detached.ended.empty())
+      warnings.warning("analyses.steady", fmt::format("detached curve {} is not whole", i + 1), detached.ended,
+                       "what lies beyond is not computed");
+  }
   for (const std::string& name : branch.lost_means)
     warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",
                      "the mean of the motion contains this shift, however small the excitation",

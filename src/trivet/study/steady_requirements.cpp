@@ -36,25 +36,35 @@ std::pair<double, double> range_of(const SteadyPoint& point, std::size_t deflect
   return {low, high};
 }
 
-/// A stop, with its gaps from rest; or a ring, over a deflection and the next one.
+/// A stop, with its gaps from rest; or one of a strut or a ring, over three deflections.
 struct Stop {
   std::string element;
   std::size_t deflection;
   double above, below;
-  const model::DistancePart* ring = nullptr;
+  const model::DistancePart* distance = nullptr;
 };
 
-/// The largest distance from the axis of a ring over its play.
-double share_of_ring(const SteadyPoint& point, const Stop& stop) {
+/// Travel over gap.
+double of_gap(double travel, double gap) {
+  if (std::isinf(gap) || travel <= 0) return gap > 0 ? 0.0 : infinity;
+  return gap > 0 ? travel / gap : infinity;
+}
+
+/// The largest share of the gaps that the distance between the ends uses: of a ring from its axis, of a strut from
+/// rest.
+double share_of_distance(const SteadyPoint& point, const Stop& stop) {
   const Eigen::MatrixXd motion = point.deflections.middleCols(to_index(stop.deflection), 3);
   const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 32 * (harmonics + 1);
+  const elements::DistanceForce& law = stop.distance->law;
+  const double from = law.across ? 0 : law.distance(stop.distance->at_rest);
   double largest = 0;
   for (Eigen::Index n = 0; n < samples; ++n) {
     const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
     const Eigen::Vector3d deviation = (numerics::fourier_row(harmonics, phase) * motion).transpose();
-    largest = std::max(largest, stop.ring->law.distance(stop.ring->at_rest + deviation));
+    const double travel = law.distance(stop.distance->at_rest + deviation) - from;
+    largest = std::max({largest, of_gap(travel, stop.above), of_gap(-travel, stop.below)});
   }
-  return stop.above > 0 ? largest / stop.above : infinity;
+  return largest;
 }
 
 std::vector<Stop> stops_of(const model::System& system) {
@@ -69,10 +79,10 @@ std::vector<Stop> stops_of(const model::System& system) {
     }
   for (const model::Element& element : system.elements())
     for (const model::DistancePart& part : element.distance_parts) {
-      if (part.law.across)
-        for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.law.laws))
-          if (const auto* stop = std::get_if<elements::GapStop>(&law))
-            stops.push_back({element.name, deflection, stop->upper(), infinity, &part});
+      const double rest = part.law.across ? 0 : part.law.distance(part.at_rest) - part.law.length;
+      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.law.laws))
+        if (const auto* stop = std::get_if<elements::GapStop>(&law))
+          stops.push_back({element.name, deflection, stop->upper() - rest, rest - stop->lower(), &part});
       deflection += 3;
     }
   return stops;
@@ -98,13 +108,9 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
     RequirementResult& result = list[first + i];
     double share = 0;
     for (const SteadyPoint* point : stable_points(branch)) {
-      const auto of_gap = [](double travel, double gap) {
-        if (std::isinf(gap) || travel <= 0) return gap > 0 ? 0.0 : infinity;
-        return gap > 0 ? travel / gap : infinity;
-      };
       double here = 0;
-      if (stops[i].ring) {
-        here = share_of_ring(*point, stops[i]);
+      if (stops[i].distance) {
+        here = share_of_distance(*point, stops[i]);
       } else {
         const auto [low, high] = range_of(*point, stops[i].deflection);
         here = std::max(of_gap(high, stops[i].above), of_gap(-low, stops[i].below));
@@ -116,35 +122,6 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
     result.value = share;
     result.margin = std::isinf(share) ? 0 : margin_of(1, share);
   }
-}
-
-/// A frequency without a stable motion [rad/s]; none if there is one everywhere.
-std::optional<double> without_stable_motion(const SteadyBranch& branch) {
-  std::vector<std::pair<double, double>> stretches;  // of stable motions
-  const auto add = [&](const SteadyPoint& a, const SteadyPoint& b) {
-    stretches.emplace_back(std::minmax(a.angular_frequency, b.angular_frequency));
-  };
-  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
-    const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
-    const auto in_step = [i](const auto& one) { return one.after == i; };
-    const auto fold = std::find_if(branch.folds.begin(), branch.folds.end(), in_step);
-    const auto change = std::find_if(branch.changes.begin(), branch.changes.end(), in_step);
-    const SteadyPoint* middle = fold != branch.folds.end() ? &fold->point
-        : change != branch.changes.end()                   ? &change->point
-                                                           : nullptr;
-    if (!middle && here.stable && next.stable) add(here, next);
-    if (middle && here.stable) add(here, *middle);
-    if (middle && next.stable) add(*middle, next);
-  }
-  std::sort(stretches.begin(), stretches.end());
-  const double from = branch.points.front().angular_frequency, to = branch.points.back().angular_frequency;
-  double covered = from;
-  constexpr double round_off = 1e-9;
-  for (const auto& [low, high] : stretches) {
-    if (low > covered * (1 + round_off)) return (covered + low) / 2;
-    covered = std::max(covered, high);
-  }
-  return covered < to * (1 - round_off) ? std::optional((covered + to) / 2) : std::nullopt;
 }
 
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
@@ -180,11 +157,12 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
     const SteadyBranch branch = steady_motions(context, asked);
     if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
     if (required.no_jump) set_jumps(branch, list[first]);
-    const std::optional<double> unstable = without_stable_motion(branch);
-    if (unstable) {
+    const auto without = nonlinear::without_stable_motion(branch);
+    if (!without.empty()) {
+      const double middle = (without.front().first + without.front().second) / 2;
       for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i)
         list[i].reason = fmt::format("no periodic motion is stable at {:.5g} Hz; what happens there is not computed",
-                                     *unstable / foundation::two_pi);
+                                     middle / foundation::two_pi);
       return;
     }
     set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);

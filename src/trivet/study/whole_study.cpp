@@ -140,6 +140,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
         {subject, "mass matrix is positive definite", fmt::format("lowest eigenvalue {:.12g}", a(0)), a(0) > 0});
   }
   for (const auto& element : variant.system.elements()) {
+    if (!element.distance_parts.empty()) continue;  // its force turns with the line between its ends
     const std::string subject = "element " + element.name;
     const elements::Matrix12 k = elements::stiffness(element.law), b = elements::viscous_damping(element.law);
     const elements::MatrixVerdict of_k = study::matrix_verdict(variant, element, k),

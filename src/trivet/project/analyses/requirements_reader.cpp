@@ -266,7 +266,8 @@ void check_stops(const Requirements& required, const model::System& system, foun
       for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
         if (std::holds_alternative<elements::GapStop>(law) && !part.is_inner()) return;
     for (const model::DistancePart& part : element.distance_parts)
-      if (part.law.across) return;
+      for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.law.laws))
+        if (std::holds_alternative<elements::GapStop>(law)) return;
   }
   problems.error("requirements.no_contact", "a machine without stops", "it asks that no stop is touched",
                  "remove it, or give an element gap_stop or the type stop");

@@ -57,6 +57,8 @@ class ElementReader {
     if (element_.law.inner && elements::is_frequency_dependent(element_.law))
       reader_.error("damping", "fractional damping of a " + element_.type,
                     "its fluid needs rubber with constant matrices", "take zener or maxwell");
+    if (law_ && !law_->takes_laws && reader_.has("scale"))
+      reader_.error("scale", "scale of a " + element_.type, "its laws are not scaled", "change their numbers");
     if (law_ && law_->takes_laws) read_laws(reader_, ends_.span, element_);
     if (law_) read_element_adjustments(reader_, element_, reader_.errors() == before, in_file_);
     if (law_) reader_.finish();

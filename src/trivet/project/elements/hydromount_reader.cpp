@@ -65,7 +65,7 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
     names.emplace_back("decoupler");
     constexpr double faint = 1e-5;
     play = decoupler.required_number("play", Quantity::volume);
-    if (!(play > 0))
+    if (decoupler.has("play") && !(play > 0))
       decoupler.error("play", fmt::format("{:.6g} m³", play), "it is > 0: the volume until it closes, either way",
                       "correct it, or remove the decoupler");
     seat = decoupler.number("seat", Quantity::pure).value_or(upper);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -98,7 +99,7 @@ void read_laws(TableReader& reader, const model::Span& span, model::Element& ele
 namespace {
 
 /// A point of a body against a plane, or between two: no force until a gap closes.
-void read_stop(TableReader& reader, Placement&, model::Element& element) {
+void read_stop(TableReader& reader, Placement& ends, model::Element& element) {
   if (!reader.has("axis") && !reader.has("orientation"))
     reader.missing("axis", "give the direction in which the body meets the stop: axis = \"z\" or \"-z\"");
   constexpr int along = 2;
@@ -108,10 +109,13 @@ void read_stop(TableReader& reader, Placement&, model::Element& element) {
       if (reader.has(other))
         reader.error(other, std::string("ring and ") + other, "a stop is within a ring, or along its axis",
                      "remove one");
-    const auto play = reader.number("ring", Quantity::length);
-    if (!play) return;
-    if (const auto law = read_gap_stop(reader, false, *play)) {
+    const double play = reader.number("ring", Quantity::length).value_or(1);
+    if (!(play > 0))
+      reader.error("ring", fmt::format("{:.6g} m", play), "the play of a pin in its ring is > 0",
+                   "describe a pin without play by a stiff spring");
+    if (const auto law = read_gap_stop(reader, false, std::max(play, 0.0))) {
       model::DistancePart part;
+      part.law.offset = ends.span.arm;
       part.law.across = true;
       part.law.laws.emplace_back(elements::ElasticForce(*law));
       element.distance_parts.push_back(std::move(part));
@@ -128,7 +132,7 @@ const ElementLaw stop_law = {
     .type = "stop", .placed = read_stop, .takes_damping = false, .takes_laws = false, .keys = R"json({"properties": {
    "gap": {"$ref": "#/$defs/number", "description": "m, >= 0: travel of the body along the axis until it meets the stop"},
    "gaps": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "m: along and against the axis"},
-   "ring": {"$ref": "#/$defs/number", "description": "m, >= 0: play of a pin within a ring, in all directions across the axis"},
+   "ring": {"$ref": "#/$defs/number", "description": "m, > 0: play of a pin within a ring, in all directions across the axis"},
    "stiffness": {"$ref": "#/$defs/number", "description": "N/m beyond the gap; with power p: N/m^p, a bare number"},
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
    "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},

@@ -112,8 +112,8 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
     reader.error(reader.has("gap") ? "gaps" : "", reader.has("gap") ? "gap and gaps" : "neither gap nor gaps",
                  "a stop has a gap in the positive direction, or gaps in both",
                  "gap = \"6 mm\", or gaps = [\"6 mm\", \"9 mm\"]");
-  if (const auto gap = reader.number("gap", travel)) law.gap_above = *gap;
-  if (const auto gaps = reader.numbers("gaps", travel)) {
+  if (const auto gap = ring ? std::nullopt : reader.number("gap", travel)) law.gap_above = *gap;
+  if (const auto gaps = ring ? std::nullopt : reader.numbers("gaps", travel)) {
     if (gaps->size() == 2) {
       law.gap_above = (*gaps)[0];
       law.gap_below = (*gaps)[1];
@@ -294,9 +294,10 @@ std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rota
     reader.error(reader.has("gamma") ? "gamma" : "beta", fmt::format("beta {:.6g}, gamma {:.6g}", law.beta, law.gamma),
                  "0 < beta and −beta < gamma ≤ beta: outside, some loops feed energy or have no limit",
                  "correct them, or set allow_active = true for gamma > beta");
-  else if (!(2 * std::abs(law.asymmetry) < law.beta + law.gamma))
+  else if (!(2 * std::abs(law.asymmetry) < law.beta + law.gamma && std::abs(law.asymmetry) < law.beta))
     reader.error("asymmetry", fmt::format("{:.6g}", law.asymmetry),
-                 fmt::format("2 |asymmetry| < beta + gamma = {:.6g}: beyond, the force has no limit on one side",
+                 fmt::format("2 |asymmetry| < beta + gamma = {:.6g} and |asymmetry| < beta: beyond, the force has no "
+                             "limit on one side",
                              law.beta + law.gamma),
                  "reduce it");
   return reader.errors() == before ? std::optional(law) : std::nullopt;

@@ -11,18 +11,19 @@ namespace trivet::project {
 
 /// `quadratic`, `cubic` and `polynomial` of a table: coefficients of δ, δ², …
 [[nodiscard]] std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation);
-/// `gap` or `gaps`, `stiffness`, `power`.
+/// `gap` or `gaps`, `stiffness`, `power`, `dissipation`, `gap_at`.
 /// @param ring  instead of the keys gap and gaps: the play within a ring [m]
 [[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation,
                                                              std::optional<double> ring = std::nullopt);
-/// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
+/// `pressure`, `volume`, `area`, `exponent`, `atmosphere`.
 [[nodiscard]] std::optional<elements::GasForce> read_gas_force(TableReader& reader);
+/// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
 [[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);
 /// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
 /// `slip` and `stiffness`, `sliders`, or `berg`.
 [[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
-/// `stiffness`, `force`, `exponent`, `beta`, `gamma`.
+/// `stiffness`, `force`, `exponent`, `beta`, `gamma`, `asymmetry`, `allow_active`.
 [[nodiscard]] std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation);
 
 }  // namespace trivet::project

@@ -175,7 +175,8 @@ void add_preload_facts(const CoilSpring& spring, const elements::CompressedCoil&
        fmt::format("{:.6g} MPa", 1e-6 * stress)});
 }
 
-/// coil_bind = true: the coils touch, and the stack of wires is a tube as thick as the wire, without its voids.
+/// coil_bind = true: the coils touch, one after the other. The closed spring is taken as a hundred times as stiff as
+/// the open one, with a little damping: far softer than its wire, and stiff enough to limit the travel.
 void read_coil_bind(TableReader& reader, const CoilSpring& spring, model::Element& element) {
   if (!reader.boolean("coil_bind").value_or(false)) return;
   if (reader.has("preload")) {
@@ -184,13 +185,12 @@ void read_coil_bind(TableReader& reader, const CoilSpring& spring, model::Elemen
     return;
   }
   const auto* round = std::get_if<elements::RoundWire>(&spring.wire);
-  const auto* rectangular = std::get_if<elements::RectangularWire>(&spring.wire);
-  const double height = round ? round->diameter : rectangular->axial_height;
-  const double section = round ? std::numbers::pi / 4 * round->diameter : rectangular->radial_width;
+  const double height = round ? round->diameter : std::get<elements::RectangularWire>(spring.wire).axial_height;
+  constexpr double stiffer = 100;
   elements::GapStop bind;
   bind.gap_below = spring.active_length - spring.active_coils * height;
-  bind.stiffness =
-      spring.youngs_modulus * std::numbers::pi * spring.mean_diameter * section / (spring.active_coils * height);
+  bind.stiffness = stiffer * element.law.nominal_stiffness(8, 8);
+  bind.dissipation = 0.5;  // [s/m]
   if (!(bind.gap_below > 0)) {
     reader.error("coil_bind", fmt::format("a travel of {:.6g} m", bind.gap_below),
                  "the coils do not touch when unloaded", "check free_length, active_coils and the wire");

@@ -43,7 +43,15 @@ void read_strut(TableReader& reader, Placement& ends, model::Element& element) {
     law.finish();
   };
   inside("curve", [](TableReader& law) { return read_force_curve(law, false); });
-  inside("gap_stop", [](TableReader& law) { return read_gap_stop(law, false); });
+  inside("gap_stop", [](TableReader& law) {
+    auto stop = read_gap_stop(law, false);
+    if (stop && stop->gaps_at_rest) {
+      law.error("gap_at", "\"rest\" in a strut", "its gaps are extensions from the free length",
+                "give them so, and remove gap_at");
+      stop.reset();
+    }
+    return stop;
+  });
   inside("gas", [](TableReader& law) { return read_gas_force(law); });
   if (reader.has("coefficient")) {
     const double c = reader.required_number("coefficient", Quantity::damping_force_per_length);
@@ -65,6 +73,10 @@ void read_strut(TableReader& reader, Placement& ends, model::Element& element) {
                  "it is a sum of stiffness, quadratic, cubic, polynomial, curve, gap_stop, gas, coefficient and "
                  "damping_curve over its extension",
                  "give one");
+  const elements::SpatialForce there =
+      elements::force_in_motion(part.law, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  element.facts.push_back({"length between its ends", fmt::format("{:.6g} m", between)});
+  element.facts.push_back({"pull at this length", fmt::format("{:.6g} N", there.force.dot(ends.span.arm) / between)});
   element.distance_parts.push_back(std::move(part));
 }
 

@@ -115,8 +115,12 @@ namespace {
 void read_air_spring(TableReader& reader, Placement& ends, model::Element& element) {
   const bool is_gas = reader.has("pressure") || reader.has("volume") || reader.has("area");
   if (!is_gas) return read_tabulated(reader, ends, element);
-  reader.also_known({"file", "interpolation", "center"});
-  if (reader.has("file")) reader.error("file", "a table and a gas law", "an air spring is one of them", "remove one");
+  for (const char* key : {"file", "interpolation", "center", "damping"}) {
+    if (reader.has(key))
+      reader.error(key, std::string(key) + " beside a gas law", "an air spring is a table or a gas law",
+                   "remove it; a damper beside it damps");
+    static_cast<void>(reader.node(key));
+  }
   constexpr double middle = 0.5;
   constexpr int along = 2;
   const double lateral = reader.number("lateral", Quantity::force_per_length).value_or(0);
@@ -131,7 +135,7 @@ void read_air_spring(TableReader& reader, Placement& ends, model::Element& eleme
 
 }  // namespace
 
-/// Three names of one law.
+/// Of the types table and wire_rope.
 constexpr const char* table_keys =
     R"json({"properties": {
    "file": {"type": "string",
