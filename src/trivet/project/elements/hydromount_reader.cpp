@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "trivet/foundation/index.h"
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/elements/element_table_readers.h"
 
