@@ -101,7 +101,7 @@ double reached(const BoucWenTravel& travel_to, double travel, double limit) {
 }
 
 template <typename Odd>
-const Odd& mirrored(const Odd& law) {
+Odd mirrored(const Odd& law) {
   return law;
 }
 double z_limit(const BoucWen& law) {  // upwards

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/contact_share.h"
 
+#include <utility>
 #include <vector>
 
 #include "trivet/foundation/constants.h"
@@ -26,11 +27,11 @@ double share_of_period(const std::vector<double>& corners, const Holds& holds) {
 }  // namespace
 
 double contact_share(const LawHarmonics& law, const Eigen::VectorXd& deflection, double omega) {
-  const auto [low, high] = law.law().untouched();
+  const std::pair<double, double> untouched = law.law().untouched();
   const LawCourse course = law.course(deflection, omega);
   return share_of_period(course.corners(), [&](double phase) {
     const double here = course.deflection_at(phase);
-    return here < low || here > high;
+    return here < untouched.first || here > untouched.second;
   });
 }
 

@@ -379,7 +379,7 @@ using Stretch = std::pair<double, double>;
 
 void add_stable_stretches(const SteadyBranch& branch, std::vector<Stretch>& stretches) {
   const auto add = [&](const SteadyPoint& a, const SteadyPoint& b) {
-    stretches.emplace_back(std::minmax(branch.parameter(a), branch.parameter(b)));
+    stretches.emplace_back(std::minmax({branch.parameter(a), branch.parameter(b)}));
   };
   for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
     const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
@@ -402,7 +402,8 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   add_stable_stretches(branch, stable);
   for (const SteadyBranch& detached : branch.detached) add_stable_stretches(detached, stable);
   std::sort(stable.begin(), stable.end());
-  const auto [from, to] = std::minmax(branch.parameter(branch.points.front()), branch.parameter(branch.points.back()));
+  const auto [from, to] =
+      std::minmax({branch.parameter(branch.points.front()), branch.parameter(branch.points.back())});
   double covered = from;
   constexpr double round_off = 1e-9;
   for (const auto& [low, high] : stable) {
