@@ -129,31 +129,32 @@ std::optional<BranchPoint> SteadyPath::raised_forces(const VectorXd& linear) con
   return followed_to_one(branch, branch.start(linear, 0));
 }
 
+numerics::Branch SteadyPath::over_load(const Driving& whole) const {
+  return {[this, whole](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+            balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
+            equations.by_parameter *= whole.factor;
+          },
+          1.0, scale()};
+}
+
+std::optional<BranchPoint> SteadyPath::at_small_load(const numerics::Branch& over_load, const Driving& whole) const {
+  constexpr double small = 1e-3;
+  return over_load.start(balance_.linear_motion({whole.omega, small * whole.factor}), small);
+}
+
 /// The motion at the lower end of the band, followed as its load is raised from a small one.
 std::optional<BranchPoint> SteadyPath::raised_to_load() const {
   const Driving whole = driving(options_.from);
-  const numerics::Branch branch(
-      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
-        balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
-        equations.by_parameter *= whole.factor;
-      },
-      1.0, scale());
-  constexpr double small = 1e-3;
-  return followed_to_one(branch, branch.start(balance_.linear_motion({whole.omega, small * whole.factor}), small));
+  const numerics::Branch branch = over_load(whole);
+  return followed_to_one(branch, at_small_load(branch, whole));
 }
 
 std::vector<BranchPoint> SteadyPath::motions_over_load(double parameter, double most_load) const {
   const Driving whole = driving(parameter);
-  const numerics::Branch branch(
-      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
-        balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
-        equations.by_parameter *= whole.factor;
-      },
-      1.0, scale());
-  constexpr double small = 1e-3;
+  const numerics::Branch branch = over_load(whole);
   constexpr int most_points = 600;
   std::vector<BranchPoint> found;
-  std::optional<BranchPoint> now = branch.start(balance_.linear_motion({whole.omega, small * whole.factor}), small);
+  std::optional<BranchPoint> now = at_small_load(branch, whole);
   double step = 0.02;
   for (int i = 0; now && i < most_points && std::abs(now->parameter) < most_load; ++i) {
     const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});

@@ -71,6 +71,10 @@ class SteadyPath {
   [[nodiscard]] bool walk(double most_left_out, bool may_close, const foundation::Progress& progress);
   [[nodiscard]] bool passes_start(const numerics::BranchPoint& next, double length) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
+  /// Motions over a share of the whole load, at its frequency; and the one at a small share.
+  [[nodiscard]] numerics::Branch over_load(const Driving& whole) const;
+  [[nodiscard]] std::optional<numerics::BranchPoint> at_small_load(const numerics::Branch& over_load,
+                                                                   const Driving& whole) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_forces(const Eigen::VectorXd& linear) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
