@@ -24,7 +24,17 @@ double damping_at_rest(const DampingForce& law) {
 
 bool is_piecewise_linear(const DampingForce& law) {
   const auto* curve = std::get_if<DampingCurve>(&law);
-  return curve && curve->interpolation == Interpolation::linear;
+  return curve && curve->force.is_linear();
+}
+
+bool is_piecewise_quadratic(const DampingForce& law) {
+  return std::holds_alternative<QuadraticDamping>(law) || is_piecewise_linear(law);
+}
+
+double curvature(const DampingForce& law, double rate) {
+  const auto* quadratic = std::get_if<QuadraticDamping>(&law);
+  if (!quadratic) return 0;
+  return rate < 0 ? -2 * quadratic->below : 2 * quadratic->above;
 }
 
 std::vector<double> kinks(const DampingForce& law) {

@@ -18,7 +18,6 @@ struct QuadraticDamping {
 /// f through points (v, f) that contain (0, 0).
 struct DampingCurve {
   KnotCurve force;
-  Interpolation interpolation = Interpolation::linear;
 };
 
 using DampingForce = std::variant<QuadraticDamping, DampingCurve>;
@@ -33,6 +32,9 @@ struct ForceOfRate {
 [[nodiscard]] double damping_at_rest(const DampingForce& law);
 /// Is df/dv constant between kinks?
 [[nodiscard]] bool is_piecewise_linear(const DampingForce& law);
+/// Is f of second degree between kinks? Then also d²f/dv².
+[[nodiscard]] bool is_piecewise_quadratic(const DampingForce& law);
+[[nodiscard]] double curvature(const DampingForce& law, double rate);
 /// Rates at which the force is not smooth, ascending.
 [[nodiscard]] std::vector<double> kinks(const DampingForce& law);
 

@@ -37,7 +37,6 @@ struct GapStop {
 /// f through points; f(0) = 0.
 struct ForceCurve {
   KnotCurve force;
-  Interpolation interpolation = Interpolation::linear;
   bool rises = false;       ///< the force never falls
   bool is_limited = false;  ///< no motion may leave its points
 };
@@ -64,6 +63,13 @@ struct ForceInMotion {
   double force = 0, by_deflection = 0, by_rate = 0;
 };
 [[nodiscard]] ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate);
+/// Is it of second degree in δ and its rate between kinks?
+[[nodiscard]] bool is_piecewise_quadratic(const ElasticForce& law);
+/// Of such a force: its second derivatives.
+struct Curvature {
+  double twice_by_deflection = 0, by_deflection_and_rate = 0, twice_by_rate = 0;
+};
+[[nodiscard]] Curvature curvature(const ElasticForce& law, double deflection, double rate);
 /// Does its force depend on the rate?
 [[nodiscard]] bool is_damped(const ElasticForce& law);
 /// Rates at which that dependence is not smooth.

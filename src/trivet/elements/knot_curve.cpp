@@ -31,12 +31,13 @@ double knot_slope(const std::vector<double>& x, const Eigen::Ref<const Eigen::Ve
 }
 
 KnotCurve::KnotCurve(std::vector<double> x, const std::vector<double>& y, Interpolation interpolation)
-    : x_(std::move(x)), y_(Eigen::Map<const Eigen::VectorXd>(y.data(), to_index(y.size()))) {
+    : interpolation_(interpolation),
+      x_(std::move(x)),
+      y_(Eigen::Map<const Eigen::VectorXd>(y.data(), to_index(y.size()))) {
   for (std::size_t i = 0; i + 1 < x_.size(); ++i) {
     const double secant = (y_(to_index(i) + 1) - y_(to_index(i))) / (x_[i + 1] - x_[i]);
-    const bool straight = interpolation == Interpolation::linear;
-    below_.push_back(straight ? secant : knot_slope(x_, y_, i));
-    above_.push_back(straight ? secant : knot_slope(x_, y_, i + 1));
+    below_.push_back(is_linear() ? secant : knot_slope(x_, y_, i));
+    above_.push_back(is_linear() ? secant : knot_slope(x_, y_, i + 1));
   }
 }
 

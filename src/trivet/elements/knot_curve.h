@@ -30,11 +30,13 @@ class KnotCurve {
   [[nodiscard]] ValueAndSlope at(double x) const;
   /// ∫ y dx from the first knot.
   [[nodiscard]] double integral(double x) const;
+  [[nodiscard]] bool is_linear() const { return interpolation_ == Interpolation::linear; }
   [[nodiscard]] const std::vector<double>& knots() const { return x_; }
 
  private:
   [[nodiscard]] double integral_in(std::size_t interval, double share) const;
 
+  Interpolation interpolation_ = Interpolation::linear;
   std::vector<double> x_;
   Eigen::VectorXd y_;
   std::vector<double> below_, above_;  ///< slopes at the lower and the upper end of each interval

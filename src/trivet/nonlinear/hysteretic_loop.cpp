@@ -31,13 +31,12 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
   sticks_ = std::holds_alternative<elements::Slider>(part_.law) && around(start).by_start == 1;
   around(sticks_ ? start : closed(start));
   set_slopes(deflection);
-  const VectorXd rate = numerics::phase_derivative(deflection);
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     Branch& branch = branches_[i];
     const double travel = branches_[(i + 1) % branches_.size()].deflection - branch.deflection;
     const std::optional<double> kink = elements::kink_travel(part_.law, branch.force, travel < 0 ? -1 : 1);
     if (kink && std::abs(*kink) > 0 && std::abs(*kink) < std::abs(travel))
-      branch.kink = numerics::crossing_between(deflection, rate, branch.deflection + *kink, branch.from, branch.to);
+      branch.kink = numerics::crossing_between(deflection, branch.deflection + *kink, branch.from, branch.to);
   }
 }
 

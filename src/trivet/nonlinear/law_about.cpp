@@ -27,19 +27,21 @@ LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotio
     for (const double kink : elements::kinks(law)) kinks_.push_back(kink - state);
     for (const double kink : elements::rate_kinks(law)) rate_kinks_.push_back(kink);
     has_dampers_ = has_dampers_ || elements::is_damped(law);
+    const bool is_smooth = elements::kinks(law).empty() && elements::rate_kinks(law).empty();
+    (is_smooth ? smooth_ : elements::is_piecewise_quadratic(law) ? quadratic_ : others_).add(law);
   }
-  for (const elements::DampingForce& law : dampers_)
+  for (const elements::DampingForce& law : dampers_) {
     for (const double kink : elements::kinks(law)) rate_kinks_.push_back(kink);
+    (elements::is_piecewise_quadratic(law) ? quadratic_ : others_).add(law);
+  }
   make_ascending(kinks_);
   make_ascending(rate_kinks_);
 }
 
-LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
-  Force sum{-offset_ - reference_.stiffness * deviation - reference_.damping * rate, -reference_.stiffness,
-            -reference_.damping};
-  for (const Hysteretic& part : hysteretic_) sum.force += part.at_state;  // in the offset
+LawAbout::Force LawAbout::Parts::at(double deflection, double rate) const {
+  Force sum;
   for (const elements::ElasticForce& law : elastic_) {
-    const elements::ForceInMotion found = elements::force_in_motion(law, state_ + deviation, rate);
+    const elements::ForceInMotion found = elements::force_in_motion(law, deflection, rate);
     sum.force += found.force;
     sum.by_deviation += found.by_deflection;
     sum.by_rate += found.by_rate;
@@ -47,6 +49,37 @@ LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
   for (const elements::DampingForce& law : dampers_) {
     const elements::ForceOfRate found = elements::force_of_rate(law, rate);
     sum.force += found.force;
+    sum.by_rate += found.by_rate;
+  }
+  return sum;
+}
+
+elements::Curvature LawAbout::Parts::curvature(double deflection, double rate) const {
+  elements::Curvature sum;
+  for (const elements::ElasticForce& law : elastic_) {
+    const elements::Curvature found = elements::curvature(law, deflection, rate);
+    sum.twice_by_deflection += found.twice_by_deflection;
+    sum.by_deflection_and_rate += found.by_deflection_and_rate;
+    sum.twice_by_rate += found.twice_by_rate;
+  }
+  for (const elements::DampingForce& law : dampers_) sum.twice_by_rate += elements::curvature(law, rate);
+  return sum;
+}
+
+LawAbout::Line LawAbout::line() const {
+  Line found{-offset_, -reference_.stiffness, -reference_.damping};
+  for (const Hysteretic& part : hysteretic_) found.constant += part.at_state;  // in the offset
+  return found;
+}
+
+LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
+  const Line straight = line();
+  Force sum{straight.constant + straight.stiffness * deviation + straight.damping * rate, straight.stiffness,
+            straight.damping};
+  for (const Parts* parts : {&smooth_, &quadratic_, &others_}) {
+    const Force found = parts->at(state_ + deviation, rate);
+    sum.force += found.force;
+    sum.by_deviation += found.by_deviation;
     sum.by_rate += found.by_rate;
   }
   return sum;

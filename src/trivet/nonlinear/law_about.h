@@ -20,6 +20,31 @@ class LawAbout {
   };
   /// Of the parts without memory: elastic ones and dampers, with both references.
   [[nodiscard]] Force without_memory(double deviation, double rate) const;
+
+  /// Parts of that force, by how they are integrated over a motion.
+  class Parts {
+   public:
+    void add(const elements::ElasticForce& law) { elastic_.push_back(law); }
+    void add(const elements::DampingForce& law) { dampers_.push_back(law); }
+    [[nodiscard]] bool is_empty() const { return elastic_.empty() && dampers_.empty(); }
+    /// At a deflection and its rate.
+    [[nodiscard]] Force at(double deflection, double rate) const;
+    [[nodiscard]] elements::Curvature curvature(double deflection, double rate) const;
+
+   private:
+    std::vector<elements::ElasticForce> elastic_;
+    std::vector<elements::DampingForce> dampers_;
+  };
+  [[nodiscard]] const Parts& smooth() const { return smooth_; }        ///< without kinks
+  [[nodiscard]] const Parts& quadratic() const { return quadratic_; }  ///< of second degree between kinks
+  [[nodiscard]] const Parts& others() const { return others_; }
+  /// What remains: constant + stiffness · x + damping · v.
+  struct Line {
+    double constant = 0, stiffness = 0, damping = 0;
+  };
+  [[nodiscard]] Line line() const;
+  [[nodiscard]] double state() const { return state_; }
+
   /// Of all parts in slow motion from the undeformed state.
   [[nodiscard]] elements::ForceAndTangent at_rest(double deviation) const;
 
@@ -52,6 +77,7 @@ class LawAbout {
   elements::ScalarLaws laws_;
   std::vector<elements::ElasticForce> elastic_;
   std::vector<elements::DampingForce> dampers_;
+  Parts smooth_, quadratic_, others_;
   std::vector<Hysteretic> hysteretic_;
   double state_ = 0, offset_ = 0;
   elements::SmallMotion reference_;

@@ -2,7 +2,9 @@
 #include "trivet/nonlinear/law_harmonics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -22,6 +24,16 @@ Index sample_count(Index harmonics) {
   Index count = fewest;
   while (count < per_harmonic * harmonics + 2) count *= 2;
   return count;
+}
+
+/// Phases from corner to corner; the whole period without any.
+std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
+  const std::vector<double>& corners = course.corners();
+  if (corners.empty()) return {{0, two_pi}};
+  std::vector<std::pair<double, double>> found;
+  for (std::size_t i = 0; i + 1 < corners.size(); ++i) found.emplace_back(corners[i], corners[i + 1]);
+  found.emplace_back(corners.back(), corners.front() + two_pi);
+  return found;
 }
 
 }  // namespace
@@ -68,15 +80,31 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
               VectorXd::Zero(law_.has_dampers() ? twice : 0),
               {}};
   const LawCourse along = course(deflection, omega);
-  if (along.corners().empty()) add_sampled(deflection, omega, sum);
-  else add_between_corners(along, sum);
+  add_line(deflection, omega, sum);
+  if (!law_.smooth().is_empty()) add_sampled(law_.smooth(), deflection, omega, sum);
+  if (!law_.quadratic().is_empty()) add_quadratic(along, deflection, omega, sum);
+  if (!law_.others().is_empty()) {
+    if (along.corners().empty()) add_sampled(law_.others(), deflection, omega, sum);
+    else add_between_corners(along, sum);
+  }
   for (const HystereticLoop& loop : along.loops()) add_loop(along, loop, sum);
   sum.force(0) /= 2;
   if (sum.by_memory.size() > 0) sum.by_memory.row(0) /= 2;
   return sum;
 }
 
-void LawHarmonics::add_sampled(const VectorXd& deflection, double omega, Spectra& sum) const {
+void LawHarmonics::add_line(const VectorXd& deflection, double omega, Spectra& sum) const {
+  const LawAbout::Line line = law_.line();
+  sum.force += line.stiffness * deflection;
+  if (law_.has_dampers()) sum.force += line.damping * omega * numerics::phase_derivative(deflection);
+  sum.force(0) = 2 * (sum.force(0) + line.constant);
+  if (!sum.with_tangent) return;
+  sum.by_deflection(0) += 2 * line.stiffness;
+  if (law_.has_dampers()) sum.by_rate(0) += 2 * line.damping;
+}
+
+void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& deflection, double omega,
+                               Spectra& sum) const {
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
   const VectorXd course = values_.leftCols(count) * deflection;
@@ -84,7 +112,7 @@ void LawHarmonics::add_sampled(const VectorXd& deflection, double omega, Spectra
                                : VectorXd::Zero(samples);
   VectorXd force(samples), by_deflection(samples), by_rate(samples);
   for (Index n = 0; n < samples; ++n) {
-    const LawAbout::Force found = law_.without_memory(course(n), rate(n));
+    const LawAbout::Force found = parts.at(law_.state() + course(n), rate(n));
     force(n) = found.force;
     by_deflection(n) = found.by_deviation;
     by_rate(n) = found.by_rate;
@@ -96,18 +124,60 @@ void LawHarmonics::add_sampled(const VectorXd& deflection, double omega, Spectra
   if (damped) sum.by_rate.noalias() += weight * values_.transpose() * by_rate;
 }
 
+/// On each piece f = c + g x + d v + q x²/2 + m x v + p v²/2, with constants that are functions of the phase over the
+/// whole period: products of their spectra and those of x and v.
+void LawHarmonics::add_quadratic(const LawCourse& course, const VectorXd& deflection, double omega,
+                                 Spectra& sum) const {
+  const Index twice = 2 * harmonics_, thrice = 3 * harmonics_;
+  const auto zero = [](Index harmonics) { return VectorXd::Zero(numerics::coefficient_count(harmonics)).eval(); };
+  VectorXd constant = zero(harmonics_), stiffness = zero(twice), damping = zero(twice);
+  std::array<VectorXd, 3> second;  // q, m, p, as far as they occur
+  for (const auto& [from, to] : pieces(course)) {
+    const double middle = (from + to) / 2, x = course.deflection_at(middle),
+                 v = course.is_damped() ? course.rate_at(middle) : 0;
+    const LawAbout::Force there = law_.quadratic().at(law_.state() + x, v);
+    if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
+    const elements::Curvature curvature = law_.quadratic().curvature(law_.state() + x, v);
+    const double q = curvature.twice_by_deflection, m = curvature.by_deflection_and_rate, p = curvature.twice_by_rate;
+    const double g = there.by_deviation - q * x - m * v, d = there.by_rate - m * x - p * v;
+    numerics::add_stretch(from, to, there.force - g * x - d * v - q * x * x / 2 - m * x * v - p * v * v / 2, constant);
+    numerics::add_stretch(from, to, g, stiffness);
+    if (d != 0) numerics::add_stretch(from, to, d, damping);
+    for (const auto [k, value] : {std::pair(0, q), std::pair(1, m), std::pair(2, p)}) {
+      if (value == 0) continue;
+      if (second[k].size() == 0) second[k] = zero(thrice);
+      numerics::add_stretch(from, to, value, second[k]);
+    }
+  }
+  const VectorXd rate = course.is_damped() ? VectorXd(omega * numerics::phase_derivative(deflection)) : VectorXd();
+  VectorXd by_deflection = zero(twice), by_rate = by_deflection;  // their share of second degree
+  if (second[0].size() > 0) by_deflection += numerics::product(second[0], deflection, twice);
+  if (second[1].size() > 0) {
+    by_deflection += numerics::product(second[1], rate, twice);
+    by_rate += numerics::product(second[1], deflection, twice);
+  }
+  if (second[2].size() > 0) by_rate += numerics::product(second[2], rate, twice);
+  sum.force += constant + numerics::product(stiffness + by_deflection / 2, deflection, harmonics_);
+  if (course.is_damped()) sum.force += numerics::product(damping + by_rate / 2, rate, harmonics_);
+  if (!sum.with_tangent) return;
+  sum.by_deflection += stiffness + by_deflection;
+  if (law_.has_dampers()) sum.by_rate += damping + by_rate;
+}
+
 double LawHarmonics::longest_piece() const { return two_pi / static_cast<double>(2 * std::max<Index>(harmonics_, 2)); }
 
 void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) const {
   const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
-  const std::vector<double>& corners = course.corners();
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const double from = corners[i], to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + two_pi;
-    const LawAbout::Force there = course.at((from + to) / 2);
+  for (const auto& [from, to] : pieces(course)) {
+    const auto at = [&](double phase) {
+      return law_.others().at(law_.state() + course.deflection_at(phase),
+                              course.is_damped() ? course.rate_at(phase) : 0);
+    };
+    const LawAbout::Force there = at((from + to) / 2);
     if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
     numerics::each_gauss_node(from, to, longest_piece(), [&](double phase, double length) {
       const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
-      const LawAbout::Force found = course.at(phase);
+      const LawAbout::Force found = at(phase);
       const double weight = length / (two_pi / 2);
       sum.force += (weight * found.force) * row.head(count).transpose();
       if (!sum.with_tangent) return;

@@ -17,8 +17,9 @@ struct ForceHarmonics {
 };
 
 /// Computes them. Smooth forces are sampled evenly, which is exact for polynomials with enough samples. Where a force
-/// is not smooth, the instants are found, and the smooth pieces between them integrated by Gauss's rule: the error then
-/// falls exponentially too, and not like that of samples across a kink. Hysteretic forces are those of closed loops.
+/// is not smooth, the instants are found. Between them, forces of second degree are integrated in closed form, others
+/// by Gauss's rule: the error then falls exponentially too, and not like that of samples across a kink. Hysteretic
+/// forces are those of closed loops.
 class LawHarmonics {
  public:
   LawHarmonics(LawAbout law, Eigen::Index harmonics);
@@ -47,7 +48,9 @@ class LawHarmonics {
     Eigen::MatrixXd by_memory;  ///< what the force owes to past turning points, by the coefficients
   };
   [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
-  void add_sampled(const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_line(const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_between_corners(const LawCourse& course, Spectra& sum) const;
   void add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const;
   [[nodiscard]] double longest_piece() const;

@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/periodic_stability.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -261,23 +262,27 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
   return result;
 }
 
-MatrixXd PeriodicStability::split(const Motion& motion, double from, double to) const {
-  constexpr int per_period = 16, most = 1024;
-  constexpr double accurate = 1e-6;  // change by the last column of the table, more than the error of the result
-  int steps = std::max(4, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
-  // Romberg's table: errors in h², h⁴, … are removed from left to right.
-  std::vector<MatrixXd> row = {split(motion, from, to, steps)};
-  for (;;) {
-    steps *= 2;
-    std::vector<MatrixXd> next = {split(motion, from, to, steps)};
-    double power = 1;
-    for (const MatrixXd& above : row) {
-      power *= 4;
-      next.push_back(next.back() + (next.back() - above) / (power - 1));
+MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, double accurate) const {
+  constexpr int per_period = 16, most = 2048;
+  const int fewest = std::max(2, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)));
+  // Errors in h², h⁴, … are removed from left to right (Aitken, Neville), from fewer steps than doubling would take.
+  constexpr std::array<int, 4> multiples = {2, 3, 4, 6};
+  std::vector<double> steps;
+  std::vector<MatrixXd> row;
+  for (int factor = 1;; factor *= 4) {
+    for (const int multiple : multiples) {
+      const int count = fewest * factor * multiple / 2;
+      std::vector<MatrixXd> next = {split(motion, from, to, count)};
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        const double ratio = count / steps[steps.size() - 1 - k];
+        next.push_back(next.back() + (next.back() - row[k]) / (ratio * ratio - 1));
+      }
+      steps.push_back(count);
+      row = std::move(next);
+      const std::size_t last = row.size() - 1;
+      if (last > 0 && ((row[last] - row[last - 1]).norm() <= accurate * row[last].norm() || count > most))
+        return row.back();
     }
-    const double change = (next.back() - next[next.size() - 2]).norm();
-    row = std::move(next);
-    if (change <= accurate * row.back().norm() || steps > most) return row.back();
   }
 }
 
@@ -295,8 +300,8 @@ void PeriodicStability::turn(const Motion& motion, std::size_t loop, double phas
   states.row(row + 1) = force;
 }
 
-Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections,
-                                                double omega) const {
+Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections, double omega,
+                                                double accurate) const {
   const Motion motion(laws, deflections, omega);
   std::vector<double> corners = {0, two_pi};
   for (const LawCourse& course : motion.courses)
@@ -313,9 +318,9 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
         if (branch.from == from && (i == 0 || corners[i - 1] != from)) turn(motion, h, from, period);
     constexpr double nothing = 1e-14;
     if (to - from < nothing) continue;
-    period =
-        ((motion.is_piecewise_linear ? with_constant_tangents(motion, from, to) : split(motion, from, to)) * period)
-            .eval();
+    const MatrixXd piece =
+        motion.is_piecewise_linear ? with_constant_tangents(motion, from, to) : split(motion, from, to, accurate);
+    period = (piece * period).eval();
   }
   return numerics::general_eigenvalues(period).values;
 }

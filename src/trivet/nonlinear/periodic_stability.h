@@ -16,7 +16,7 @@ namespace trivet::nonlinear {
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
 /// the variations of deflection and force at its last turning point. If all tangents are constant between the corners,
 /// each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine around
-/// a kick by the tangents (splitting), extrapolated from smaller and smaller steps (Romberg). [Strang 1968; Hairer,
+/// a kick by the tangents (splitting), extrapolated from smaller and smaller steps. [Strang 1968; Hairer,
 /// Lubich, Wanner, Geometric Numerical Integration, II.4]
 class PeriodicStability {
  public:
@@ -27,8 +27,9 @@ class PeriodicStability {
   /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
   /// inside the unit circle.
   /// @param deflections  Fourier coefficients of one deflection after another
-  [[nodiscard]] Eigen::VectorXcd multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections,
-                                             double omega) const;
+  /// @param accurate     at most this share of the transition changes by the last column of the extrapolation
+  [[nodiscard]] Eigen::VectorXcd multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,
+                                             double accurate = 1e-7) const;
 
   /// Is it that of the machine with its loss factors replaced?
   [[nodiscard]] bool is_of_viscous_machine() const { return replaced_losses_; }
@@ -39,7 +40,7 @@ class PeriodicStability {
   static void set_tangents(const Motion& motion, double phase, Tangents& found);
   /// State transition between two phases: of constant tangents; by splitting.
   [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
-  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to) const;
+  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 

@@ -216,9 +216,11 @@ class Observed {
 
   /// Where the largest multiplier passes the unit circle between a point and the next one.
   [[nodiscard]] StabilityChange change_after(std::size_t point) const {
-    constexpr double accurate = 1e-10;
+    constexpr double accurate = 1e-10, of_multipliers = 1e-11;
     const auto excess = [&](const BranchPoint& there) {
-      return stability_.multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega)
+      return stability_
+                 .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
+                              of_multipliers)
                  .cwiseAbs()
                  .maxCoeff() -
           1;

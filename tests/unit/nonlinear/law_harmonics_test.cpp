@@ -41,9 +41,8 @@ TEST(LawHarmonics, StopUnderACosineIsTheClosedForm) {
   for (Index n = 2; n <= harmonics; ++n) {
     const auto m = static_cast<double>(n);
     const double together = std::sin((m - 1) * contact) / (m - 1) + std::sin((m + 1) * contact) / (m + 1);
-    EXPECT_NEAR(found.force(2 * n - 1), k / pi * (a * together - 2 * g * std::sin(m * contact) / m),
-                1e-9);  // of 8 points
-    EXPECT_NEAR(found.force(2 * n), 0, 1e-12);
+    EXPECT_NEAR(found.force(2 * n - 1), k / pi * (a * together - 2 * g * std::sin(m * contact) / m), 1e-13);
+    EXPECT_NEAR(found.force(2 * n), 0, 1e-13);
   }
   const std::vector<double> phases = law.course(motion, 1).corners();
   ASSERT_EQ(phases.size(), 2u);
@@ -69,13 +68,37 @@ TEST(LawHarmonics, TangentIsTheDerivativeByTheCoefficients) {
   }
 }
 
+/// Forces of second degree in deflection and rate between their corners, with one corner where a damped stop would
+/// pull: the closed form of each piece against the force at many instants (midpoint rule).
+TEST(LawHarmonics, PiecesOfSecondDegreeAreThoseOfManyInstants) {
+  VectorXd motion(9);
+  motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
+  const elements::GapStop damped{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2, .dissipation = 0.8};
+  const nonlinear::LawAbout law(elements::ScalarLaws{damped, elements::DampingForce(elements::QuadraticDamping{3, 1}),
+                                                     elements::PolynomialForce{{1, -2, 3}}},
+                                0.2, {1.5, 0.4});
+  constexpr Index harmonics = 4, instants = 200000;
+  constexpr double omega = 1.7, of_midpoints = 2e-8;
+  const VectorXd rate = omega * numerics::phase_derivative(motion);
+  VectorXd force = VectorXd::Zero(motion.size());
+  for (Index n = 0; n < instants; ++n) {
+    const double phase = 2 * pi * (static_cast<double>(n) + 0.5) / instants;
+    const Eigen::RowVectorXd row = numerics::fourier_row(harmonics, phase);
+    force += 2.0 / instants * law.without_memory(row.dot(motion), row.dot(rate)).force * row.transpose();
+  }
+  force(0) /= 2;
+  EXPECT_LT((LawHarmonics(law, harmonics).at(motion, omega).force - force).norm(), of_midpoints * force.norm());
+}
+
 /// Dampers and loops: derivatives by the coefficients and by the frequency.
 TEST(LawHarmonics, DerivativesOfDampersAndLoops) {
   VectorXd motion(9);
   motion << 0.1, 0.9, -0.4, 0.2, 0.3, -0.1, 0.05, 0.02, -0.03;
   const auto loop = [](const elements::HystereticForce& law) { return elements::ScalarLaws{law}; };
   const elements::ScalarLaws laws[] = {
-      {elements::DampingForce(elements::QuadraticDamping{3, 1})},
+      {elements::DampingForce(elements::QuadraticDamping{3, 1}),
+       elements::GapStop{.gap_above = 0.5, .gap_below = 0.3, .stiffness = 2, .dissipation = 0.8},
+       elements::PolynomialForce{{1, -2}}},
       {elements::DampingForce(elements::DampingCurve{
           elements::KnotCurve({-1, 0, 0.5, 2}, {-2, 0, 2, 3}, elements::Interpolation::monotone_cubic)})},
       loop(elements::Slider{4, 1.5}),

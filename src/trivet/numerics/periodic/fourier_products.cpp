@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::numerics {
@@ -28,6 +29,39 @@ Eigen::MatrixXd product_matrix(const Eigen::VectorXd& spectrum, Index harmonics)
     }
   }
   return matrix;
+}
+
+Eigen::VectorXd product(const Eigen::VectorXd& spectrum, const Eigen::VectorXd& motion, Index harmonics) {
+  Eigen::VectorXd result = motion(0) * spectrum.head(coefficient_count(harmonics));
+  for (Index l = 1; 2 * l < motion.size(); ++l) {
+    const double a = motion(2 * l - 1), b = motion(2 * l);
+    result(0) += a * spectrum(2 * l - 1) + b * spectrum(2 * l);
+    const double half_a = a / 2, half_b = b / 2;
+    for (Index k = 1; k <= harmonics; ++k) {
+      const Index apart = k - l, sum = k + l;
+      const double cosine = apart == 0 ? spectrum(0) : spectrum(2 * std::abs(apart) - 1),
+                   sine = apart == 0 ? 0
+          : apart > 0                ? spectrum(2 * apart)
+                                     : -spectrum(-2 * apart);
+      result(2 * k - 1) += half_a * (cosine + spectrum(2 * sum - 1)) + half_b * (spectrum(2 * sum) - sine);
+      result(2 * k) += half_a * (spectrum(2 * sum) + sine) + half_b * (cosine - spectrum(2 * sum - 1));
+    }
+  }
+  return result;
+}
+
+void add_stretch(double from, double to, double constant, Eigen::VectorXd& spectrum) {
+  const double weight = constant / (foundation::two_pi / 2);
+  const std::complex<double> at_from = std::polar(1.0, from), at_to = std::polar(1.0, to);
+  spectrum(0) += weight * (to - from);
+  std::complex<double> a = 1, b = 1;
+  for (Index k = 1; 2 * k < spectrum.size(); ++k) {
+    a = {a.real() * at_from.real() - a.imag() * at_from.imag(), a.real() * at_from.imag() + a.imag() * at_from.real()};
+    b = {b.real() * at_to.real() - b.imag() * at_to.imag(), b.real() * at_to.imag() + b.imag() * at_to.real()};
+    const double share = weight / static_cast<double>(k);
+    spectrum(2 * k - 1) += share * (b.imag() - a.imag());
+    spectrum(2 * k) += share * (a.real() - b.real());
+  }
 }
 
 Eigen::MatrixXd on_motion(const Eigen::MatrixXd& on_rate) {

@@ -11,6 +11,16 @@ namespace trivet::numerics {
 /// @param spectrum  coefficients of the factor to twice the harmonics, the first one doubled
 [[nodiscard]] Eigen::MatrixXd product_matrix(const Eigen::VectorXd& spectrum, Eigen::Index harmonics);
 
+/// Coefficients of the product of two periodic functions.
+/// @param spectrum  of a factor to `harmonics` and those of the motion, the first one doubled
+/// @param motion    of the other one
+/// @param harmonics of the product; its first coefficient is doubled
+[[nodiscard]] Eigen::VectorXd product(const Eigen::VectorXd& spectrum, const Eigen::VectorXd& motion,
+                                      Eigen::Index harmonics);
+
+/// Adds the coefficients of a function that is a constant from one phase to another and else 0; the first one doubled.
+void add_stretch(double from, double to, double constant, Eigen::VectorXd& spectrum);
+
 /// Of a matrix that acts on the coefficients of dx/dφ: the one that acts on those of x.
 [[nodiscard]] Eigen::MatrixXd on_motion(const Eigen::MatrixXd& on_rate);
 

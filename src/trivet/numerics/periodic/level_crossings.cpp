@@ -13,48 +13,86 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
-double crossing_between(const VectorXd& motion, const VectorXd& rate, double level, double low, double high) {
-  const Index harmonics = (motion.size() - 1) / 2;
-  const auto at = [&](double phase) { return motion_at(harmonics, phase, motion) - level; };
-  double value_low = at(low), phase = (low + high) / 2;
+namespace {
+
+struct ValueAndRate {
+  double value, rate;  ///< rate: by the phase
+};
+ValueAndRate above_level(double phase, const VectorXd& motion, double level) {
+  const double c = std::cos(phase), s = std::sin(phase);
+  ValueAndRate sum{motion(0) - level, 0};
+  double ck = 1, sk = 0;
+  for (Index k = 1; 2 * k < motion.size(); ++k) {
+    const double next = ck * c - sk * s;
+    sk = sk * c + ck * s;
+    ck = next;
+    const double a = motion(2 * k - 1), b = motion(2 * k);
+    sum.value += a * ck + b * sk;
+    sum.rate += static_cast<double>(k) * (b * ck - a * sk);
+  }
+  return sum;
+}
+
+/// Newton's method in a bracket whose ends have values of opposite signs, from where the line through them is zero.
+double crossing(const VectorXd& motion, double level, double low, double high, double value_low, double value_high) {
   constexpr int most = 80;
+  constexpr double near = 1e-11;  // the next step would be the square of the last one
+  double phase = low + (high - low) * std::clamp(value_low / (value_low - value_high), 0.0, 1.0);
   for (int i = 0; i < most && high - low > 1e-15 * two_pi; ++i) {
-    const double value = at(phase);
+    const auto [value, rate] = above_level(phase, motion, level);
     if (value == 0) return phase;
-    if ((value < 0) == (value_low < 0)) {
-      low = phase;
-      value_low = value;
-    } else {
-      high = phase;
-    }
-    const double newton = phase - value / motion_at(harmonics, phase, rate);
-    const double next = newton > low && newton < high ? newton : (low + high) / 2;
-    if (std::abs(next - phase) < 1e-16 * two_pi) return next;
+    if ((value < 0) == (value_low < 0)) low = phase;
+    else high = phase;
+    const double newton = phase - value / rate;
+    const bool inside = newton >= low && newton <= high;
+    const double next = inside ? newton : (low + high) / 2;
+    if (inside && std::abs(next - phase) < near) return next;
     phase = next;
   }
   return phase;
 }
 
+/// Σ k² |c_k|: no curvature by the phase is larger.
+double largest_curvature(const VectorXd& motion) {
+  double sum = 0;
+  for (Index k = 1; 2 * k < motion.size(); ++k)
+    sum += static_cast<double>(k * k) * std::hypot(motion(2 * k - 1), motion(2 * k));
+  return sum;
+}
+
+}  // namespace
+
+double crossing_between(const VectorXd& motion, double level, double low, double high) {
+  return crossing(motion, level, low, high, above_level(low, motion, level).value,
+                  above_level(high, motion, level).value);
+}
+
 std::vector<double> level_crossings(const VectorXd& motion, const std::vector<double>& levels,
                                     const Eigen::Ref<const Eigen::MatrixXd>& samples) {
-  const Index harmonics = (motion.size() - 1) / 2;
-  const VectorXd rate = phase_derivative(motion), curvature = phase_derivative(rate);
+  const VectorXd rate = phase_derivative(motion);
   const VectorXd course = samples * motion, rates = samples * rate;
-  const double step = two_pi / static_cast<double>(course.size());
-  std::vector<std::pair<double, double>> places;  // phase and value: samples and extrema
-  for (Index n = 0; n < course.size(); ++n) {
-    const double phase = step * static_cast<double>(n);
+  const Index count = course.size();
+  const double step = two_pi / static_cast<double>(count);
+  // An extremum between two samples is beyond them by less than this.
+  const double beyond = largest_curvature(motion) * step * step / 8;
+  std::vector<std::pair<double, double>> places;  // phase and value: samples, and extrema that may pass a level
+  for (Index n = 0; n < count; ++n) {
+    const double phase = step * static_cast<double>(n), next = course((n + 1) % count);
     places.emplace_back(phase, course(n));
-    if ((rates(n) < 0) == (rates((n + 1) % course.size()) < 0)) continue;
-    const double extremum = crossing_between(rate, curvature, 0, phase, phase + step);
-    places.emplace_back(extremum, motion_at(harmonics, extremum, motion));
+    if ((rates(n) < 0) == (rates((n + 1) % count) < 0)) continue;
+    const auto [low, high] = std::pair(std::min(course(n), next) - beyond, std::max(course(n), next) + beyond);
+    if (std::none_of(levels.begin(), levels.end(), [&](double level) { return level >= low && level <= high; }))
+      continue;
+    const double extremum = crossing(rate, 0, phase, phase + step, rates(n), rates((n + 1) % count));
+    places.emplace_back(extremum, above_level(extremum, motion, 0).value);
   }
   places.emplace_back(two_pi, course(0));
   std::vector<double> phases;
   for (std::size_t i = 0; i + 1 < places.size(); ++i)
     for (const double level : levels)
       if ((places[i].second < level) != (places[i + 1].second < level))
-        phases.push_back(crossing_between(motion, rate, level, places[i].first, places[i + 1].first));
+        phases.push_back(crossing(motion, level, places[i].first, places[i + 1].first, places[i].second - level,
+                                  places[i + 1].second - level));
   std::sort(phases.begin(), phases.end());
   return phases;
 }

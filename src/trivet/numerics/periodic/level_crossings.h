@@ -7,9 +7,7 @@
 namespace trivet::numerics {
 
 /// A zero of a periodic motion minus a level in a bracket of phases, by Newton's method inside it.
-/// @param rate  coefficients of the derivative by the phase
-[[nodiscard]] double crossing_between(const Eigen::VectorXd& motion, const Eigen::VectorXd& rate, double level,
-                                      double low, double high);
+[[nodiscard]] double crossing_between(const Eigen::VectorXd& motion, double level, double low, double high);
 
 /// Phases at which a periodic motion passes any of the levels, ascending in [0, 2π). Each extremum between two samples
 /// is found first, so that two passages between them are not missed.

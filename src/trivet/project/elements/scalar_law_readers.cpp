@@ -176,13 +176,13 @@ std::optional<elements::GasForce> read_gas_force(TableReader& reader) {
 std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation) {
   const std::size_t before = reader.errors();
   elements::ForceCurve law;
-  law.interpolation = read_interpolation(reader);
+  const elements::Interpolation interpolation = read_interpolation(reader);
   const auto beyond = reader.choice("beyond", {"slope", "refuse"});
   law.is_limited = beyond && *beyond == "refuse";
   const auto points =
       read_points(reader, "deflection", "force", travel_quantity(is_rotation), force_quantity(is_rotation));
   if (!points || reader.errors() > before) return std::nullopt;
-  law.force = elements::KnotCurve(points->x, points->y, law.interpolation);
+  law.force = elements::KnotCurve(points->x, points->y, interpolation);
   law.rises = std::is_sorted(points->y.begin(), points->y.end());
   return law;
 }
@@ -216,7 +216,7 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
     return reader.errors() == before ? std::optional<elements::DampingForce>(law) : std::nullopt;
   }
   elements::DampingCurve law;
-  law.interpolation = read_interpolation(reader);
+  const elements::Interpolation interpolation = read_interpolation(reader);
   const auto points =
       read_points(reader, "velocity", "force", is_rotation ? Quantity::angular_velocity : Quantity::velocity,
                   force_quantity(is_rotation));
@@ -230,7 +230,7 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
                    "correct the sign, or set allow_active = true");
       return std::nullopt;
     }
-  law.force = elements::KnotCurve(points->x, points->y, law.interpolation);
+  law.force = elements::KnotCurve(points->x, points->y, interpolation);
   return law;
 }
 
