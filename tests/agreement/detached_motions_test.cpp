@@ -13,6 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/harmonic_balance.h"
+#include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 
 /// All curves that are followed, with the detached ones, against motions that Newton's method finds from dense starts
@@ -118,9 +119,9 @@ TEST(DetachedMotions, DenseStartsFindNoOthersOnRandomMachines) {
     for (int k = 1; k <= 5; ++k) options.at.push_back(drawn.from + (drawn.to - drawn.from) * k / 6.1);
     const nonlinear::SteadyBranch branch = nonlinear::steady_branch(system, options);
     if (!branch.ended.empty()) ++ended;
-    if (!branch.detached.empty()) ++with_detached;
+    if (!branch.further_ones(nonlinear::SteadyBranch::Found::detached).empty()) ++with_detached;
     std::vector<nonlinear::SteadyPoint> known = branch.at;
-    for (const nonlinear::SteadyBranch& detached : branch.detached)
+    for (const nonlinear::SteadyBranch& detached : branch.further)
       known.insert(known.end(), detached.at.begin(), detached.at.end());
     bool misses = false;
     for (const double omega : options.at)
@@ -184,21 +185,21 @@ force = [)" +
     options.detached = true;
     return nonlinear::steady_branch(project.base().system, options);
   };
-  EXPECT_THAT(curves(0.11).detached, testing::IsEmpty());  // not yet born
+  EXPECT_THAT(curves(0.11).further, testing::IsEmpty());  // not yet born
   const nonlinear::SteadyBranch beside = curves(0.15);
-  ASSERT_EQ(beside.detached.size(), 1u);
-  EXPECT_TRUE(beside.detached[0].closed);
-  EXPECT_EQ(beside.detached[0].folds.size(), 2u);
-  EXPECT_FALSE(nonlinear::stable_points(beside.detached[0]).empty());
+  ASSERT_EQ(beside.further.size(), 1u);
+  EXPECT_TRUE(beside.further[0].closed);
+  EXPECT_EQ(beside.further[0].folds.size(), 2u);
+  EXPECT_FALSE(nonlinear::stable_points(beside.further[0]).empty());
   // A band that begins inside the curve cuts it; what is left goes from the end of the band and back to it.
   const nonlinear::SteadyBranch cut = curves(0.15, 1.8);
-  ASSERT_EQ(cut.detached.size(), 1u);
-  EXPECT_FALSE(cut.detached[0].closed);
-  EXPECT_EQ(cut.detached[0].points.front().angular_frequency, 1.8);
-  EXPECT_EQ(cut.detached[0].points.back().angular_frequency, 1.8);
-  EXPECT_EQ(cut.detached[0].folds.size(), 1u);
+  ASSERT_EQ(cut.further.size(), 1u);
+  EXPECT_FALSE(cut.further[0].closed);
+  EXPECT_EQ(cut.further[0].points.front().angular_frequency, 1.8);
+  EXPECT_EQ(cut.further[0].points.back().angular_frequency, 1.8);
+  EXPECT_EQ(cut.further[0].folds.size(), 1u);
   const nonlinear::SteadyBranch merged = curves(0.19);  // with the main curve
-  EXPECT_THAT(merged.detached, testing::IsEmpty());
+  EXPECT_THAT(merged.further, testing::IsEmpty());
   const auto largest = [](const nonlinear::SteadyBranch& branch) {
     double value = 0;
     for (const nonlinear::SteadyPoint& point : branch.points) value = std::max(value, point.results[0].largest);

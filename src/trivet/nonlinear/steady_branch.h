@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
@@ -50,6 +49,7 @@ struct StabilityChange {
   SteadyPoint point;
   std::size_t after = 0;  ///< index of the point of the branch before it
   Kind kind = Kind::branch_point;
+  std::optional<std::size_t> curve;  ///< of the further ones: motions that begin or end here; empty: not computed
 };
 [[nodiscard]] const char* words(StabilityChange::Kind kind);
 
@@ -95,17 +95,18 @@ struct SteadyBranch {
   std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion
   std::string ended;                    ///< why the branch ends before the end of the band; empty: it does not
   bool closed = false;                  ///< a detached one that returns to its first point
+  /// How a further curve was found: by the search for detached ones, or followed from a change of stability.
+  enum class Found { detached, branched };
+  Found found = Found::detached;
+  int periods = 1;  ///< of the excitation, after which the motions repeat
   std::optional<DetachedSearch> search;
-  std::vector<SteadyBranch> detached;  ///< found by the search
+  std::vector<SteadyBranch> further;
+
+  [[nodiscard]] std::vector<const SteadyBranch*> further_ones(Found how) const;
 };
 
-/// Stable motions of a curve and of its detached ones, and folds beside a stable point, which are their ends.
-[[nodiscard]] std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch);
-
-/// Stretches of the parameter, between the ends of the branch, in which no motion of a known curve is stable.
-[[nodiscard]] std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch);
-
-/// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds.
+/// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds,
+/// with the motions that begin where it loses its stability.
 /// @throws foundation::NotComputable if there is no motion at the lower end, or for what CondensedMachine and
 /// PeriodicStability cannot represent
 [[nodiscard]] SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {
@@ -175,14 +176,15 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
         fmt::format("steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above "
                     "the motions that were sought",
                     place(options_.from)));
-  return add_point(*start, most_left_out) && walk(most_left_out, false, progress);
+  return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
 }
 
 void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Progress& progress) {
   constexpr double any = std::numeric_limits<double>::infinity();
   detached_ = true;
   (void)add_point(start, any);
-  (void)walk(any, true, progress);
+  (void)walk(any, {{start.unknowns, start.parameter}}, progress);
+  closed_ = stopped_at_.has_value();
   if (closed_) return;
   // It has left the band, or ended: the whole curve from there.
   BranchPoint end = points_.back();
@@ -196,25 +198,81 @@ void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Pro
   pieces_.clear();
   ended_.clear();
   (void)add_point(end, any);
-  (void)walk(any, false, progress);
+  (void)walk(any, {}, progress);
   if (!ended.empty()) ended_ = ended_.empty() ? ended : ended + "; " + ended_;
 }
 
-/// Does the step to the next point pass the first one in the same direction?
-bool SteadyPath::passes_start(const BranchPoint& next, double length) const {
-  constexpr std::size_t fewest = 4;
-  if (points_.size() < fewest) return false;
-  const BranchPoint &start = points_.front(), &now = points_.back();
-  VectorXd way(start.scale.size());
-  way << start.unknowns - now.unknowns, start.parameter - now.parameter;
-  way = way.cwiseQuotient(now.scale);
-  constexpr double beside = 0.2;  // of the step
-  return start.tangent.dot(next.tangent) > 0 && now.tangent.dot(way) >= 0 && way.norm() <= length &&
-      (way - now.tangent.dot(way) * now.tangent).norm() <= beside * length;
+/// Of the equations by the unknowns, both divided by the scale of the unknowns.
+Eigen::MatrixXd SteadyPath::derivatives(const Place& place) const {
+  numerics::Equations equations;
+  balance_.evaluate(place.unknowns, driving(place.parameter), options_.over, equations);
+  const VectorXd scales = scale()(place.unknowns);
+  return scales.cwiseInverse().asDiagonal() * equations.by_unknowns * scales.asDiagonal();
 }
 
-/// Goes on from the last point to an end of the band, or to the first point if the curve may be closed.
-bool SteadyPath::walk(double most_left_out, bool may_close, const foundation::Progress& progress) {
+/// By inverse iteration.
+VectorXd SteadyPath::weakest_direction(const Place& place) const {
+  const numerics::PivotedLu<double> factors(derivatives(place));
+  VectorXd direction = VectorXd::LinSpaced(place.unknowns.size(), 1, 2).normalized();
+  constexpr int iterations = 6;
+  for (int i = 0; i < iterations; ++i) {
+    const VectorXd next = factors.solve(direction);
+    if (!next.allFinite()) break;  // exactly singular: the last one is as good
+    direction = next.normalized();
+  }
+  Index largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  return direction(largest) < 0 ? VectorXd(-direction) : direction;
+}
+
+/// The derivatives D bordered by the direction d: [D d; dᵀ 0] [x; change] = [0; 1].
+double SteadyPath::change_along(const Place& place, const VectorXd& direction) const {
+  const Index n = direction.size();
+  Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = derivatives(place);
+  bordered.topRightCorner(n, 1) = direction;
+  bordered.bottomLeftCorner(1, n) = direction.transpose();
+  return numerics::PivotedLu<double>(bordered).solve(VectorXd(VectorXd::Unit(n + 1, n)))(n);
+}
+
+bool SteadyPath::follow_branched(const Place& start, const VectorXd& along, const std::vector<Place>& ends,
+                                 const foundation::Progress& progress) {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  detached_ = true;
+  const Index n = start.unknowns.size();
+  BranchPoint first{start.unknowns, start.parameter, VectorXd(n + 1), VectorXd::Zero(n + 1), 0};
+  first.scale << scale()(start.unknowns), width();
+  first.tangent.head(n) = weakest_direction(start);
+  if (along.size() > 0) first.tangent -= along.normalized().dot(first.tangent) * along.normalized();
+  constexpr double least = 0.1;
+  if (first.tangent.norm() < least) return false;
+  first.tangent.normalize();
+  (void)add_point(first, any);
+  (void)walk(any, ends, progress);
+  constexpr std::size_t fewest = 4;
+  return points_.size() >= fewest;
+}
+
+/// Does the step to the next point pass one of these places?
+std::optional<std::size_t> SteadyPath::passed(const std::vector<Place>& ends, const BranchPoint& next,
+                                              double length) const {
+  constexpr std::size_t fewest = 4;
+  if (points_.size() < fewest) return std::nullopt;
+  const BranchPoint& now = points_.back();
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    VectorXd way(now.scale.size());
+    way << ends[i].unknowns - now.unknowns, ends[i].parameter - now.parameter;
+    way = way.cwiseQuotient(now.scale);
+    constexpr double beside = 0.2;  // of the step
+    if (now.tangent.dot(way) >= 0 && way.norm() <= length && next.tangent.dot(now.tangent) > 0 &&
+        (way - now.tangent.dot(way) * now.tangent).norm() <= beside * length)
+      return i;
+  }
+  return std::nullopt;
+}
+
+/// Goes on from the last point to an end of the band, or to one of the places.
+bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, const foundation::Progress& progress) {
   constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
   constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
   double step = first_step;
@@ -255,10 +313,12 @@ bool SteadyPath::walk(double most_left_out, bool may_close, const foundation::Pr
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
-    if (may_close && passes_start(next, length)) {
-      const BranchPoint start = points_.front();
-      (void)add_step(start, numerics::Branch::length(now, start), most_left_out);
-      closed_ = true;
+    if (stopped_at_ = passed(ends, next, length); stopped_at_) {
+      const Place& there = ends[*stopped_at_];
+      BranchPoint end = there.unknowns == points_.front().unknowns ? points_.front() : now;
+      end.unknowns = there.unknowns;
+      end.parameter = there.parameter;
+      (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
       break;
     }
     if (ended_ = leaves_curve(next); !ended_.empty()) break;

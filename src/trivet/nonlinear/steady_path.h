@@ -29,6 +29,22 @@ class SteadyPath {
   void follow_detached(const numerics::BranchPoint& start, const foundation::Progress& progress);
   [[nodiscard]] bool closed() const { return closed_; }
 
+  struct Place {
+    Eigen::VectorXd unknowns;
+    double parameter = 0;
+  };
+  /// The direction of the unknowns in which the equations change least.
+  [[nodiscard]] Eigen::VectorXd weakest_direction(const Place& place) const;
+  /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
+  [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
+  /// Or: the curve that crosses another one at such a place, until it comes to one of the ends or leaves the band.
+  /// @param along  direction of the other curve (BranchPoint::tangent), if that lies in the same unknowns
+  /// @return false if none was found
+  [[nodiscard]] bool follow_branched(const Place& start, const Eigen::VectorXd& along, const std::vector<Place>& ends,
+                                     const foundation::Progress& progress);
+  /// The end that it came to.
+  [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
+
   /// The motion that Newton's method finds from a guess; empty if it does not converge.
   [[nodiscard]] std::optional<numerics::BranchPoint> motion_near(const Eigen::VectorXd& guess, double parameter) const {
     return branch_.start(guess, parameter);
@@ -68,8 +84,11 @@ class SteadyPath {
     double begin, end;
     double parameter_begin, parameter_end;
   };
-  [[nodiscard]] bool walk(double most_left_out, bool may_close, const foundation::Progress& progress);
-  [[nodiscard]] bool passes_start(const numerics::BranchPoint& next, double length) const;
+  /// @param ends  places to stop at
+  [[nodiscard]] bool walk(double most_left_out, const std::vector<Place>& ends, const foundation::Progress& progress);
+  [[nodiscard]] std::optional<std::size_t> passed(const std::vector<Place>& ends, const numerics::BranchPoint& next,
+                                                  double length) const;
+  [[nodiscard]] Eigen::MatrixXd derivatives(const Place& place) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
   /// Motions over a share of the whole load, at its frequency; and the one at a small share.
   [[nodiscard]] numerics::Branch over_load(const Driving& whole) const;
@@ -103,6 +122,7 @@ class SteadyPath {
   double left_out_ = 0, held_share_ = 0;
   std::string ended_;
   bool detached_ = false, closed_ = false;
+  std::optional<std::size_t> stopped_at_;
 };
 
 }  // namespace trivet::nonlinear

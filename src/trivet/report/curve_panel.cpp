@@ -94,7 +94,8 @@ void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
   canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
   if (mark.text.empty()) return;
   const double share = p.x.share(mark.x);
-  const bool below = p.y.share(mark.y) < 0.4;
+  const double height = p.y.share(mark.y);
+  const bool below = height < 0.4 && height > 0.15;  // not on the ticks of the axis
   const char* anchor = share > 0.9 ? "end" : share < 0.1 ? "start" : "middle";
   canvas.text({at.x, at.y + (below ? 17 : -8)}, mark.text,
               fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3\" "

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -26,7 +27,6 @@ using nonlinear::SteadyPoint;
 
 constexpr std::size_t most_figures = 24;
 constexpr Eigen::Index most_harmonics = 4;
-constexpr std::size_t most_labels = 3;  // of changes of stability, which would overlap
 
 double place(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display) {
   return results::shown_varied(branch, branch.parameter(point), display);
@@ -139,20 +139,25 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
     for (const double y : piece.y) largest = std::max(largest, y);
     row.curves.push_back(std::move(piece));
   }
-  bool key = true;
-  for (const SteadyBranch& detached : branch.detached)
-    for (PanelCurve piece : pieces(detached, display, value, "#009E73", "detached")) {
-      const bool is_keyed = key && !piece.key.empty() && piece.key.front() == "detached";  // its stable pieces
-      if (is_keyed) key = false;
-      else piece.key.clear();
+  std::set<std::string> keyed;
+  for (const SteadyBranch& curve : branch.further) {
+    const bool is_detached = curve.found == SteadyBranch::Found::detached;
+    const std::string name = is_detached ? "detached" : curve.periods == 2 ? "of twice the period" : "less symmetric";
+    for (PanelCurve piece : pieces(curve, display, value, is_detached ? "#009E73" : "#CC79A7", name)) {
+      const bool is_stable = !piece.key.empty() && piece.key.front() == name;
+      if (!is_stable || !keyed.insert(name).second) piece.key.clear();
       for (const double y : piece.y) largest = std::max(largest, y);
       row.curves.push_back(std::move(piece));
     }
+  }
   add_jumps(branch, result, display, unit, largest, row);
-  for (const nonlinear::StabilityChange& change : branch.changes)
+  std::set<std::string> named;  // once each: names beside each other would overlap
+  for (const nonlinear::StabilityChange& change : branch.changes) {
+    const std::string name = nonlinear::words(change.kind);
     row.marks.push_back({place(branch, change.point, display),
                          unit.factor * change.point.results[result].half_of_range(), "#CC79A7",
-                         branch.changes.size() <= most_labels ? nonlinear::words(change.kind) : ""});
+                         named.insert(name).second ? name : ""});
+  }
   row.y = airy_axis(0, largest, "half of the range [" + unit.unit + "]");
   return row;
 }
@@ -186,8 +191,8 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
   for (std::size_t c = 0; c < branch->results.size(); ++c) {
     double range = 0;
     for (const SteadyPoint& point : branch->points) range = std::max(range, point.results[c].half_of_range());
-    for (const SteadyBranch& detached : branch->detached)
-      for (const SteadyPoint& point : detached.points) range = std::max(range, point.results[c].half_of_range());
+    for (const SteadyBranch& curve : branch->further)
+      for (const SteadyPoint& point : curve.points) range = std::max(range, point.results[c].half_of_range());
     largest.push_back(range);
   }
   std::vector<Figure> figures;
@@ -232,12 +237,13 @@ std::string steady_tables(const study::Answers& answers) {
   const std::string about = hint(fmt::format(
       "Periodic motions connected with the one at the lower end of the band; {}. {} harmonics, which leave out at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}",
-      branch->search ? fmt::format("{} detached curves were found by a search", branch->detached.size())
+      branch->search ? fmt::format("{} detached curves were found by a search",
+                                   branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
       branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
   if (rows.empty())
     return about +
-        hint(branch->changes.empty() && branch->detached.empty()
+        hint(branch->changes.empty() && branch->further.empty()
                  ? "No folds: one motion at each place of this branch, no jumps."
                  : "No folds on this branch.");
   return html_table({{"jump of a"},

@@ -90,15 +90,15 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
             ? fmt::format("the first at {:.6g} times the load", branch.winding.differs_at.front())
             : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
         "take more harmonics; close to a change of stability both are uncertain");
-  for (std::size_t i = 0; i < branch.detached.size(); ++i) {
-    const nonlinear::SteadyBranch& detached = branch.detached[i];
-    if (detached.left_out > asked.tolerance)
+  for (std::size_t i = 0; i < branch.further.size(); ++i) {
+    const nonlinear::SteadyBranch& curve = branch.further[i];
+    if (curve.left_out > asked.tolerance)
       warnings.warning("analyses.steady",
-                       fmt::format("detached curve {}: {} harmonics leave out {:.2g} of the deflections", i + 1,
-                                   detached.harmonics, detached.left_out),
+                       fmt::format("further curve {}: {} harmonics leave out {:.2g} of the deflections", i + 1,
+                                   curve.harmonics, curve.left_out),
                        fmt::format("the tolerance is {:.2g}", asked.tolerance), "take more harmonics");
-    if (!detached.ended.empty())
-      warnings.warning("analyses.steady", fmt::format("detached curve {} is not whole", i + 1), detached.ended,
+    if (!curve.ended.empty())
+      warnings.warning("analyses.steady", fmt::format("further curve {} is not whole", i + 1), curve.ended,
                        "what lies beyond is not computed");
   }
   for (const std::string& name : branch.lost_means)

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/stable_motions.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/steady_answer.h"
@@ -128,14 +129,15 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   const bool always_stable =
       std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
   std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
-  for (const SteadyBranch& detached : branch.detached)
-    if (!stable_points(detached).empty()) jumps += std::max<std::size_t>(detached.folds.size(), 1);
+  const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
+  for (const SteadyBranch* curve : detached)
+    if (!stable_points(*curve).empty()) jumps += std::max<std::size_t>(curve->folds.size(), 1);
   result.value = static_cast<double>(jumps);
   result.margin = jumps == 0 ? infinity : 0;
   if (!branch.folds.empty()) result.angular_frequency = branch.folds.front().point.angular_frequency;
   else if (!branch.changes.empty()) result.angular_frequency = branch.changes.front().point.angular_frequency;
-  result.detail = branch.detached.empty() ? "no detached motions found, which is no proof that there are none"
-                                          : fmt::format("{} detached curves of motions", branch.detached.size());
+  result.detail = detached.empty() ? "no detached motions found, which is no proof that there are none"
+                                   : fmt::format("{} detached curves of motions", detached.size());
 }
 
 }  // namespace

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/branched_motions.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "trivet/foundation/index.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// Coefficients of a motion counted over two periods: its harmonic k is their harmonic 2k.
+Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion) {
+  const Index harmonics = (motion.rows() - 1) / 2;
+  Eigen::MatrixXd twice = Eigen::MatrixXd::Zero(4 * harmonics + 1, motion.cols());
+  twice.row(0) = motion.row(0);
+  for (Index k = 1; k <= harmonics; ++k) twice.middleRows<2>(4 * k - 1) = motion.middleRows<2>(2 * k - 1);
+  return twice;
+}
+
+int periods_of(const StabilityChange& change) { return change.kind == StabilityChange::Kind::period_doubling ? 2 : 1; }
+
+/// The place near a change of stability where the equations are singular. Both are the same, but for what the harmonics
+/// leave out.
+std::optional<SteadyPath::Place> crossing_near(const StabilityChange& change, const SteadyPath& connected,
+                                               const SteadyPath& seen, bool over_frequency) {
+  const bool doubles = periods_of(change) == 2;
+  const Index m = change.point.deflections.cols();
+  const auto place_of = [&](const Eigen::MatrixXd& motion, double parameter) -> SteadyPath::Place {
+    return {(doubles ? over_two_periods(motion) : motion).reshaped(), parameter};
+  };
+  const auto place_on_path = [&](const numerics::BranchPoint& point) {
+    return place_of(point.unknowns.reshaped(point.unknowns.size() / m, m), point.parameter);
+  };
+  const VectorXd direction = seen.weakest_direction(
+      place_of(change.point.deflections, over_frequency ? change.point.angular_frequency : change.point.load_factor));
+  const auto singular = [&](const numerics::BranchPoint& point) {
+    return seen.change_along(place_on_path(point), direction);
+  };
+  // Exactly there, Newton's method along the path has no unique step: as near as it converges.
+  constexpr std::array<double, 4> near = {1e-6, 1e-4, 1e-2, 0.2};
+  for (const int steps : {0, -1, 1, -2, 2}) {
+    const std::ptrdiff_t after = to_index(change.after) + steps;
+    if (after < 0 || after + 1 >= std::ssize(connected.points())) continue;
+    const double at_point = std::abs(singular(connected.points()[to_size(after)]));
+    for (const double share : near)
+      if (const auto found = connected.zero_after(to_size(after), singular, share * at_point))
+        return place_on_path(*found);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
+                                         const ReferenceMachine& machine, const ReferenceMachine* twice,
+                                         const SteadyOptions& options, const foundation::Progress& progress) {
+  constexpr std::size_t most = 8;  // a machine that rattles has dozens, with motions that hardly differ
+  const auto new_path = [&](int periods) {
+    const ReferenceMachine& seen = periods == 2 ? *twice : machine;
+    return std::make_unique<SteadyPath>(seen.condensed, seen.deflections, seen.excitation, options,
+                                        periods * connected.balance().harmonics());
+  };
+  struct Crossing {
+    std::size_t change;
+    SteadyPath::Place place;
+  };
+  std::vector<BranchedPath> found;
+  for (const int periods : {1, 2}) {
+    if (periods == 2 && !twice) break;
+    std::vector<Crossing> crossings;
+    std::unique_ptr<SteadyPath> path = new_path(periods);
+    for (std::size_t i = 0; i < changes.size() && crossings.size() < most; ++i) {
+      if (changes[i].kind == StabilityChange::Kind::quasi_periodic || periods_of(changes[i]) != periods) continue;
+      if (auto place = crossing_near(changes[i], connected, *path, options.over == Parameter::frequency))
+        crossings.push_back({i, std::move(*place)});
+    }
+    std::vector<SteadyPath::Place> ends;
+    for (const Crossing& crossing : crossings) ends.push_back(crossing.place);
+    std::vector<bool> reached(crossings.size());
+    for (std::size_t i = 0; i < crossings.size(); ++i) {
+      if (reached[i]) continue;
+      const std::size_t change = crossings[i].change;
+      const VectorXd along = periods == 1 ? connected.points()[changes[change].after].tangent : VectorXd();
+      if (path->follow_branched(crossings[i].place, along, ends, progress)) {
+        std::vector<std::size_t> touches = {change};
+        if (const auto end = path->stopped_at()) {
+          touches.push_back(crossings[*end].change);
+          reached[*end] = true;
+        }
+        found.push_back({std::move(touches), periods, std::move(path)});
+      }
+      path = new_path(periods);
+    }
+  }
+  return found;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "trivet/nonlinear/reference_machine.h"
+#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/steady_path.h"
+
+namespace trivet::nonlinear {
+
+/// Motions that begin where those of another curve lose their stability: of the same period at a branch point, of twice
+/// the period at a period doubling.
+struct BranchedPath {
+  std::vector<std::size_t> touches;  ///< changes of stability: the one that it begins at, and where it ends
+  int periods = 1;                   ///< of the excitation, after which the motions repeat
+  std::unique_ptr<SteadyPath> path;
+};
+
+/// Follows them from the changes of a path, the first few of them, to another change or the ends of the band.
+/// @param twice  the machine over two periods; empty if there is no period doubling. It must outlive the paths.
+[[nodiscard]] std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes,
+                                                       const SteadyPath& connected, const ReferenceMachine& machine,
+                                                       const ReferenceMachine* twice, const SteadyOptions& options,
+                                                       const foundation::Progress& progress);
+
+}  // namespace trivet::nonlinear

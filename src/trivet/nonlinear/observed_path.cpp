@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/observed_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "trivet/foundation/index.h"
+#include "trivet/nonlinear/contact_share.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using numerics::BranchPoint;
+
+ObservedPath::ObservedPath(const ReferenceMachine& machine, const SteadyPath& path, std::vector<const SteadyPath*> all,
+                           const SteadyOptions& options)
+    : machine_(machine),
+      path_(path),
+      all_(std::move(all)),
+      options_(options),
+      observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
+      stability_(machine.assembled, machine.deflections),
+      winding_(machine.condensed, machine.deflections) {
+  for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
+    const Deflection& deflection = machine.deflections[j];
+    const auto [low, high] = deflection.law.untouched();
+    const bool is_ring = deflection.distance && deflection.distance->is_ring();
+    if (std::isfinite(low) || std::isfinite(high) || is_ring) stops_.push_back(j);
+  }
+}
+
+SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
+  SteadyBranch found;
+  found.harmonics = path_.balance().harmonics();
+  found.over = options_.over;
+  found.first_harmonic = machine_.excitation.first_harmonic;
+  found.of_shaft = machine_.excitation.of_shaft;
+  found.excitations = machine_.excitation.names;
+  found.left_out = path_.left_out();
+  found.held_share = path_.held_share();
+  found.ended = path_.ended();
+  found.closed = path_.closed();
+  const bool over_frequency = machine_.assembled.frequency_dependent();
+  using Multipliers = SteadyBranch::Multipliers;
+  found.multipliers_of = over_frequency    ? Multipliers::constant_machine
+      : stability_.is_of_viscous_machine() ? Multipliers::viscous_machine
+                                           : Multipliers::machine;
+  for (const Deflection& deflection : machine_.deflections) found.deflections.push_back(deflection.name);
+  for (const std::size_t stop : stops_) found.stops.push_back(machine_.deflections[stop].name);
+  for (const assembly::Channel& channel : observer_.channels()) {
+    found.results.push_back(channel.name);
+    found.units.push_back(channel.unit);
+  }
+  for (const BranchPoint& point : path_.points()) {
+    found.points.push_back(steady(point));
+    note_sticking(point, found);
+    if (progress)
+      progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
+  }
+  const bool has_winding = !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
+  if (has_winding && (options_.deep || over_frequency)) judge_by_winding(found, progress);
+  for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
+  for (const SteadyPath::Turn& turn : path_.turns())
+    found.folds.push_back({steady(turn.point), turn.after, turn.upper, landing(turn.point)});
+  add_changes(found);
+  return found;
+}
+
+SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
+  SteadyPoint result;
+  const HarmonicBalance& balance = path_.balance();
+  const auto [omega, factor] = path_.driving(point.parameter);
+  result.angular_frequency = omega / machine_.excitation.first_harmonic;
+  result.load_factor = factor;
+  result.deflections = point.unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
+  const Eigen::MatrixXd forces = balance.forces(point.unknowns, omega);
+  if (!observer_.channels().empty())
+    result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
+  result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
+  for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, result));
+  result.stable = result.unstable_multipliers() == 0;
+  if (by_winding_) {
+    result.unstable_by_winding = winding_.unstable_exponents(point.unknowns, omega);
+    if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
+  }
+  return result;
+}
+
+double ObservedPath::contact(std::size_t stop, const SteadyPoint& point) const {
+  const auto first = to_index(stop);
+  for (const MachineLaws::Distance& one : path_.balance().laws().distances())
+    if (one.first == first) return contact_share(one.law, point.deflections.middleCols(first, 3));
+  return contact_share(path_.balance().laws().single()[stop], point.deflections.col(first),
+                       point.angular_frequency * machine_.excitation.first_harmonic);
+}
+
+/// The second verdict: at all points, or, of elements that depend on frequency, at some and beside each change of
+/// the first one. If it contradicts the multipliers of the nearest constant matrices, it decides.
+void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progress& progress) {
+  constexpr std::size_t samples = 16;
+  const std::size_t count = found.points.size(), every = 1 + count / samples;
+  const auto is_beside_change = [&](std::size_t i) {
+    return (i > 0 && found.points[i - 1].stable != found.points[i].stable) ||
+        (i + 1 < count && found.points[i + 1].stable != found.points[i].stable);
+  };
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < count; ++i)
+    if (options_.deep || i % every == 0 || is_beside_change(i)) chosen.push_back(i);
+  judge(chosen, found, progress);
+  if (found.multipliers_of != SteadyBranch::Multipliers::constant_machine || found.winding.differs_at.empty()) return;
+  chosen.clear();
+  for (std::size_t i = 0; i < count; ++i)
+    if (!found.points[i].unstable_by_winding) chosen.push_back(i);
+  judge(chosen, found, progress);
+  found.winding.decides = by_winding_ = true;
+  for (SteadyPoint& point : found.points)
+    if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;
+}
+
+void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& found,
+                         const foundation::Progress& progress) const {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const BranchPoint& point = path_.points()[chosen[i]];
+    SteadyPoint& judged = found.points[chosen[i]];
+    judged.unstable_by_winding = winding_.unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+    ++found.winding.points;
+    if (!judged.unstable_by_winding) ++found.winding.undecided;
+    else if (*judged.unstable_by_winding != judged.unstable_multipliers())
+      found.winding.differs_at.push_back(point.parameter);
+    foundation::report_progress(progress, "stability by winding number",
+                                static_cast<double>(i) / static_cast<double>(chosen.size()));
+  }
+}
+
+/// The only stable motion that is known at the parameter of a fold, besides those that meet there.
+std::optional<SteadyPoint> ObservedPath::landing(const BranchPoint& fold) const {
+  constexpr double same = 1e-2;  // of the motion
+  std::vector<SteadyPoint> stable;
+  for (const SteadyPath* path : all_)
+    for (const BranchPoint& other : path->all_at(fold.parameter)) {
+      if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
+      SteadyPoint point = steady(other);
+      if (point.stable) stable.push_back(std::move(point));
+    }
+  return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
+}
+
+void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {
+  const Index C = path_.balance().coefficients();
+  for (Index j = 0; j < machine_.condensed.size(); ++j) {
+    const LawHarmonics& law = path_.balance().laws().single()[to_size(j)];
+    const std::string& name = machine_.deflections[to_size(j)].name;
+    if (law.law().hysteretic().empty() ||
+        std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end())
+      continue;
+    const LawCourse course = law.course(point.unknowns.segment(j * C, C), path_.driving(point.parameter).omega);
+    if (std::any_of(course.loops().begin(), course.loops().end(),
+                    [](const HystereticLoop& loop) { return loop.sticks(); }))
+      found.sticking.push_back(name);
+  }
+}
+
+void ObservedPath::add_changes(SteadyBranch& found) const {
+  for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
+    if (found.points[i].stable == found.points[i + 1].stable) continue;
+    const bool at_fold =
+        std::any_of(found.folds.begin(), found.folds.end(), [i](const Fold& fold) { return fold.after == i; });
+    if (at_fold) continue;
+    found.changes.push_back(change_after(i));
+  }
+}
+
+/// Where the largest multiplier passes the unit circle between a point and the next one.
+StabilityChange ObservedPath::change_after(std::size_t point) const {
+  constexpr double of_multipliers = 1e-11;
+  // Where another curve crosses, Newton's method along this one has no unique step: as near as it converges.
+  constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
+  const auto excess = [&](const BranchPoint& there) {
+    return stability_
+               .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
+                            of_multipliers)
+               .cwiseAbs()
+               .maxCoeff() -
+        1;
+  };
+  const auto by_winding = [&](const BranchPoint& there) {
+    const std::optional<int> unstable =
+        winding_.unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
+    return unstable && *unstable > 0 ? 1.0 : -1.0;
+  };
+  std::optional<BranchPoint> middle;
+  for (const double near : accurate)
+    if (!middle)
+      middle = by_winding_ ? path_.zero_after(point, by_winding, near) : path_.zero_after(point, excess, near);
+  if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
+    const bool ends_unstable = excess(path_.points()[point + 1]) > excess(path_.points()[point]);
+    middle = path_.points()[ends_unstable ? point + 1 : point];
+  }
+  StabilityChange change{steady(*middle), point};
+  Index critical = 0;
+  change.point.multipliers.cwiseAbs().maxCoeff(&critical);
+  const std::complex<double> multiplier = change.point.multipliers(critical);
+  constexpr double real_axis = 1e-6;
+  change.kind = std::abs(multiplier.imag()) > real_axis ? StabilityChange::Kind::quasi_periodic
+      : multiplier.real() < 0                           ? StabilityChange::Kind::period_doubling
+                                                        : StabilityChange::Kind::branch_point;
+  return change;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trivet/assembly/assembled.h"
+#include "trivet/model/system.h"
+#include "trivet/nonlinear/condensed_machine.h"
+#include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/periodic_excitation.h"
+
+namespace trivet::nonlinear {
+
+/// The machine with references in place of its nonlinear parts, the parts beyond them, and its periodic excitation.
+struct ReferenceMachine {
+  ReferenceMachine(const model::System& given, const References& references,
+                   const std::vector<std::string>& excitations);
+  ReferenceMachine(const ReferenceMachine&) = delete;
+  ReferenceMachine& operator=(const ReferenceMachine&) = delete;
+  /// The same for motions that repeat after two periods of the excitation: its harmonic k is their harmonic 2k.
+  struct TwoPeriods {};
+  ReferenceMachine(const ReferenceMachine& same, TwoPeriods);
+
+  model::System system;
+  assembly::Assembled assembled;
+  std::vector<Deflection> deflections;
+  PeriodicExcitation excitation;
+  CondensedMachine condensed;
+};
+
+/// Do the tangents at rest hold all bodies?
+[[nodiscard]] bool holds_at_rest(const model::System& given);
+
+/// Tangents at rest, or what keeps the receptance of a machine finite that they do not hold or damp.
+[[nodiscard]] References references_of(const model::System& given, bool holds);
+
+}  // namespace trivet::nonlinear

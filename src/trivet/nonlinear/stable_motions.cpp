@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/stable_motions.h"
+
+#include <algorithm>
+
+namespace trivet::nonlinear {
+
+std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch) {
+  std::vector<const SteadyPoint*> stable;
+  for (const SteadyPoint& point : branch.points)
+    if (point.stable) stable.push_back(&point);
+  for (const Fold& fold : branch.folds) {
+    const std::size_t next = std::min(fold.after + 1, branch.points.size() - 1);
+    if (branch.points[fold.after].stable || branch.points[next].stable) stable.push_back(&fold.point);
+  }
+  for (const SteadyBranch& curve : branch.further) {
+    const std::vector<const SteadyPoint*> more = stable_points(curve);
+    stable.insert(stable.end(), more.begin(), more.end());
+  }
+  return stable;
+}
+
+namespace {
+
+using Stretch = std::pair<double, double>;
+
+void add_stable_stretches(const SteadyBranch& branch, std::vector<Stretch>& stretches) {
+  const auto add = [&](const SteadyPoint& a, const SteadyPoint& b) {
+    stretches.emplace_back(std::minmax({branch.parameter(a), branch.parameter(b)}));
+  };
+  for (std::size_t i = 0; i + 1 < branch.points.size(); ++i) {
+    const SteadyPoint &here = branch.points[i], &next = branch.points[i + 1];
+    const auto in_step = [i](const auto& one) { return one.after == i; };
+    const auto fold = std::find_if(branch.folds.begin(), branch.folds.end(), in_step);
+    const auto change = std::find_if(branch.changes.begin(), branch.changes.end(), in_step);
+    const SteadyPoint* middle = fold != branch.folds.end() ? &fold->point
+        : change != branch.changes.end()                   ? &change->point
+                                                           : nullptr;
+    if (!middle && here.stable && next.stable) add(here, next);
+    if (middle && here.stable) add(here, *middle);
+    if (middle && next.stable) add(*middle, next);
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch) {
+  std::vector<Stretch> stable, without;
+  add_stable_stretches(branch, stable);
+  for (const SteadyBranch& curve : branch.further) add_stable_stretches(curve, stable);
+  std::sort(stable.begin(), stable.end());
+  const auto [from, to] =
+      std::minmax({branch.parameter(branch.points.front()), branch.parameter(branch.points.back())});
+  double covered = from;
+  constexpr double same = 1e-5;  // a curve begins where the harmonics have it, beside the change of stability
+  for (const auto& [low, high] : stable) {
+    if (low > covered * (1 + same)) without.emplace_back(covered, std::min(low, to));
+    covered = std::max(covered, high);
+    if (covered >= to) break;
+  }
+  if (covered < to * (1 - same)) without.emplace_back(covered, to);
+  return without;
+}
+
+}  // namespace trivet::nonlinear
