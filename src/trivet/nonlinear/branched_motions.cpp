@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/branched_motions.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -54,6 +55,17 @@ std::optional<SteadyPath::Place> crossing_near(const StabilityChange& change, co
   return std::nullopt;
 }
 
+/// Is it the other curve itself?
+bool lies_on(const SteadyPath& path, const SteadyPath& other) {
+  constexpr double same = 1e-3;  // of the motion
+  const numerics::BranchPoint& middle = path.points()[path.points().size() / 2];
+  const std::vector<numerics::BranchPoint> there = other.all_at(middle.parameter);
+  return std::any_of(there.begin(), there.end(), [&](const numerics::BranchPoint& one) {
+    return one.unknowns.size() == middle.unknowns.size() &&
+        (one.unknowns - middle.unknowns).norm() <= same * middle.unknowns.norm();
+  });
+}
+
 }  // namespace
 
 std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
@@ -86,7 +98,7 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
       if (reached[i]) continue;
       const std::size_t change = crossings[i].change;
       const VectorXd along = periods == 1 ? connected.points()[changes[change].after].tangent : VectorXd();
-      if (path->follow_branched(crossings[i].place, along, ends, progress)) {
+      if (path->follow_branched(crossings[i].place, along, ends, progress) && !lies_on(*path, connected)) {
         std::vector<std::size_t> touches = {change};
         if (const auto end = path->stopped_at()) {
           touches.push_back(crossings[*end].change);

@@ -165,10 +165,15 @@ void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) 
 void ObservedPath::add_changes(SteadyBranch& found) const {
   for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
     if (found.points[i].stable == found.points[i + 1].stable) continue;
-    const bool at_fold =
-        std::any_of(found.folds.begin(), found.folds.end(), [i](const Fold& fold) { return fold.after == i; });
-    if (at_fold) continue;
-    found.changes.push_back(change_after(i));
+    const auto is_fold_near = [&](std::size_t steps) {
+      return std::any_of(found.folds.begin(), found.folds.end(),
+                         [&](const Fold& fold) { return std::max(fold.after, i) - std::min(fold.after, i) <= steps; });
+    };
+    if (is_fold_near(0)) continue;
+    StabilityChange change = change_after(i);
+    // Multipliers pass 1 beside the fold of the harmonics by what the harmonics leave out.
+    if (change.kind == StabilityChange::Kind::branch_point && is_fold_near(1)) continue;
+    found.changes.push_back(std::move(change));
   }
 }
 

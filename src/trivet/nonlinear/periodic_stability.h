@@ -45,10 +45,11 @@ class PeriodicStability {
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
   bool replaced_losses_;
-  Eigen::MatrixXd F_;       ///< states × states
-  Eigen::MatrixXd force_;   ///< states × deflections: ẋ per unit of each nonlinear force
-  Eigen::MatrixXd values_;  ///< deflections × states
-  Eigen::MatrixXd rates_;   ///< their rates
+  Eigen::MatrixXd F_;              ///< states × states
+  Eigen::MatrixXd force_;          ///< states × deflections: ẋ per unit of each nonlinear force
+  Eigen::MatrixXd values_;         ///< deflections × states
+  Eigen::MatrixXd rates_;          ///< their rates
+  Eigen::VectorXd accelerations_;  ///< of each deflection per unit of its force
   numerics::LinearFlow flow_;
   Eigen::MatrixXd kick_, seen_, seen_rates_;  ///< `force_`, `values_` and `rates_` in the coordinates of the flow
   /// Flows with tangents that occurred: the states of contact.

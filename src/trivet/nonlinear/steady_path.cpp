@@ -244,7 +244,7 @@ bool SteadyPath::follow_branched(const Place& start, const VectorXd& along, cons
   first.scale << scale()(start.unknowns), width();
   first.tangent.head(n) = weakest_direction(start);
   if (along.size() > 0) first.tangent -= along.normalized().dot(first.tangent) * along.normalized();
-  constexpr double least = 0.1;
+  constexpr double least = 0.5;  // else the weakest direction is that of the other curve: at a fold
   if (first.tangent.norm() < least) return false;
   first.tangent.normalize();
   (void)add_point(first, any);
@@ -322,7 +322,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
       break;
     }
     if (ended_ = leaves_curve(next); !ended_.empty()) break;
-    const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next, length);
+    const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next);
     constexpr double least = 1e-5;
     if (!on_the_way && length > least) {
       step = length / 2;
@@ -352,13 +352,12 @@ bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
 
 /// The motions at the resonances between two points. Empty if one is not found on the way: the step has passed
 /// something.
-std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& now, const BranchPoint& next,
-                                                            double length) const {
+std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& now, const BranchPoint& next) const {
   std::vector<BranchPoint> found;
   if (next.parameter_direction() * now.parameter_direction() < 0) return found;
   for (const double omega : resonances_) {
     if (!((omega - now.parameter) * (omega - next.parameter) < 0)) continue;
-    std::optional<BranchPoint> there = branch_.at(omega, now, 0, length);
+    std::optional<BranchPoint> there = branch_.at(omega, now, next);
     if (!there) return std::nullopt;
     if (there->parameter_direction() * now.parameter_direction() < 0) there->tangent = -there->tangent;
     found.push_back(std::move(*there));
@@ -368,16 +367,17 @@ std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& n
 }
 
 bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
-  add_pieces(length, next);
   lengths_.push_back(length);
-  return add_point(next, most_left_out);
+  const bool is_good = add_point(next, most_left_out);
+  add_pieces();
+  return is_good;
 }
 
-/// The pieces of the step from the last point, with the fold between them if the parameter turns, and the motions asked
-/// for.
-void SteadyPath::add_pieces(double length, const BranchPoint& next) {
-  const std::size_t from = points_.size() - 1, first_new = pieces_.size();
-  const BranchPoint& now = points_.back();
+/// The pieces of the last step, with the fold between them if the parameter turns, and the motions asked for.
+void SteadyPath::add_pieces() {
+  const std::size_t from = points_.size() - 2, first_new = pieces_.size();
+  const BranchPoint &now = points_[from], &next = points_.back();
+  const double length = lengths_[from];
   const bool turns = next.parameter_direction() * now.parameter_direction() < 0;
   const std::optional<BranchPoint> fold = turns ? branch_.fold(now, length) : std::nullopt;
   if (fold) {
@@ -395,7 +395,9 @@ void SteadyPath::add_pieces(double length, const BranchPoint& next) {
 
 std::optional<BranchPoint> SteadyPath::at(double parameter, const Piece& piece) const {
   if ((piece.parameter_begin < parameter) == (piece.parameter_end < parameter)) return std::nullopt;
-  return branch_.at(parameter, points_[piece.from], piece.begin, piece.end);
+  const bool is_whole_step = piece.begin == 0 && piece.end == lengths_[piece.from];
+  return is_whole_step ? branch_.at(parameter, points_[piece.from], points_[piece.from + 1])
+                       : branch_.at(parameter, points_[piece.from], piece.begin, piece.end);
 }
 
 std::vector<BranchPoint> SteadyPath::all_at(double parameter) const {

@@ -97,13 +97,12 @@ class SteadyPath {
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
   [[nodiscard]] std::optional<numerics::BranchPoint> raised_forces(const Eigen::VectorXd& linear) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
-  void add_pieces(double length, const numerics::BranchPoint& next);
+  void add_pieces();
   [[nodiscard]] double width() const { return options_.to - options_.from; }
   [[nodiscard]] std::string place(double parameter) const;
   [[nodiscard]] numerics::ScaleUnknowns scale() const;
   [[nodiscard]] std::optional<std::vector<numerics::BranchPoint>> between(const numerics::BranchPoint& now,
-                                                                          const numerics::BranchPoint& next,
-                                                                          double length) const;
+                                                                          const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
   [[nodiscard]] std::string leaves_distance(const numerics::BranchPoint& point, Eigen::Index deflection) const;

@@ -41,6 +41,23 @@ TEST(Branch, PassesBothFoldsOfACubic) {
   EXPECT_NEAR(folds[1].unknowns(0), 1, 1e-7);
 }
 
+TEST(Branch, FindsTheSolutionAtAParameterBetweenTwoPoints) {
+  const Branch branch(cubic, Eigen::VectorXd::Constant(1, 1), 1);
+  const std::optional<BranchPoint> from = branch.start(Eigen::VectorXd::Constant(1, -3), -5);
+  ASSERT_TRUE(from);
+  for (const double step : {0.1, 0.8}) {  // near enough for the cubic between them, and too far for it
+    const std::optional<BranchPoint> to = branch.after(*from, step);
+    ASSERT_TRUE(to);
+    const double parameter = (from->parameter + 2 * to->parameter) / 3;
+    const std::optional<BranchPoint> there = branch.at(parameter, *from, *to);
+    ASSERT_TRUE(there);
+    EXPECT_EQ(there->parameter, parameter);
+    EXPECT_NEAR(std::pow(there->unknowns(0), 3) - 3 * there->unknowns(0), parameter, 1e-12);
+    EXPECT_GT(there->unknowns(0), from->unknowns(0));
+    EXPECT_LT(there->unknowns(0), to->unknowns(0));
+  }
+}
+
 TEST(Branch, HasNoPointWhereThereIsNoSolution) {
   const Branch branch(
       [](const Eigen::VectorXd& u, double, numerics::Equations& equations) {

@@ -223,6 +223,53 @@ std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from,
   return exact;
 }
 
+namespace {
+
+/// Solutions between two points by Hermite's cubic over the length between them.
+class CubicBetween {
+ public:
+  CubicBetween(const BranchPoint& from, const BranchPoint& to, double length)
+      : from_(from), to_(to), length_(length), n_(from.unknowns.size()) {}
+  [[nodiscard]] double parameter(double share) const {
+    return value(share, from_.parameter, to_.parameter, slope(from_, n_), slope(to_, n_));
+  }
+  [[nodiscard]] VectorXd unknowns(double share) const {
+    VectorXd result(n_);
+    for (Index i = 0; i < n_; ++i)
+      result(i) = value(share, from_.unknowns(i), to_.unknowns(i), slope(from_, i), slope(to_, i));
+    return result;
+  }
+
+ private:
+  [[nodiscard]] double slope(const BranchPoint& at, Index i) const { return length_ * at.tangent(i) * at.scale(i); }
+  static double value(double t, double a, double b, double at_a, double at_b) {
+    return a + t * t * (3 - 2 * t) * (b - a) + t * (1 - t) * ((1 - t) * at_a - t * at_b);
+  }
+  const BranchPoint &from_, &to_;
+  double length_;
+  Index n_;
+};
+
+}  // namespace
+
+std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from, const BranchPoint& to) const {
+  const double length = Branch::length(from, to);
+  const CubicBetween cubic(from, to, length);
+  double low = 0, high = 1;
+  const bool rises = to.parameter > from.parameter;
+  constexpr double near = 1e-9;
+  while (high - low > near) {
+    const double middle = (low + high) / 2;
+    ((cubic.parameter(middle) < parameter) == rises ? low : high) = middle;
+  }
+  const VectorXd guess = cubic.unknowns(low);
+  std::optional<BranchPoint> found = start(guess, parameter);
+  constexpr double same = 0.03;  // of the step: the error of the cubic
+  if (found && (found->unknowns - guess).cwiseQuotient(from.scale.head(guess.size())).norm() < same * length)
+    return found;
+  return at(parameter, from, 0, length);
+}
+
 std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
   constexpr double flat = 1e-12;  // λ then differs from the fold by less than 1e-24 of its curvature's scale
   return zero([](const BranchPoint& point) { return point.parameter_direction(); }, from, 0, step, flat, true);

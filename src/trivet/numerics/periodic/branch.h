@@ -86,6 +86,9 @@ class Branch {
   /// The solution at λ between two lengths from a point, where the branch passes λ once. Empty if it does not.
   [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, double low, double high) const;
 
+  /// The same between two neighbouring points, from the cubic through them with their directions.
+  [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, const BranchPoint& to) const;
+
   /// The fold between a point and the one at `step` from it, where the parameter direction has the other sign.
   [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double step) const;
 
