@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 #include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/stiffness_over_amplitude.h"
 
 /// A hydromount against the closed forms of its lumped model (the form of Singh, Kim, Ravindra, J. Sound Vib. 158
 /// (1992)), with the decoupler closed and open, and against marching in time between them.
@@ -124,40 +126,91 @@ TEST(Hydromount, SmallMotionIsThatOfTheOpenDecouplerAndLargeMotionThatOfTheClose
   EXPECT_THAT(largest(mount(with_decoupler, 1e4)), RelativelyNear(1e4 / std::abs(closed - inertia), play_left));
 }
 
-/// Mass, track with quadratic losses and decoupler that opens and closes, by Runge and Kutta's method.
-TEST(Hydromount, BetweenThemAsMarchedInTime) {
-  constexpr double upper = 4e10, lower = 1e9, area = 0.0032, omega = 2 * pi * 8, force = 100, play = 2e-6, track = 5e11;
-  const std::string text = mount(with_decoupler, force);
-  std::string lossy = text;
-  lossy.replace(lossy.find("resistance = 1.6e8"), 18, "resistance = 1.6e8, quadratic_resistance = 5e11");
-  using State = Eigen::Matrix<double, 6, 1>;  // m.z, its rate, volumes and flows of track and decoupler
-  const double seat = upper, dissipation = 2 / (std::sqrt(seat / 8e4) * 0.1 * play);
-  const auto slope = [&](double t, const State& y) {
-    const double p_upper = upper * (-area * y(0) - y(2) - y(4)), p_lower = lower * (y(2) + y(4));
+/// The fluid of the mount in time: volumes and flows of a track with quadratic losses, and of a decoupler that opens
+/// and closes.
+struct Fluid {
+  static constexpr double upper = 4e10, lower = 1e9, area = 0.0032, play = 2e-6, track = 5e11, seat = upper;
+  using State = Eigen::Vector4d;  // volume and flow of the track, of the decoupler
+
+  static std::string mount_of(double force) {
+    std::string lossy = mount(with_decoupler, force);
+    lossy.replace(lossy.find("resistance = 1.6e8"), 18, "resistance = 1.6e8, quadratic_resistance = 5e11");
+    return lossy;
+  }
+  /// At the displacement z of end K.
+  static double pressure(double z, const State& y) { return upper * (-area * z - y(0) - y(2)); }
+  static State rate(double z, const State& y) {
+    const double dissipation = 2 / (std::sqrt(seat / 8e4) * 0.1 * play);
+    const double across = pressure(z, y) - lower * (y(0) + y(2));
     double closing = 0;
-    if (std::abs(y(4)) > play) {
-      const double sign = y(4) > 0 ? 1 : -1;
-      closing = sign * seat * (std::abs(y(4)) - play) * std::max(0.0, 1 + dissipation * sign * y(5));
+    if (std::abs(y(2)) > play) {
+      const double sign = y(2) > 0 ? 1 : -1;
+      closing = sign * seat * (std::abs(y(2)) - play) * std::max(0.0, 1 + dissipation * sign * y(3));
     }
-    State rate;
-    rate << y(1), (force * std::cos(omega * t) - 1.8e5 * y(0) - 90 * y(1) + area * p_upper) / 100, y(3),
-        (p_upper - p_lower - 1.6e8 * y(3) - track * y(3) * std::abs(y(3))) / 2.5e6, y(5),
-        (p_upper - p_lower - 2e7 * y(5) - 1e4 * y(4) - closing) / 8e4;
-    return rate;
-  };
+    return {y(1), (across - 1.6e8 * y(1) - track * y(1) * std::abs(y(1))) / 2.5e6, y(3),
+            (across - 2e7 * y(3) - 1e4 * y(2) - closing) / 8e4};
+  }
+};
+
+/// By Runge and Kutta's method, from rest; `visit(t, state)` in the last period.
+template <typename State, typename Slope, typename Visit>
+void march(double omega, const Slope& slope, const Visit& visit) {
   constexpr int periods = 60, steps = 8000;
   const double h = 2 * pi / omega / steps;
   State y = State::Zero();
-  double expected = 0;
   for (int i = 0; i < periods * steps; ++i) {
     const double t = i * h;
+    if (i >= (periods - 1) * steps) visit(t, y);
     const State k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1), k3 = slope(t + h / 2, y + h / 2 * k2),
                 k4 = slope(t + h, y + h * k3);
     y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-    if (i >= (periods - 1) * steps) expected = std::max(expected, y(0));
   }
-  EXPECT_THAT(largest(lossy), RelativelyNear(expected, 5e-4));  // 31 harmonics of a seat with a kink
-  EXPECT_GT(std::abs(largest(text) / expected - 1), 1e-3);      // the quadratic loss counts
+}
+
+TEST(Hydromount, BetweenThemAsMarchedInTime) {
+  constexpr double omega = 2 * pi * 8, force = 100;
+  using State = Eigen::Matrix<double, 6, 1>;  // m.z, its rate, the fluid
+  const auto slope = [&](double t, const State& y) {
+    State rate;
+    const double push = Fluid::area * Fluid::pressure(y(0), y.tail<4>());
+    rate << y(1), (force * std::cos(omega * t) - 1.8e5 * y(0) - 90 * y(1) + push) / 100, Fluid::rate(y(0), y.tail<4>());
+    return rate;
+  };
+  double expected = 0;
+  march<State>(omega, slope, [&](double, const State& y) { expected = std::max(expected, y(0)); });
+  const double lossy = largest(Fluid::mount_of(force));
+  EXPECT_THAT(lossy, RelativelyNear(expected, 5e-4));  // 31 harmonics of a seat with a kink
+  EXPECT_GT(std::abs(largest(mount(with_decoupler, force)) / expected - 1), 1e-3);  // the quadratic loss counts
+}
+
+/// The mount alone: tiny motions are those of the linear law, larger ones as the fluid marches in time under a
+/// prescribed deflection.
+TEST(Hydromount, StiffnessOverFrequencyAndAmplitude) {
+  const project::Project project = test::project(Fluid::mount_of(100));
+  const std::vector<nonlinear::AmplitudeStiffness> found =
+      nonlinear::stiffness_over_amplitude(project.base().system, 0, 2 * pi * 2, 2 * pi * 40, {1e-9, 5e-4, 2e-3});
+  ASSERT_EQ(found.size(), 3u);
+  for (std::size_t i = 0; i < found[0].angular_frequency.size(); ++i)
+    expect_near(found[0].stiffness(static_cast<Eigen::Index>(i)),
+                along_axis(mount(with_decoupler), found[0].angular_frequency[i] / (2 * pi)), 1e-6);
+  for (const std::size_t large : {1u, 2u}) {
+    const nonlinear::AmplitudeStiffness& one = found[large];
+    EXPECT_EQ(one.ended, "");
+    const std::size_t middle = one.angular_frequency.size() / 2;
+    const double omega = one.angular_frequency[middle], amplitude = one.amplitude;
+    const auto z = [&](double t) { return amplitude * std::cos(omega * t); };
+    Complex first = 0;
+    int samples = 0;
+    march<Fluid::State>(
+        omega, [&](double t, const Fluid::State& y) { return Fluid::rate(z(t), y); },
+        [&](double t, const Fluid::State& y) {
+          first -= 2.0 * Fluid::area * Fluid::pressure(z(t), y) * std::polar(1.0, -omega * t);
+          ++samples;
+        });
+    const Complex expected = first / (samples * amplitude) + Complex(1.8e5, 90 * omega);
+    expect_near(one.stiffness(static_cast<Eigen::Index>(middle)), expected,
+                3e-3);  // harmonics leave out 2 % of the flow
+  }
 }
 
 }  // namespace

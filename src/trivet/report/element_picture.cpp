@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "trivet/report/amplitude_stiffness_plot.h"
 #include "trivet/report/dynamic_stiffness_plot.h"
 #include "trivet/report/law_loop_plot.h"
 #include "trivet/report/residual_plot.h"
@@ -21,7 +22,10 @@ std::string element_picture(const project::Case& variant, std::size_t index) {
   std::erase_if(laws, [](const study::ElementLaws& one) { return one.loops.empty(); });
   const double loops = static_cast<double>(laws.size()) * law_loop_plot_height;
 
-  SvgCanvas canvas(width, title_height + stiffness_map_height + residuals + dynamics + loops);
+  const std::vector<nonlinear::AmplitudeStiffness> over_amplitude = study::stiffness_over_amplitude(variant, index);
+  const double amplitudes = over_amplitude.empty() ? 0 : amplitude_stiffness_plot_height;
+
+  SvgCanvas canvas(width, title_height + stiffness_map_height + residuals + dynamics + amplitudes + loops);
   const std::string title = element.name + ", " + element.type + (variant.name.empty() ? "" : ", " + variant.name);
   canvas.text({width / 2, 24}, title, "text-anchor=\"middle\" font-size=\"15\" font-weight=\"bold\"");
   canvas.text({width / 2, 40}, "stiffness 12×12 in local axes", "text-anchor=\"middle\" fill=\"#333\"");
@@ -33,6 +37,8 @@ std::string element_picture(const project::Case& variant, std::size_t index) {
   }
   if (band) draw_dynamic_stiffness(canvas, {0, y}, element.law, *band);
   y += dynamics;
+  if (!over_amplitude.empty()) draw_amplitude_stiffness(canvas, {0, y}, over_amplitude, variant.display);
+  y += amplitudes;
   for (const study::ElementLaws& one : laws) {
     draw_law_loops(canvas, {0, y}, one, variant.display);
     y += law_loop_plot_height;

@@ -63,6 +63,16 @@ Json laws_json(const study::ElementSummary& summary) {
   return result;
 }
 
+Json over_amplitude_json(const study::ElementSummary& summary) {
+  Json result = Json::array();
+  for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude)
+    result.push_back({{"amplitude", one.amplitude},
+                      {"angular_frequency", one.angular_frequency},
+                      {"stiffness", json::list(one.stiffness)},
+                      {"ended", one.ended}});
+  return result;
+}
+
 Json uncertainty_json(const model::Element& element) {
   if (!element.evidence) return nullptr;
   return {{"meaning", element.evidence->meaning},
@@ -131,6 +141,7 @@ std::string element_json(const project::Case& variant, std::size_t index, const 
       {"character", stiffness_properties_json(summary.stiffness_properties)},
       {"modes", modes_json(summary)},
       {"laws", laws_json(summary)},
+      {"over_amplitude", over_amplitude_json(summary)},
       {"uncertainty", uncertainty_json(element)},
       {"residuals", residuals_json(element)},
       {"simplification", simple ? simplification_json(*simple) : Json(nullptr)},

@@ -229,6 +229,32 @@ std::string laws_text(const study::ElementSummary& summary, const ShownUnits& di
   return text;
 }
 
+/// At frequencies that divide the band evenly.
+std::string over_amplitude_text(const study::ElementSummary& summary, const ShownUnits& display) {
+  if (summary.over_amplitude.empty()) return "";
+  constexpr int rows = 8;
+  const DisplayUnit stiffness = display_unit(display, "N/m");
+  std::vector<std::string> header = {"f [Hz]"};
+  for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude)
+    header.push_back("± " + value_text(one.amplitude, display_unit(display, "m")));
+  TextTable table(header);
+  const double from = summary.over_amplitude.front().angular_frequency.front(),
+               to = summary.over_amplitude.front().angular_frequency.back();
+  for (int i = 0; i < rows; ++i) {
+    const double omega = from * std::pow(to / from, i / (rows - 1.0));
+    std::vector<std::string> row = {number_text(omega / two_pi, 4)};
+    for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude) {
+      const std::optional<std::complex<double>> found = one.at(omega);
+      row.push_back(
+          found ? fmt::format("{}, {:.1f}°", value_text(std::abs(*found), stiffness), std::arg(*found) * 360 / two_pi)
+                : "–");
+    }
+    table.add(row);
+  }
+  return "\nDynamic stiffness along z of end K, N held, over frequency and amplitude: magnitude and loss angle\n" +
+      table.text();
+}
+
 std::string preload_text(const elements::Law& law, const ShownUnits& display) {
   if (!law.preload) return "";
   std::vector<std::string> header = {"preload on"};
@@ -320,7 +346,7 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
       "{1}/{3}\n(entries below 1e-12 √(K_ii K_jj) shown as 0)\n",
       force, moment, length, angle);
   text += half_matrix(summary.stiffness, 0, display) + "\n" + half_matrix(summary.stiffness, 6, display);
-  text += laws_text(summary, display);
+  text += laws_text(summary, display) + over_amplitude_text(summary, display);
   text += "\nCharacter\n" + stiffness_properties_text(summary.stiffness_properties, display);
   text += "\nChecks\n" + checks_text(element, summary.verdict);
   for (const std::string& part : {energy_text(summary, display), uncertainty_text(element, display),

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/element_summary.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/modal/modes.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -51,6 +53,21 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
   return all;
 }
 
+std::vector<nonlinear::AmplitudeStiffness> stiffness_over_amplitude(const project::Case& variant, std::size_t index) {
+  const model::Element& element = variant.system.elements()[index];
+  const bool has_inner_laws = std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
+                                          [](const model::NonlinearPart& part) { return part.is_inner(); });
+  if (!has_inner_laws) return {};
+  // The slowest column of fluid against all chambers resonates there; the usual amplitudes of test rigs.
+  const elements::InnerParts& inner = *element.law.inner;
+  double slowest = foundation::infinity;
+  for (Eigen::Index i = 12; i < 12 + inner.count(); ++i)
+    slowest = std::min(slowest, std::sqrt(inner.stiffness(i, i) / inner.mass(i, i)));
+  const std::vector<double> amplitudes = {5e-5, 1e-4, 2e-4, 5e-4, 1e-3};
+  return nonlinear::stiffness_over_amplitude(variant.system, index, foundation::two_pi,
+                                             std::max(50 * foundation::two_pi, 3 * slowest), amplitudes);
+}
+
 ElementSummary element_summary(const project::Case& variant, std::size_t index) {
   const model::Element& element = variant.system.elements()[index];
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
@@ -64,6 +81,7 @@ ElementSummary element_summary(const project::Case& variant, std::size_t index) 
                                (*mode.strain_energy_share)(to_index(index)),
                                elements::energy_shares(summary.stiffness, deformation(element, span, mode))});
   summary.laws = element_laws(variant, index);
+  summary.over_amplitude = stiffness_over_amplitude(variant, index);
   const std::string path = "elements." + element.name;
   for (const auto& problem : variant.warnings.list())
     if (problem.subject == path || problem.subject.starts_with(path + ".")) summary.warnings.add(problem);

@@ -8,6 +8,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/elements/stiffness_properties.h"
 #include "trivet/nonlinear/law_loops.h"
+#include "trivet/nonlinear/stiffness_over_amplitude.h"
 #include "trivet/project/project.h"
 
 namespace trivet::study {
@@ -30,14 +31,19 @@ struct ElementLaws {
 };
 [[nodiscard]] std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t element);
 
+/// Of an element with nonlinear inner parts; empty for others. From 1 Hz to beyond its inner resonances.
+[[nodiscard]] std::vector<nonlinear::AmplitudeStiffness> stiffness_over_amplitude(const project::Case& variant,
+                                                                                  std::size_t element);
+
 /// Properties of an element and its part in its model; stiffness in its local frame, order N, K, scale included.
 struct ElementSummary {
   elements::Matrix12 stiffness;
   elements::MatrixVerdict verdict;  ///< of the stiffness
   elements::StiffnessProperties stiffness_properties;
-  std::vector<ElementInMode> modes;  ///< modes with strain energy
-  std::vector<ElementLaws> laws;     ///< nonlinear ones
-  foundation::Problems warnings;     ///< of this element only
+  std::vector<ElementInMode> modes;                           ///< modes with strain energy
+  std::vector<ElementLaws> laws;                              ///< nonlinear ones
+  std::vector<nonlinear::AmplitudeStiffness> over_amplitude;  ///< of nonlinear inner parts
+  foundation::Problems warnings;                              ///< of this element only
 };
 [[nodiscard]] ElementSummary element_summary(const project::Case& variant, std::size_t element);
 
