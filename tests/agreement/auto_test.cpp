@@ -14,6 +14,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 
 namespace {
@@ -177,7 +178,7 @@ std::vector<double> changes(const SteadyBranch& branch, StabilityChange::Kind ki
   return found;
 }
 
-/// Of the collocation, with 600 intervals of fourth degree in a period, and of 25 harmonics.
+/// Of the collocation, with 150 intervals of fourth degree in a period, and of 25 harmonics.
 constexpr double agreed = 1e-6;
 
 void expect_same(const std::vector<double>& ours, const std::vector<double>& theirs) {
@@ -207,6 +208,20 @@ TEST_F(Auto, PeriodDoublingsOfAnAsymmetricSpring) {
   ASSERT_FALSE(branch.further[0].folds.empty());
   ASSERT_FALSE(theirs["LP'"].empty());
   EXPECT_THAT(folds(branch.further[0]).front(), RelativelyNear(theirs["LP'"].front(), agreed));
+}
+
+/// Without AUTO: between F = 1.45 and 1.46 the steps of the path pass the whole stretch of unstable motion, in which a
+/// less symmetric motion is stable. It ends where symmetry returns.
+TEST(LostSymmetry, StretchesOfUnstableMotionWithinOneStep) {
+  double before = 0;
+  for (const double force : {1.45, 1.46, 1.48}) {
+    SCOPED_TRACE(force);
+    const std::vector<double> found = changes(ours({.first = {1, 0, 1, 0.1}, .force = force, .from = 0.5, .to = 2.5}),
+                                              StabilityChange::Kind::branch_point);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_GT(found[1] - found[0], before);
+    before = found[1] - found[0];
+  }
 }
 
 TEST_F(Auto, QuasiPeriodicMotionsOfANonlinearAbsorber) {

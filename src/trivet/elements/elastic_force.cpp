@@ -96,21 +96,18 @@ ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double
   return {found.force * factor, found.tangent * factor, closing * stop->dissipation * found.force};
 }
 
-bool is_piecewise_quadratic(const ElasticForce& law) {
-  if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1;
-  if (const auto* polynomial = std::get_if<PolynomialForce>(&law)) return polynomial->coefficients.size() <= 2;
-  return is_piecewise_linear(law);
+bool is_piecewise_bilinear(const ElasticForce& law) {
+  const auto* stop = std::get_if<GapStop>(&law);
+  return stop ? stop->power == 1 : is_piecewise_linear(law);
 }
 
-Curvature curvature(const ElasticForce& law, double deflection, double rate) {
-  if (const auto* polynomial = std::get_if<PolynomialForce>(&law))
-    return {polynomial->coefficients.size() < 2 ? 0 : 2 * polynomial->coefficients[1], 0, 0};
-  if (!is_damped(law)) return {};
+double mixed_derivative(const ElasticForce& law, double deflection, double rate) {
+  if (!is_damped(law)) return 0;
   const auto& stop = std::get<GapStop>(law);
   const bool closed_above = deflection > stop.upper(), closed_below = deflection < stop.lower();
   const double closing = closed_above ? rate : -rate;
-  if (!(closed_above || closed_below) || 1 + stop.dissipation * closing <= 0) return {};
-  return {0, (closed_above ? 1 : -1) * stop.stiffness * stop.dissipation, 0};
+  if (!(closed_above || closed_below) || 1 + stop.dissipation * closing <= 0) return 0;
+  return (closed_above ? 1 : -1) * stop.stiffness * stop.dissipation;
 }
 
 bool is_damped(const ElasticForce& law) {

@@ -63,13 +63,10 @@ struct ForceInMotion {
   double force = 0, by_deflection = 0, by_rate = 0;
 };
 [[nodiscard]] ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate);
-/// Is it of second degree in δ and its rate between kinks?
-[[nodiscard]] bool is_piecewise_quadratic(const ElasticForce& law);
-/// Of such a force: its second derivatives.
-struct Curvature {
-  double twice_by_deflection = 0, by_deflection_and_rate = 0, twice_by_rate = 0;
-};
-[[nodiscard]] Curvature curvature(const ElasticForce& law, double deflection, double rate);
+/// Is it linear in δ at each rate, and in the rate at each δ, between kinks?
+[[nodiscard]] bool is_piecewise_bilinear(const ElasticForce& law);
+/// ∂²f/∂δ∂v of such a force.
+[[nodiscard]] double mixed_derivative(const ElasticForce& law, double deflection, double rate);
 /// Does its force depend on the rate?
 [[nodiscard]] bool is_damped(const ElasticForce& law);
 /// Rates at which that dependence is not smooth.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <set>
+#include <stdexcept>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/model/checks.h"
@@ -176,6 +178,20 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 }
 
 }  // namespace
+
+System System::in_other_state(Description description) const {
+  const bool has_nodes =
+      std::any_of(description.bodies.begin(), description.bodies.end(), [](const Body& body) { return body.is_node; });
+  if (!has_nodes) {
+    System system;
+    system.description_ = std::move(description);
+    system.warnings_ = warnings_;
+    return system;
+  }
+  auto found = checked(std::move(description));
+  if (!found) throw std::logic_error("a machine in another state of its nonlinear parts is not valid");
+  return std::move(*found);
+}
 
 foundation::Expected<System> System::checked(Description description) {
   foundation::Problems problems;

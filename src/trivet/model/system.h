@@ -211,6 +211,10 @@ class System {
  public:
   /// Reports all problems at once; the system keeps the warnings. Leaves out directions of nodes that no element holds.
   static foundation::Expected<System> checked(Description description);
+  /// This machine with other states of its nonlinear parts (`at_rest`, `law.nonlinear`, gaps counted from rest), which
+  /// no check depends on: none runs, and the warnings stay. With nodes all run, which settle what holds them.
+  /// @throws std::logic_error if it is not valid after all
+  [[nodiscard]] System in_other_state(Description description) const;
 
   [[nodiscard]] const Description& description() const { return description_; }
   [[nodiscard]] const std::vector<Body>& bodies() const { return description_.bodies; }

@@ -83,7 +83,10 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
   };
   std::vector<BranchedPath> found;
   for (const int periods : {1, 2}) {
-    if (periods == 2 && !twice) break;
+    const bool any = std::any_of(changes.begin(), changes.end(), [&](const StabilityChange& change) {
+      return change.kind != StabilityChange::Kind::quasi_periodic && periods_of(change) == periods;
+    });
+    if (!any) continue;
     std::vector<Crossing> crossings;
     std::unique_ptr<SteadyPath> path = new_path(periods);
     for (std::size_t i = 0; i < changes.size() && crossings.size() < most; ++i) {
@@ -99,12 +102,12 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
       const std::size_t change = crossings[i].change;
       const VectorXd along = periods == 1 ? connected.points()[changes[change].after].tangent : VectorXd();
       if (path->follow_branched(crossings[i].place, along, ends, progress) && !lies_on(*path, connected)) {
-        std::vector<std::size_t> touches = {change};
+        std::vector<std::size_t> changes_at_ends = {change};
         if (const auto end = path->stopped_at()) {
-          touches.push_back(crossings[*end].change);
+          changes_at_ends.push_back(crossings[*end].change);
           reached[*end] = true;
         }
-        found.push_back({std::move(touches), periods, std::move(path)});
+        found.push_back({std::move(changes_at_ends), periods, std::move(path)});
       }
       path = new_path(periods);
     }

@@ -13,8 +13,8 @@ namespace trivet::nonlinear {
 /// Motions that begin where those of another curve lose their stability: of the same period at a branch point, of twice
 /// the period at a period doubling.
 struct BranchedPath {
-  std::vector<std::size_t> touches;  ///< changes of stability: the one that it begins at, and where it ends
-  int periods = 1;                   ///< of the excitation, after which the motions repeat
+  std::vector<std::size_t> changes_at_ends;  ///< changes of stability: where it begins and, if at another one, ends
+  int periods = 1;                           ///< of the excitation, after which the motions repeat
   std::unique_ptr<SteadyPath> path;
 };
 

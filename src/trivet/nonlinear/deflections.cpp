@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "trivet/foundation/index.h"
 
@@ -110,9 +109,7 @@ model::System with_references(const model::System& system, const References& ref
     }
     element.law.nonlinear = sum;
   }
-  auto checked = model::System::checked(std::move(description));
-  if (!checked) throw std::logic_error("a machine with other references is not valid");
-  return std::move(*checked);
+  return system.in_other_state(std::move(description));
 }
 
 std::string name_of(const model::Element& element, const model::NonlinearPart& part) {

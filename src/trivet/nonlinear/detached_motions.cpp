@@ -55,24 +55,34 @@ VectorXd random_motion(const std::vector<double>& of_size, const HarmonicBalance
   return motion;
 }
 
+/// The same motion of a symmetric machine half a period later with the other sign: even harmonics change their sign.
+VectorXd mirrored(const VectorXd& unknowns, Index coefficients) {
+  VectorXd image = unknowns;
+  for (Index i = 0; i < unknowns.size(); ++i)
+    if ((i % coefficients + 1) / 2 % 2 == 0) image(i) = -image(i);
+  return image;
+}
+
 }  // namespace
 
-DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<Deflection>& deflections,
-                             const SteadyOptions& options, const std::function<std::unique_ptr<SteadyPath>()>& new_path,
+DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
+                             const std::vector<Deflection>& deflections, const SteadyOptions& options,
+                             const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                              const foundation::Progress& progress) {
   constexpr int places = 24, starts = 16;
   constexpr double load_up_to = 20;
   constexpr double same = 1e-3;  // of the motion
   DetachedPaths found{{places, places * starts, options.over == Parameter::frequency ? load_up_to : 0}, {}};
   const auto is_known = [&](const BranchPoint& motion) {
+    const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
       const std::vector<BranchPoint> there = path.all_at(motion.parameter);
       return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
-        return (other.unknowns - motion.unknowns).norm() <=
+        return std::min((other.unknowns - motion.unknowns).norm(), (other.unknowns - image).norm()) <=
             same * std::max(other.unknowns.norm(), motion.unknowns.norm());
       });
     };
-    return lies_on(connected) ||
+    return std::any_of(known.begin(), known.end(), [&](const SteadyPath* path) { return lies_on(*path); }) ||
         std::any_of(found.paths.begin(), found.paths.end(), [&](const auto& path) { return lies_on(*path); });
   };
   const auto take = [&](const BranchPoint& motion) {

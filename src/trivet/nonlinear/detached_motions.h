@@ -22,9 +22,11 @@ struct DetachedPaths {
   std::vector<std::unique_ptr<SteadyPath>> paths;
 };
 
+/// @param known     paths of the same period: the connected one and those that branch off it; their mirror images are
+///                  known too
 /// @param new_path  an empty path of the same machine and harmonics
-[[nodiscard]] DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<Deflection>& deflections,
-                                           const SteadyOptions& options,
+[[nodiscard]] DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
+                                           const std::vector<Deflection>& deflections, const SteadyOptions& options,
                                            const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                                            const foundation::Progress& progress);
 

@@ -28,7 +28,7 @@ LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotio
     for (const double kink : elements::rate_kinks(law)) rate_kinks_.push_back(kink);
     has_dampers_ = has_dampers_ || elements::is_damped(law);
     const bool is_smooth = elements::kinks(law).empty() && elements::rate_kinks(law).empty();
-    (is_smooth ? smooth_ : elements::is_piecewise_quadratic(law) ? quadratic_ : others_).add(law);
+    (is_smooth ? smooth_ : elements::is_piecewise_bilinear(law) ? quadratic_ : others_).add(law);
   }
   for (const elements::DampingForce& law : dampers_) {
     for (const double kink : elements::kinks(law)) rate_kinks_.push_back(kink);
@@ -54,15 +54,10 @@ LawAbout::Force LawAbout::Parts::at(double deflection, double rate) const {
   return sum;
 }
 
-elements::Curvature LawAbout::Parts::curvature(double deflection, double rate) const {
-  elements::Curvature sum;
-  for (const elements::ElasticForce& law : elastic_) {
-    const elements::Curvature found = elements::curvature(law, deflection, rate);
-    sum.twice_by_deflection += found.twice_by_deflection;
-    sum.by_deflection_and_rate += found.by_deflection_and_rate;
-    sum.twice_by_rate += found.twice_by_rate;
-  }
-  for (const elements::DampingForce& law : dampers_) sum.twice_by_rate += elements::curvature(law, rate);
+LawAbout::Parts::Curvature LawAbout::Parts::curvature(double deflection, double rate) const {
+  Curvature sum;
+  for (const elements::ElasticForce& law : elastic_) sum.mixed += elements::mixed_derivative(law, deflection, rate);
+  for (const elements::DampingForce& law : dampers_) sum.by_rate += elements::curvature(law, rate);
   return sum;
 }
 

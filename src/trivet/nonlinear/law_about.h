@@ -29,7 +29,11 @@ class LawAbout {
     [[nodiscard]] bool is_empty() const { return elastic_.empty() && dampers_.empty(); }
     /// At a deflection and its rate.
     [[nodiscard]] Force at(double deflection, double rate) const;
-    [[nodiscard]] elements::Curvature curvature(double deflection, double rate) const;
+    /// Of parts of second degree; their second derivative by the deflection is zero.
+    struct Curvature {
+      double mixed = 0, by_rate = 0;  ///< ∂²f/∂x∂v, ∂²f/∂v²
+    };
+    [[nodiscard]] Curvature curvature(double deflection, double rate) const;
 
    private:
     std::vector<elements::ElasticForce> elastic_;

@@ -2,7 +2,6 @@
 #include "trivet/nonlinear/law_harmonics.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -124,39 +123,39 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
   if (damped) sum.by_rate.noalias() += weight * values_.transpose() * by_rate;
 }
 
-/// On each piece f = c + g x + d v + q x²/2 + m x v + p v²/2, with constants that are functions of the phase over the
-/// whole period: products of their spectra and those of x and v.
+/// On each piece f = c + g x + d v + m x v + p v²/2, with constants that are functions of the phase over the whole
+/// period: products of their spectra and those of x and v.
 void LawHarmonics::add_quadratic(const LawCourse& course, const VectorXd& deflection, double omega,
                                  Spectra& sum) const {
   const Index twice = 2 * harmonics_, thrice = 3 * harmonics_;
   const auto zero = [](Index harmonics) { return VectorXd::Zero(numerics::coefficient_count(harmonics)).eval(); };
-  VectorXd constant = zero(harmonics_), stiffness = zero(twice), damping = zero(twice);
-  std::array<VectorXd, 3> second;  // q, m, p, as far as they occur
+  VectorXd constant = zero(harmonics_), stiffness = zero(twice), damping, mixed, by_rate_squared;
+  const auto add = [&](double from, double to, double value, Index harmonics, VectorXd& spectrum) {
+    if (value == 0) return;
+    if (spectrum.size() == 0) spectrum = zero(harmonics);
+    numerics::add_stretch(from, to, value, spectrum);
+  };
   for (const auto& [from, to] : pieces(course)) {
     const double middle = (from + to) / 2, x = course.deflection_at(middle),
                  v = course.is_damped() ? course.rate_at(middle) : 0;
     const LawAbout::Force there = law_.quadratic().at(law_.state() + x, v);
     if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
-    const elements::Curvature curvature = law_.quadratic().curvature(law_.state() + x, v);
-    const double q = curvature.twice_by_deflection, m = curvature.by_deflection_and_rate, p = curvature.twice_by_rate;
-    const double g = there.by_deviation - q * x - m * v, d = there.by_rate - m * x - p * v;
-    numerics::add_stretch(from, to, there.force - g * x - d * v - q * x * x / 2 - m * x * v - p * v * v / 2, constant);
+    const auto [m, p] = law_.quadratic().curvature(law_.state() + x, v);
+    const double g = there.by_deviation - m * v, d = there.by_rate - m * x - p * v;
+    numerics::add_stretch(from, to, there.force - g * x - d * v - m * x * v - p * v * v / 2, constant);
     numerics::add_stretch(from, to, g, stiffness);
-    if (d != 0) numerics::add_stretch(from, to, d, damping);
-    for (const auto [k, value] : {std::pair(0, q), std::pair(1, m), std::pair(2, p)}) {
-      if (value == 0) continue;
-      if (second[k].size() == 0) second[k] = zero(thrice);
-      numerics::add_stretch(from, to, value, second[k]);
-    }
+    add(from, to, d, twice, damping);
+    add(from, to, m, thrice, mixed);
+    add(from, to, p, thrice, by_rate_squared);
   }
+  VectorXd by_deflection = zero(twice), by_rate = zero(twice);  // their share of second degree
   const VectorXd rate = course.is_damped() ? VectorXd(omega * numerics::phase_derivative(deflection)) : VectorXd();
-  VectorXd by_deflection = zero(twice), by_rate = by_deflection;  // their share of second degree
-  if (second[0].size() > 0) by_deflection += numerics::product(second[0], deflection, twice);
-  if (second[1].size() > 0) {
-    by_deflection += numerics::product(second[1], rate, twice);
-    by_rate += numerics::product(second[1], deflection, twice);
+  if (mixed.size() > 0) {
+    by_deflection += numerics::product(mixed, rate, twice);
+    by_rate += numerics::product(mixed, deflection, twice);
   }
-  if (second[2].size() > 0) by_rate += numerics::product(second[2], rate, twice);
+  if (by_rate_squared.size() > 0) by_rate += numerics::product(by_rate_squared, rate, twice);
+  if (damping.size() == 0) damping = zero(twice);
   sum.force += constant + numerics::product(stiffness + by_deflection / 2, deflection, harmonics_);
   if (course.is_damped()) sum.force += numerics::product(damping + by_rate / 2, rate, harmonics_);
   if (!sum.with_tangent) return;

@@ -14,11 +14,9 @@ namespace trivet::nonlinear {
 using Eigen::Index;
 using numerics::BranchPoint;
 
-ObservedPath::ObservedPath(const ReferenceMachine& machine, const SteadyPath& path, std::vector<const SteadyPath*> all,
-                           const SteadyOptions& options)
+ObservedPath::ObservedPath(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options)
     : machine_(machine),
       path_(path),
-      all_(std::move(all)),
       options_(options),
       observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
       stability_(machine.assembled, machine.deflections),
@@ -59,13 +57,57 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
     if (progress)
       progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
   }
+  add_points_between(found);
   const bool has_winding = !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
   if (has_winding && (options_.deep || over_frequency)) judge_by_winding(found, progress);
   for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
   for (const SteadyPath::Turn& turn : path_.turns())
-    found.folds.push_back({steady(turn.point), turn.after, turn.upper, landing(turn.point)});
+    found.folds.push_back({steady(turn.point), turn.after, turn.upper, std::nullopt});
   add_changes(found);
   return found;
+}
+
+/// Two stable motions may have unstable ones between them.
+void ObservedPath::add_points_between(SteadyBranch& found) {
+  constexpr double shortest = 2e-3;
+  constexpr int most = 100;
+  int added = 0;
+  for (std::size_t i = 0; i + 1 < found.points.size() && added < most; ++i) {
+    const bool turns = std::any_of(path_.turns().begin(), path_.turns().end(),
+                                   [i](const SteadyPath::Turn& turn) { return turn.after == i; });
+    while (!turns && added < most && path_.step_length(i) > shortest && may_be_unstable_between(found, i) &&
+           path_.split_step(i)) {
+      found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1, steady(path_.points()[i + 1]));
+      ++added;
+    }
+  }
+}
+
+/// Products Π (1 − μ) and Π (1 + μ) of all multipliers are smooth along the path, and negative beyond a branch point or
+/// a doubling. May one of them pass zero twice in a step, by the parabolas through its ends and a neighbour?
+bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_t step) const {
+  if (!found.points[step].stable || !found.points[step + 1].stable) return false;
+  constexpr double deep = 0.25;  // of the smaller end: the parabola is a guess
+  const auto product = [&](std::size_t point, double sign) {
+    std::complex<double> all = 1;
+    for (const std::complex<double>& multiplier : found.points[point].multipliers) all *= 1.0 - sign * multiplier;
+    return all.real();
+  };
+  const double length = path_.step_length(step);
+  for (const double sign : {1.0, -1.0}) {
+    const double from = product(step, sign), to = product(step + 1, sign);
+    const auto least_with = [&](double place, double value) {  // the third point, in shares of the step from its start
+      const double bend = ((value - from) / place - (to - from)) / (place - 1), slope = to - from - bend;
+      const double lowest = bend > 0 ? -slope / (2 * bend) : -1;
+      return lowest > 0 && lowest < 1 ? from + lowest * (slope + lowest * bend) : std::min(from, to);
+    };
+    double least = std::min(from, to);
+    if (step > 0) least = std::min(least, least_with(-path_.step_length(step - 1) / length, product(step - 1, sign)));
+    if (step + 2 < found.points.size())
+      least = std::min(least, least_with(1 + path_.step_length(step + 1) / length, product(step + 2, sign)));
+    if (least < deep * std::min(from, to)) return true;
+  }
+  return false;
 }
 
 SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
@@ -135,16 +177,21 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
 }
 
 /// The only stable motion that is known at the parameter of a fold, besides those that meet there.
-std::optional<SteadyPoint> ObservedPath::landing(const BranchPoint& fold) const {
+std::optional<SteadyPoint> ObservedPath::landing(const std::vector<const SteadyPath*>& all,
+                                                 const BranchPoint& fold) const {
   constexpr double same = 1e-2;  // of the motion
   std::vector<SteadyPoint> stable;
-  for (const SteadyPath* path : all_)
+  for (const SteadyPath* path : all)
     for (const BranchPoint& other : path->all_at(fold.parameter)) {
       if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
       SteadyPoint point = steady(other);
       if (point.stable) stable.push_back(std::move(point));
     }
   return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
+}
+
+void ObservedPath::add_landings(const std::vector<const SteadyPath*>& all, SteadyBranch& branch) const {
+  for (std::size_t i = 0; i < branch.folds.size(); ++i) branch.folds[i].lands = landing(all, path_.turns()[i].point);
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {

@@ -18,25 +18,30 @@ namespace trivet::nonlinear {
 class ObservedPath {
  public:
   /// All must outlive it.
-  /// @param all  paths of motions with the same period, this one among them: where a jump lands
-  ObservedPath(const ReferenceMachine& machine, const SteadyPath& path, std::vector<const SteadyPath*> all,
-               const SteadyOptions& options);
+  /// @param path  points are added to it where its stability may change between two
+  ObservedPath(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options);
 
+  /// Without the motions on which jumps land.
   [[nodiscard]] SteadyBranch branch(const foundation::Progress& progress);
+  /// Adds those of a branch.
+  /// @param all   all known paths of motions with the same period
+  void add_landings(const std::vector<const SteadyPath*>& all, SteadyBranch& branch) const;
 
  private:
   [[nodiscard]] SteadyPoint steady(const numerics::BranchPoint& point) const;
   [[nodiscard]] double contact(std::size_t stop, const SteadyPoint& point) const;
+  void add_points_between(SteadyBranch& found);
+  [[nodiscard]] bool may_be_unstable_between(const SteadyBranch& found, std::size_t step) const;
   void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress);
   void judge(const std::vector<std::size_t>& chosen, SteadyBranch& found, const foundation::Progress& progress) const;
-  [[nodiscard]] std::optional<SteadyPoint> landing(const numerics::BranchPoint& fold) const;
+  [[nodiscard]] std::optional<SteadyPoint> landing(const std::vector<const SteadyPath*>& all,
+                                                   const numerics::BranchPoint& fold) const;
   void note_sticking(const numerics::BranchPoint& point, SteadyBranch& found) const;
   void add_changes(SteadyBranch& found) const;
   [[nodiscard]] StabilityChange change_after(std::size_t point) const;
 
   const ReferenceMachine& machine_;
-  const SteadyPath& path_;
-  std::vector<const SteadyPath*> all_;
+  SteadyPath& path_;
   const SteadyOptions& options_;
   std::vector<std::size_t> stops_;  ///< deflections that have any
   Observer observer_;

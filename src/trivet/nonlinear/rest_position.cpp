@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -65,16 +66,16 @@ void each_gap_at_rest(model::Description& description, const Visit& visit) {
   });
 }
 
-RestPosition rest_in(model::Description description);
+RestPosition rest_in(const model::System& undeformed);
 
 /// The machine rests without the stops whose gaps are counted from there.
-RestPosition rest_between_gaps(model::Description description) {
-  model::Description open = description;
+RestPosition rest_between_gaps(const model::System& undeformed) {
+  model::Description description = undeformed.description(), open = description;
   each_gap_at_rest(open, [](model::NonlinearPart&, elements::GapStop& stop) {
     stop.gap_above = stop.gap_below = elements::GapStop::none;
     stop.gaps_at_rest = false;
   });
-  const RestPosition found = rest_in(std::move(open));
+  const RestPosition found = rest_in(undeformed.in_other_state(std::move(open)));
   for (std::size_t e = 0; e < description.elements.size(); ++e)
     for (std::size_t p = 0; p < description.elements[e].nonlinear_parts.size(); ++p)
       description.elements[e].nonlinear_parts[p].at_rest = found.system.elements()[e].nonlinear_parts[p].at_rest;
@@ -83,7 +84,7 @@ RestPosition rest_between_gaps(model::Description description) {
       description.elements[e].distance_parts[p].at_rest = found.system.elements()[e].distance_parts[p].at_rest;
   each_gap_at_rest(description,
                    [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
-  const model::System there = *model::System::checked(std::move(description));
+  const model::System there = undeformed.in_other_state(std::move(description));
   return {with_references(there, tangents_at_rest(there)), found.limit_loads, found.stable};
 }
 
@@ -94,15 +95,15 @@ RestPosition rest_position(const model::System& system) {
   undeform(description);
   bool counts_from_rest = false;
   each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
-  return counts_from_rest ? rest_between_gaps(std::move(description)) : rest_in(std::move(description));
+  const model::System undeformed = system.in_other_state(std::move(description));
+  return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
 }
 
 namespace {
 
-/// From a description of the undeformed machine.
-RestPosition rest_in(model::Description description) {
-  const auto at = [&] { return *model::System::checked(description); };
-  const LoadPath path(at());
+RestPosition rest_in(const model::System& undeformed) {
+  model::Description description = undeformed.description();
+  const LoadPath path(undeformed);
   std::vector<double> limit_loads;
   if (path.loaded()) {
     const std::optional<VectorXd> only = path.only_one();
@@ -132,7 +133,7 @@ RestPosition rest_in(model::Description description) {
                           element.name, distance, low, high));
       }
   }
-  const model::System there = at();
+  const model::System there = undeformed.in_other_state(description);
   VectorXd deflections = VectorXd::Zero(to_index(path.deflections().size()));
   Index next = 0;
   for (const model::Element& element : description.elements)
@@ -150,7 +151,7 @@ RestPosition rest_in(model::Description description) {
 std::vector<RestState> rest_states(const model::System& system) {
   model::Description description = system.description();
   undeform(description);
-  const LoadPath path(*model::System::checked(description));
+  const LoadPath path(system.in_other_state(std::move(description)));
   std::vector<RestState> states;
   for (const VectorXd& deflections : path.all()) {
     RestState state{{}, path.is_stable(deflections)};

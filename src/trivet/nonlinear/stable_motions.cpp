@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/stable_motions.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trivet::nonlinear {
 
@@ -39,6 +40,15 @@ void add_stable_stretches(const SteadyBranch& branch, std::vector<Stretch>& stre
     if (!middle && here.stable && next.stable) add(here, next);
     if (middle && here.stable) add(here, *middle);
     if (middle && next.stable) add(*middle, next);
+  }
+  // A curve begins where the harmonics have it, beside the change of stability by what they leave out.
+  for (const StabilityChange& change : branch.changes) {
+    if (!change.curve || *change.curve >= branch.further.size()) continue;
+    const SteadyBranch& curve = branch.further[*change.curve];
+    const double at = branch.parameter(change.point);
+    const SteadyPoint &first = curve.points.front(), &last = curve.points.back();
+    const bool is_first = std::abs(branch.parameter(first) - at) <= std::abs(branch.parameter(last) - at);
+    if ((is_first ? first : last).stable) add(change.point, is_first ? first : last);
   }
 }
 

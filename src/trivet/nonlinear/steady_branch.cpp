@@ -45,23 +45,97 @@ void add_linear(const model::System& given, const SteadyOptions& options, Steady
   }
 }
 
-/// Motions that begin where those of the path lose their stability.
-void add_branched(const ReferenceMachine& machine, const SteadyPath& path, const SteadyOptions& options,
-                  const foundation::Progress& progress, SteadyBranch& found) {
-  const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
-    return change.kind == StabilityChange::Kind::period_doubling;
+/// A curve begins where the harmonics have it, and the multipliers pass 1 beside it by what the harmonics leave out. As
+/// near as that the verdict is one of errors: motions there have that of the first one farther away.
+void settle_end(const StabilityChange& at, bool is_last, SteadyBranch& curve) {
+  constexpr double farther = 10, least = 1e-5;
+  std::vector<SteadyPoint>& points = curve.points;
+  const auto count = to_index(points.size());
+  const auto place = [&](Index i) { return to_size(is_last ? count - 1 - i : i); };
+  const double change = curve.parameter(at.point), beside = std::abs(curve.parameter(points[place(0)]) - change),
+               near = std::max(farther * beside, least * change);
+  Index first = 1;
+  while (first + 1 < count && std::abs(curve.parameter(points[place(first)]) - change) <= near) ++first;
+  for (Index i = 0; i < first; ++i) points[place(i)].stable = points[place(first)].stable;
+  std::erase_if(curve.changes, [&](const StabilityChange& one) {
+    return is_last ? to_index(one.after) >= count - 1 - first : to_index(one.after) < first;
   });
-  const std::unique_ptr<const ReferenceMachine> twice =
-      doubles ? std::make_unique<const ReferenceMachine>(machine, ReferenceMachine::TwoPeriods()) : nullptr;
-  for (const BranchedPath& one : branched_paths(found.changes, path, machine, twice.get(), options, progress)) {
-    for (const std::size_t change : one.touches) found.changes[change].curve = found.further.size();
-    SteadyBranch curve =
-        ObservedPath(one.periods == 2 ? *twice : machine, *one.path, {one.path.get()}, options).branch(progress);
+}
+
+/// Is any motion of a curve stable at a parameter?
+bool is_stable_at(const SteadyBranch& curve, double parameter) {
+  for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+    const SteadyPoint &here = curve.points[i], &next = curve.points[i + 1];
+    if ((curve.parameter(here) < parameter) != (curve.parameter(next) < parameter) && here.stable && next.stable)
+      return true;
+  }
+  return false;
+}
+
+/// The curves beside the connected one, in the order in which they are told.
+class Curves {
+ public:
+  Curves(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options,
+         const foundation::Progress& progress)
+      : machine_(machine), path_(path), options_(options), progress_(progress), observed_(machine, path, options) {}
+
+  [[nodiscard]] SteadyBranch all() {
+    SteadyBranch found = observed_.branch(progress_);
+    const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
+      return change.kind == StabilityChange::Kind::period_doubling;
+    });
+    if (doubles) twice_ = std::make_unique<const ReferenceMachine>(machine_, ReferenceMachine::TwoPeriods());
+    branched_ = branched_paths(found.changes, path_, machine_, twice_.get(), options_, progress_);
+    std::vector<const SteadyPath*> of_one_period = {&path_};
+    for (const BranchedPath& one : branched_)
+      if (one.periods == 1) of_one_period.push_back(one.path.get());
+    if (options_.detached) {
+      const auto new_path = [&] {
+        return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
+                                            path_.balance().harmonics());
+      };
+      detached_ = detached_paths(path_, of_one_period, machine_.deflections, options_, new_path, progress_);
+      for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
+      found.search = detached_.search;
+    }
+    for (const auto& one : detached_.paths) {
+      ObservedPath observed(machine_, *one, options_);
+      found.further.push_back(observed.branch(progress_));
+      observed.add_landings(of_one_period, found.further.back());
+    }
+    observed_.add_landings(of_one_period, found);
+    for (const BranchedPath& one : branched_) add(one, of_one_period, found);
+    return found;
+  }
+
+ private:
+  void add(const BranchedPath& one, const std::vector<const SteadyPath*>& of_one_period, SteadyBranch& found) const {
+    for (const std::size_t change : one.changes_at_ends) found.changes[change].curve = found.further.size();
+    const bool doubled = one.periods == 2;
+    ObservedPath observed(doubled ? *twice_ : machine_, *one.path, options_);
+    SteadyBranch curve = observed.branch(progress_);
     curve.found = SteadyBranch::Found::branched;
     curve.periods = one.periods;
+    settle_end(found.changes[one.changes_at_ends.front()], false, curve);
+    if (one.changes_at_ends.size() > 1) settle_end(found.changes[one.changes_at_ends.back()], true, curve);
+    if (doubled) {  // jumps from one number of periods to another are not computed: several motions may be there
+      for (Fold& fold : found.folds)
+        if (is_stable_at(curve, found.parameter(fold.point))) fold.lands.reset();
+    } else {
+      observed.add_landings(of_one_period, curve);
+    }
     found.further.push_back(std::move(curve));
   }
-}
+
+  const ReferenceMachine& machine_;
+  SteadyPath& path_;
+  const SteadyOptions& options_;
+  const foundation::Progress& progress_;
+  ObservedPath observed_;
+  std::unique_ptr<const ReferenceMachine> twice_;
+  std::vector<BranchedPath> branched_;
+  DetachedPaths detached_;
+};
 
 /// Gas hardens without limit as it is compressed: stability depends on a small share of the motion.
 constexpr double share_for_gas = 0.1;
@@ -166,22 +240,7 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
     const double most_left_out = options.tolerance * (has_gas(system) ? share_for_gas : 1);
     if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : most_left_out, progress)) continue;
-    DetachedPaths others;
-    if (options.detached)
-      others = detached_paths(
-          path, machine.deflections, options,
-          [&] {
-            return std::make_unique<SteadyPath>(machine.condensed, machine.deflections, machine.excitation, options,
-                                                harmonics);
-          },
-          progress);
-    std::vector<const SteadyPath*> all = {&path};
-    for (const auto& other : others.paths) all.push_back(other.get());
-    SteadyBranch found = ObservedPath(machine, path, all, options).branch(progress);
-    if (options.detached) found.search = others.search;
-    for (const auto& other : others.paths)
-      found.further.push_back(ObservedPath(machine, *other, all, options).branch(progress));
-    add_branched(machine, path, options, progress, found);
+    SteadyBranch found = Curves(machine, path, options, progress).all();
     found.lost_means = lost_means(machine.deflections);
     if (holds && !found.results.empty()) add_linear(system, options, found);
     return found;

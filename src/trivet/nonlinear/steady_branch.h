@@ -35,7 +35,7 @@ struct Fold {
   SteadyPoint point;
   std::size_t after = 0;             ///< index of the point of the branch before it
   bool upper = false;                ///< the parameter is largest there: the jump as it rises
-  std::optional<SteadyPoint> lands;  ///< the only stable motion of the branch at this parameter; empty if there are
+  std::optional<SteadyPoint> lands;  ///< the only stable motion of the same period known there; empty if there are
                                      ///< several or none
 };
 

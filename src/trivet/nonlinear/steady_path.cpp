@@ -256,10 +256,10 @@ bool SteadyPath::follow_branched(const Place& start, const VectorXd& along, cons
 /// Does the step to the next point pass one of these places?
 std::optional<std::size_t> SteadyPath::passed(const std::vector<Place>& ends, const BranchPoint& next,
                                               double length) const {
-  constexpr std::size_t fewest = 4;
-  if (points_.size() < fewest) return std::nullopt;
+  constexpr std::size_t fewest = 4;  // before it can return to its start
   const BranchPoint& now = points_.back();
   for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (points_.size() < fewest && ends[i].unknowns == points_.front().unknowns) continue;
     VectorXd way(now.scale.size());
     way << ends[i].unknowns - now.unknowns, ends[i].parameter - now.parameter;
     way = way.cwiseQuotient(now.scale);
@@ -391,6 +391,28 @@ void SteadyPath::add_pieces() {
   for (const double wanted : options_.at)
     for (std::size_t i = first_new; i < pieces_.size(); ++i)
       if (std::optional<BranchPoint> there = at(wanted, pieces_[i])) asked_for_.push_back(std::move(*there));
+}
+
+bool SteadyPath::split_step(std::size_t after) {
+  std::optional<BranchPoint> middle = branch_.after(points_[after], lengths_[after] / 2);
+  if (!middle) return false;
+  const auto place = static_cast<std::ptrdiff_t>(after) + 1;
+  const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& one) { return one.from == after; });
+  const double first = numerics::Branch::length(points_[after], *middle),
+               second = numerics::Branch::length(*middle, points_[after + 1]);
+  const Piece latter{after, 0, second, middle->parameter, piece->parameter_end};
+  *piece = {after, 0, first, piece->parameter_begin, middle->parameter};
+  // Its indices are those before the new point.
+  pieces_.insert(piece + 1, latter);
+  for (auto one = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.from == after; }) + 1;
+       one != pieces_.end(); ++one)
+    ++one->from;
+  for (Turn& turn : turns_)
+    if (turn.after > after) ++turn.after;
+  lengths_[after] = first;
+  lengths_.insert(lengths_.begin() + place, second);
+  points_.insert(points_.begin() + place, std::move(*middle));
+  return true;
 }
 
 std::optional<BranchPoint> SteadyPath::at(double parameter, const Piece& piece) const {

@@ -42,6 +42,11 @@ class SteadyPath {
   /// @return false if none was found
   [[nodiscard]] bool follow_branched(const Place& start, const Eigen::VectorXd& along, const std::vector<Place>& ends,
                                      const foundation::Progress& progress);
+  /// Adds the motion in the middle of the step after a point, in which the parameter must not turn.
+  /// @return false if it is not found
+  bool split_step(std::size_t after);
+  [[nodiscard]] double step_length(std::size_t after) const { return lengths_[after]; }
+
   /// The end that it came to.
   [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/stiffness_over_amplitude.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/steady_branch.h"
 
 namespace trivet::nonlinear {
@@ -12,11 +14,11 @@ namespace {
 
 /// The element alone between the ground, which moves, and a body so heavy that it rests: it moves by less than a
 /// billionth of the ground.
-model::System on_rig(const model::System& system, std::size_t index, double amplitude, double lowest) {
+model::System on_test_rig(const model::System& system, std::size_t index, double amplitude, double lowest) {
   constexpr double rests = 1e9;
   model::Description rig;
   model::Body plate;
-  plate.name = "plate";
+  plate.name = system.elements()[index].name + " plate";
   model::Element element = system.elements()[index];
   const elements::InnerParts* inner = element.law.inner ? &*element.law.inner : nullptr;
   const double blocked = element.law.scale * element.law.nominal_stiffness(8, 8) + (inner ? inner->stiffness(8, 8) : 0);
@@ -48,6 +50,7 @@ std::optional<std::complex<double>> AmplitudeStiffness::at(double omega) const {
   for (std::size_t i = 0; i + 1 < angular_frequency.size(); ++i) {
     const double low = angular_frequency[i] * (1 - round_off), high = angular_frequency[i + 1] * (1 + round_off);
     if (omega < std::min(low, high) || omega > std::max(low, high)) continue;
+    if (found) return std::nullopt;
     const double share = (omega - low) / (high - low);
     found = (1 - share) * stiffness(to_index(i)) + share * stiffness(to_index(i) + 1);
   }
@@ -62,7 +65,12 @@ std::vector<AmplitudeStiffness> stiffness_over_amplitude(const model::System& sy
   options.of = {system.elements()[element].name + ".force.z"};
   std::vector<AmplitudeStiffness> found;
   for (const double amplitude : amplitudes) {
-    const SteadyBranch branch = steady_branch(on_rig(system, element, amplitude, from), options);
+    SteadyBranch branch;
+    try {
+      branch = steady_branch(on_test_rig(system, element, amplitude, from), options);
+    } catch (const foundation::NotComputable& reason) {  // the others are worth having
+      branch.ended = reason.what();
+    }
     AmplitudeStiffness one{amplitude, {}, Eigen::VectorXcd(to_index(branch.points.size())), branch.ended};
     for (const SteadyPoint& point : branch.points) {
       one.stiffness(to_index(one.angular_frequency.size())) = -point.results[0].harmonics(0) / amplitude;

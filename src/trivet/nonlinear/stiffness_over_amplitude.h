@@ -19,7 +19,7 @@ struct AmplitudeStiffness {
   Eigen::VectorXcd stiffness;             ///< [N/m]
   std::string ended;                      ///< why it ends before the end of the band; empty: it does not
 
-  /// Between two points; empty beyond them, and where the frequency turns.
+  /// Between two points; empty beyond them, and where several motions are known.
   [[nodiscard]] std::optional<std::complex<double>> at(double omega) const;
 };
 

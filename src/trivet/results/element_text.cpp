@@ -238,9 +238,13 @@ std::string over_amplitude_text(const study::ElementSummary& summary, const Show
   for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude)
     header.push_back("± " + value_text(one.amplitude, display_unit(display, "m")));
   TextTable table(header);
-  const double from = summary.over_amplitude.front().angular_frequency.front(),
-               to = summary.over_amplitude.front().angular_frequency.back();
-  for (int i = 0; i < rows; ++i) {
+  double from = foundation::infinity, to = 0;
+  for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude)
+    for (const double omega : one.angular_frequency) {
+      from = std::min(from, omega);
+      to = std::max(to, omega);
+    }
+  for (int i = 0; i < rows && to > 0; ++i) {
     const double omega = from * std::pow(to / from, i / (rows - 1.0));
     std::vector<std::string> row = {number_text(omega / two_pi, 4)};
     for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude) {
@@ -251,8 +255,13 @@ std::string over_amplitude_text(const study::ElementSummary& summary, const Show
     }
     table.add(row);
   }
-  return "\nDynamic stiffness along z of end K, N held, over frequency and amplitude: magnitude and loss angle\n" +
+  std::string text =
+      "\nDynamic stiffness along z of end K, N held, over frequency and amplitude: magnitude and loss angle\n" +
       table.text();
+  for (const nonlinear::AmplitudeStiffness& one : summary.over_amplitude)
+    if (!one.ended.empty())
+      text += fmt::format("  ± {}: {}\n", value_text(one.amplitude, display_unit(display, "m")), one.ended);
+  return text;
 }
 
 std::string preload_text(const elements::Law& law, const ShownUnits& display) {

@@ -148,7 +148,9 @@ Json steady(const project::Case&, const study::Answers& answers) {
                         {"starts", branch.search->starts},
                         {"load_up_to", branch.search->load_up_to}};
   for (const SteadyBranch& curve : branch.further) {
-    Json one{{"found", curve.found == Found::detached ? "detached" : "branched"}, {"periods", curve.periods}};
+    Json one{{"found", curve.found == Found::detached ? "detached" : "branched"},
+             {"periods", curve.periods},
+             {"harmonics", curve.harmonics}};
     one.update(followed_curve(curve));
     result["further"].push_back(std::move(one));
   }
@@ -271,7 +273,8 @@ std::string search_text(const SteadyBranch& branch, const project::ShownUnits& d
 /// "twice the period, 4.03 to 4.15 Hz: 31 points, 4 of them unstable"
 std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityChange& change,
                          const project::ShownUnits& display) {
-  if (!change.curve) return "not computed";
+  if (!change.curve)
+    return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic ? "not computed" : "none was found";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
   return fmt::format(
