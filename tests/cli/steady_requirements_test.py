@@ -32,10 +32,10 @@ steady = {of = ["m.x"], harmonics = 15}
 """
 
 
-def verdict(law, required, *options):
+def verdict(law, required, *options, machine=MACHINE):
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "machine.toml"
-        file.write_text(MACHINE.replace("LAW", law).replace("REQUIRED", required))
+        file.write_text(machine.replace("LAW", law).replace("REQUIRED", required))
         run = subprocess.run([TRIVET, "verdict", str(file), "--json", *options], capture_output=True, text=True)
         answer = json.loads(run.stdout) if run.stdout else {}
         return run, answer["cases"][0]["requirements"] if "cases" in answer else None
@@ -61,7 +61,33 @@ class SteadyRequirements(unittest.TestCase):
         run, found = verdict("{polynomial = [-80000, 0, 1e9]}", 'steady = {"m.x" = 1}')
         self.assertEqual(run.returncode, 1)
         self.assertIsNone(found[0]["value"])
-        self.assertIn("no periodic motion is stable", found[0]["reason"])
+        self.assertIn("no periodic motion is known to be stable", found[0]["reason"])
+
+    def test_a_known_motion_beyond_a_limit_violates_it_whatever_is_not_known(self):
+        law = "{gap_stop = {gap = 0.001, stiffness = 1e6}}"  # period-doubled motions that are unstable: 4.39 to 4.71 Hz
+        _, found = verdict(law, 'steady = {"m.x" = 0.02}')
+        self.assertGreater(found[0]["value"], 0.03)
+        self.assertLess(found[0]["margin"], 1)
+        self.assertIn("known to be stable from 4.38", found[0]["detail"])
+        run, found = verdict(law, 'steady = {"m.x" = 0.1}')
+        self.assertIsNone(found[0]["value"])
+        self.assertIn("known to be stable from 4.38", found[0]["reason"])
+        self.assertEqual(run.returncode, 1)
+
+    def test_a_limit_that_is_met_says_which_motions_were_sought(self):
+        _, found = verdict(STOP, 'steady = {"m.x" = 0.1}')
+        self.assertGreater(found[0]["margin"], 1)
+        self.assertIn("connected with the lower end", found[0]["detail"])
+
+    def test_orders_of_a_shaft(self):
+        under_orders = MACHINE.replace('type = "harmonic"', 'type = "orders"').replace(
+            "force = [60, 0, 0]", "table = [{order = 1, force = [60, 0, 0]}]"
+        )
+        required = 'no_contact = true\nsteady = {"m.x" = 0.02}'
+        _, harmonic = verdict(STOP, required)
+        _, orders = verdict(STOP, required, machine=under_orders)
+        for of_force, of_shaft in zip(harmonic, orders, strict=True):
+            self.assertAlmostEqual(of_force["value"] / of_shaft["value"], 1, places=9)
 
     def test_machines_without_stops_or_laws_are_refused(self):
         run, _ = verdict("{cubic = 1e9}", "no_contact = true")

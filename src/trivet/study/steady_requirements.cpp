@@ -136,8 +136,30 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
   result.margin = jumps == 0 ? infinity : 0;
   if (!branch.folds.empty()) result.angular_frequency = branch.folds.front().point.angular_frequency;
   else if (!branch.changes.empty()) result.angular_frequency = branch.changes.front().point.angular_frequency;
-  result.detail = detached.empty() ? "no detached motions found, which is no proof that there are none"
-                                   : fmt::format("{} detached curves of motions", detached.size());
+  result.detail = always_stable ? "" : "some motions are unstable; ";
+  result.detail += detached.empty() ? "no detached motions found, which is no proof that there are none"
+                                    : fmt::format("detached curves of motions: {}", detached.size());
+}
+
+/// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
+void tell_limits(const SteadyBranch& branch, RequirementResult& result) {
+  if (!branch.search)
+    result.detail = "motions connected with the lower end of the band only; branches = \"all\" of steady seeks others";
+  const auto without = nonlinear::without_stable_motion(branch);
+  if (without.empty()) return;
+  const auto [from, to] = without.front();
+  const std::string unknown = fmt::format(
+      "no periodic motion is known to be stable from {:.5g} to {:.5g} Hz; what happens there is not computed",
+      from / foundation::two_pi, to / foundation::two_pi);
+  const bool is_violated = result.margin < 1;
+  if (is_violated) {
+    result.detail = unknown;
+    return;
+  }
+  result.value.reset();
+  result.angular_frequency.reset();
+  result.margin = 0;
+  result.reason = unknown;
 }
 
 }  // namespace
@@ -159,14 +181,6 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
     const SteadyBranch branch = steady_motions(context, asked);
     if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
     if (required.no_jump) set_jumps(branch, list[first]);
-    const auto without = nonlinear::without_stable_motion(branch);
-    if (!without.empty()) {
-      const double middle = (without.front().first + without.front().second) / 2;
-      for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i)
-        list[i].reason = fmt::format("no periodic motion is stable at {:.5g} Hz; what happens there is not computed",
-                                     middle / foundation::two_pi);
-      return;
-    }
     set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);
     for (std::size_t i = 0; i < required.steady.size(); ++i) {
       RequirementResult& result = list[bounds + i];
@@ -182,6 +196,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       result.margin = margin_of(result.allowed, largest);
       result.quantity = required.steady[i].quantity;
     }
+    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) tell_limits(branch, list[i]);
   });
 }
 

@@ -207,8 +207,10 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
   const bool harmonic = !in_file.harmonic_excitations.empty();
   need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
-  for (const char* key : {"no_peak", "no_jump", "no_contact", "steady"})
-    need(reader, key, harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+  need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
+  for (const char* key : {"no_jump", "no_contact", "steady"})
+    need(reader, key, harmonic || !in_file.order_excitations.empty(), "harmonic or order excitation",
+         "[excitations.NAME] with type = \"harmonic\" or \"orders\"");
   need(reader, "rms", !in_file.random_excitations.empty(), "random excitation",
        "[excitations.NAME] with type = \"random\"");
   const bool moves_by_itself = result.questions.contains("transient");
