@@ -208,6 +208,10 @@ TEST_F(Auto, PeriodDoublingsOfAnAsymmetricSpring) {
   ASSERT_FALSE(branch.further[0].folds.empty());
   ASSERT_FALSE(theirs["LP'"].empty());
   EXPECT_THAT(folds(branch.further[0]).front(), RelativelyNear(theirs["LP'"].front(), agreed));
+  // From there they jump to the only stable motion of one period.
+  ASSERT_TRUE(branch.further[0].folds.front().lands);
+  EXPECT_LT(branch.further[0].folds.front().lands->results[0].half_of_range(),
+            0.5 * branch.further[0].folds.front().point.results[0].half_of_range());
 }
 
 /// Without AUTO: between F = 1.45 and 1.46 the steps of the path pass the whole stretch of unstable motion, in which a

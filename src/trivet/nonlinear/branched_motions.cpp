@@ -14,15 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Coefficients of a motion counted over two periods: its harmonic k is their harmonic 2k.
-Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion) {
-  const Index harmonics = (motion.rows() - 1) / 2;
-  Eigen::MatrixXd twice = Eigen::MatrixXd::Zero(4 * harmonics + 1, motion.cols());
-  twice.row(0) = motion.row(0);
-  for (Index k = 1; k <= harmonics; ++k) twice.middleRows<2>(4 * k - 1) = motion.middleRows<2>(2 * k - 1);
-  return twice;
-}
-
 int periods_of(const StabilityChange& change) { return change.kind == StabilityChange::Kind::period_doubling ? 2 : 1; }
 
 /// The place near a change of stability where the equations are singular. Both are the same, but for what the harmonics
@@ -67,6 +58,14 @@ bool lies_on(const SteadyPath& path, const SteadyPath& other) {
 }
 
 }  // namespace
+
+Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion) {
+  const Index harmonics = (motion.rows() - 1) / 2;
+  Eigen::MatrixXd twice = Eigen::MatrixXd::Zero(4 * harmonics + 1, motion.cols());
+  twice.row(0) = motion.row(0);
+  for (Index k = 1; k <= harmonics; ++k) twice.middleRows<2>(4 * k - 1) = motion.middleRows<2>(2 * k - 1);
+  return twice;
+}
 
 std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
                                          const ReferenceMachine& machine, const ReferenceMachine* twice,

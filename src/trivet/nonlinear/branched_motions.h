@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
@@ -9,6 +10,9 @@
 #include "trivet/nonlinear/steady_path.h"
 
 namespace trivet::nonlinear {
+
+/// Coefficients × deflections of a motion, counted over two periods: its harmonic k is their harmonic 2k.
+[[nodiscard]] Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion);
 
 /// Motions that begin where those of another curve lose their stability: of the same period at a branch point, of twice
 /// the period at a period doubling.

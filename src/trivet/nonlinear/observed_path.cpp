@@ -177,21 +177,19 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
 }
 
 /// The only stable motion that is known at the parameter of a fold, besides those that meet there.
-std::optional<SteadyPoint> ObservedPath::landing(const std::vector<const SteadyPath*>& all,
-                                                 const BranchPoint& fold) const {
+std::optional<SteadyPoint> ObservedPath::landing(const MotionsAt& known, const BranchPoint& fold) const {
   constexpr double same = 1e-2;  // of the motion
   std::vector<SteadyPoint> stable;
-  for (const SteadyPath* path : all)
-    for (const BranchPoint& other : path->all_at(fold.parameter)) {
-      if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
-      SteadyPoint point = steady(other);
-      if (point.stable) stable.push_back(std::move(point));
-    }
+  for (const BranchPoint& other : known(fold.parameter)) {
+    if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
+    SteadyPoint point = steady(other);
+    if (point.stable) stable.push_back(std::move(point));
+  }
   return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
 }
 
-void ObservedPath::add_landings(const std::vector<const SteadyPath*>& all, SteadyBranch& branch) const {
-  for (std::size_t i = 0; i < branch.folds.size(); ++i) branch.folds[i].lands = landing(all, path_.turns()[i].point);
+void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) const {
+  for (std::size_t i = 0; i < branch.folds.size(); ++i) branch.folds[i].lands = landing(known, path_.turns()[i].point);
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {

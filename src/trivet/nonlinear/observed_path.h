@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,9 +24,10 @@ class ObservedPath {
 
   /// Without the motions on which jumps land.
   [[nodiscard]] SteadyBranch branch(const foundation::Progress& progress);
+  /// All known motions at a parameter, in the unknowns of this path.
+  using MotionsAt = std::function<std::vector<numerics::BranchPoint>(double parameter)>;
   /// Adds those of a branch.
-  /// @param all   all known paths of motions with the same period
-  void add_landings(const std::vector<const SteadyPath*>& all, SteadyBranch& branch) const;
+  void add_landings(const MotionsAt& known, SteadyBranch& branch) const;
 
  private:
   [[nodiscard]] SteadyPoint steady(const numerics::BranchPoint& point) const;
@@ -34,8 +36,7 @@ class ObservedPath {
   [[nodiscard]] bool may_be_unstable_between(const SteadyBranch& found, std::size_t step) const;
   void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress);
   void judge(const std::vector<std::size_t>& chosen, SteadyBranch& found, const foundation::Progress& progress) const;
-  [[nodiscard]] std::optional<SteadyPoint> landing(const std::vector<const SteadyPath*>& all,
-                                                   const numerics::BranchPoint& fold) const;
+  [[nodiscard]] std::optional<SteadyPoint> landing(const MotionsAt& known, const numerics::BranchPoint& fold) const;
   void note_sticking(const numerics::BranchPoint& point, SteadyBranch& found) const;
   void add_changes(SteadyBranch& found) const;
   [[nodiscard]] StabilityChange change_after(std::size_t point) const;

@@ -101,15 +101,24 @@ class Curves {
     for (const auto& one : detached_.paths) {
       ObservedPath observed(machine_, *one, options_);
       found.further.push_back(observed.branch(progress_));
-      observed.add_landings(of_one_period, found.further.back());
+      observed.add_landings(motions_of(of_one_period), found.further.back());
     }
-    observed_.add_landings(of_one_period, found);
-    for (const BranchedPath& one : branched_) add(one, of_one_period, found);
+    observed_.add_landings(motions_of(of_one_period), found);
+    for (const BranchedPath& one : branched_) add(one, motions_of(of_one_period), found);
     return found;
   }
 
  private:
-  void add(const BranchedPath& one, const std::vector<const SteadyPath*>& of_one_period, SteadyBranch& found) const {
+  static ObservedPath::MotionsAt motions_of(const std::vector<const SteadyPath*>& paths) {
+    return [paths](double parameter) {
+      std::vector<numerics::BranchPoint> all;
+      for (const SteadyPath* path : paths)
+        for (numerics::BranchPoint& point : path->all_at(parameter)) all.push_back(std::move(point));
+      return all;
+    };
+  }
+
+  void add(const BranchedPath& one, const ObservedPath::MotionsAt& of_one_period, SteadyBranch& found) const {
     for (const std::size_t change : one.changes_at_ends) found.changes[change].curve = found.further.size();
     const bool doubled = one.periods == 2;
     ObservedPath observed(doubled ? *twice_ : machine_, *one.path, options_);
@@ -118,11 +127,24 @@ class Curves {
     curve.periods = one.periods;
     settle_end(found.changes[one.changes_at_ends.front()], false, curve);
     if (one.changes_at_ends.size() > 1) settle_end(found.changes[one.changes_at_ends.back()], true, curve);
-    if (doubled) {  // jumps from one number of periods to another are not computed: several motions may be there
+    if (!doubled) {
+      observed.add_landings(of_one_period, curve);
+    } else {
+      const Index deflections = machine_.condensed.size();
+      observed.add_landings(
+          [&](double parameter) {
+            std::vector<numerics::BranchPoint> all = one.path->all_at(parameter);
+            for (numerics::BranchPoint& point : of_one_period(parameter)) {
+              const Eigen::MatrixXd motion = point.unknowns.reshaped(point.unknowns.size() / deflections, deflections);
+              point.unknowns = over_two_periods(motion).reshaped();
+              all.push_back(std::move(point));
+            }
+            return all;
+          },
+          curve);
+      // A motion of one period cannot be said to jump to one of two: there are several.
       for (Fold& fold : found.folds)
         if (is_stable_at(curve, found.parameter(fold.point))) fold.lands.reset();
-    } else {
-      observed.add_landings(of_one_period, curve);
     }
     found.further.push_back(std::move(curve));
   }

@@ -225,15 +225,28 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
                   : "; no other stable motion is known there, or several are");
 }
 
+/// Is a motion beside the fold stable, so that it jumps there?
+bool jumps_at(const SteadyBranch& curve, const Fold& fold) {
+  return curve.points[fold.after].stable ||
+      (fold.after + 1 < curve.points.size() && curve.points[fold.after + 1].stable);
+}
+
 std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (branch.folds.empty())
-    return branch.changes.empty() && branch.further.empty()
-        ? "  no folds: one motion at each place of this branch, no jumps\n"
-        : "  no folds: one motion at each place of this branch\n";
   TextTable table({"fold", "at [" + varied_unit(branch, display) + "]", "half of the range jumps"});
   for (const Fold& fold : branch.folds)
     table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
-  return table.text();
+  bool any = !branch.folds.empty();
+  for (std::size_t i = 0; i < branch.further.size(); ++i)
+    for (const Fold& fold : branch.further[i].folds) {
+      if (!jumps_at(branch.further[i], fold)) continue;
+      any = true;
+      table.add({fmt::format("{}, curve {}", jump_of(branch, fold), i + 1), place_text(branch, fold.point, display, 9),
+                 jump_words(fold, branch, display)});
+    }
+  if (any) return table.text();
+  return branch.changes.empty() && branch.further.empty()
+      ? "  no folds: one motion at each place of this branch, no jumps\n"
+      : "  no folds: one motion at each place of this branch\n";
 }
 
 std::string search_text(const SteadyBranch& branch, const project::ShownUnits& display) {
@@ -277,10 +290,11 @@ std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityC
     return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic ? "not computed" : "none was found";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
-  return fmt::format(
-      "{}, {} to {}: {} points, {} of them unstable{}", curve.periods == 2 ? "twice the period" : "less symmetric",
-      number_text(shown_varied(branch, low, display), 6), number_text(shown_varied(branch, high, display), 6),
-      curve.points.size(), unstable_points(curve), curve.ended.empty() ? "" : ", not whole");
+  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}", *change.curve + 1,
+                     curve.periods == 2 ? "twice the period" : "less symmetric",
+                     number_text(shown_varied(branch, low, display), 6),
+                     number_text(shown_varied(branch, high, display), 6), curve.points.size(), unstable_points(curve),
+                     curve.ended.empty() ? "" : ", not whole");
 }
 
 std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
