@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
 #include <numbers>
@@ -14,6 +13,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 
@@ -67,19 +67,13 @@ class Auto : public testing::Test {
  protected:
   void SetUp() override {
     ASSERT_EQ(std::system("command -v auto-07p >/dev/null 2>&1"), 0) << "AUTO-07p is missing: scripts/packages tests";
-    std::string pattern = (std::filesystem::temp_directory_path() / "trivet-auto-XXXXXX").string();
-    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
-    folder_ = pattern;
-  }
-  void TearDown() override {
-    if (!folder_.empty()) std::filesystem::remove_all(folder_);
   }
 
   [[nodiscard]] std::map<std::string, std::vector<double>> frequencies(const Machine& machine) const {
     const int masses = machine.second_mass > 0 ? 2 : 1;
-    std::ofstream(folder_ / "machine.f90") << equations(machine, masses);
+    std::ofstream(folder_.path() / "machine.f90") << equations(machine, masses);
     // From rest without a force to the force; then over the frequency, up to the end of the band.
-    std::ofstream(folder_ / "run.auto") << fmt::format(
+    std::ofstream(folder_.path() / "run.auto") << fmt::format(
         R"(exact = dict(NDIM={}, IPS=2, ILP=0, ISP=0, NTST=150, NCOL=4, IAD=1, EPSL=1e-10, EPSU=1e-10, EPSS=1e-8, NPR=100000)
 loaded = run('machine', IRS=0, ICP=[2, 11], NMX=400, DS=0.01, DSMAX=0.05, UZSTOP={{2: {}}}, **exact)
 exact.update(ILP=1, ISP=2)
@@ -94,9 +88,10 @@ for kind in ('PD', 'BP'):
             print('FOUND', "LP'", repr(fold['PAR(1)']))
 )",
         2 * masses + 2, machine.force, machine.to);
-    const std::string command = "cd '" + folder_.string() + "' && OMP_NUM_THREADS=1 auto-07p run.auto >log.txt 2>&1";
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && OMP_NUM_THREADS=1 auto-07p run.auto >log.txt 2>&1";
     EXPECT_EQ(std::system(command.c_str()), 0) << "AUTO-07p failed";
-    std::ifstream log(folder_ / "log.txt");
+    std::ifstream log(folder_.path() / "log.txt");
     std::map<std::string, std::vector<double>> found;
     for (std::string word, kind; log >> word;)
       if (double value = 0; word == "FOUND" && log >> kind >> value) found[kind].push_back(value);
@@ -162,7 +157,7 @@ end subroutine
                        motion, c, s, number(machine.from), number(2 * pi / machine.from));
   }
 
-  std::filesystem::path folder_;
+  foundation::TemporaryFolder folder_;
 };
 
 std::vector<double> folds(const SteadyBranch& branch) {

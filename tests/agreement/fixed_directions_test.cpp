@@ -16,6 +16,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/response/machinery/power.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 #include "trivet/response/steady/deep_check.h"
@@ -153,7 +154,8 @@ TEST(FixedDirections, AreFollowedInEveryAnalysis) {
 }
 
 TEST(FixedDirections, MobilityAgreesWithTheImpedanceAtItsRows) {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "trivet_mobility_along_z.csv";
+  const foundation::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "mobility_along_z.csv";
   std::string rows = "response = {at = [";
   {
     std::ofstream csv(file);

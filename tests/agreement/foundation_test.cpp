@@ -9,6 +9,7 @@
 
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/temporary_folder.h"
 
 namespace {
 
@@ -186,7 +187,8 @@ peaks = {}
 TEST(Foundation, MeasuredMobilityHasThePeaksOfItsImpedance) {
   constexpr double straight_lines = 1e-3;  // rows every 0.02 Hz across resonances 0.4 Hz wide
   constexpr double one_row = 0.13;         // rad/s: 0.02 Hz
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "trivet_mobility_of_a_floor.csv";
+  const foundation::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "mobility_of_a_floor.csv";
   {
     std::ofstream csv(file);
     csv << "frequency_hz,y_z_z,y_z_z_im\n";

@@ -2,7 +2,6 @@
 // Machines on the measured mobility of several ground points, compared with the ground modelled by bodies and nodes.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <Eigen/Geometry>
 #include <complex>
@@ -15,6 +14,7 @@
 #include "trivet/exchange/universal_writing.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/temporary_folder.h"
 #include "trivet/response/machinery/power.h"
 
 namespace {
@@ -71,7 +71,8 @@ std::filesystem::path written(const std::string& name, const std::vector<Directi
       }
       file.functions.push_back(function);
     }
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / fmt::format("{}-{}", ::getpid(), name);
+  static const foundation::TemporaryFolder folder;  // until the process ends
+  const std::filesystem::path path = folder.path() / name;
   std::ofstream(path, std::ios::binary) << exchange::universal_text(file, exchange::FunctionForm::binary);
   return path;
 }

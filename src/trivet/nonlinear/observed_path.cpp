@@ -83,28 +83,39 @@ void ObservedPath::add_points_between(SteadyBranch& found) {
   }
 }
 
-/// Products Π (1 − μ) and Π (1 + μ) of all multipliers are smooth along the path, and negative beyond a branch point or
-/// a doubling. May one of them pass zero twice in a step, by the parabolas through its ends and a neighbour?
+namespace {
+
+/// Positive for stable motions, and smooth along a path where they pass zero: at a branch point Π (1 − μ) over all
+/// multipliers, at a doubling Π (1 + μ), where quasi-periodic motion begins 1 − |μ|² of the largest.
+std::array<double, 3> distances_to_changes(const Eigen::VectorXcd& multipliers) {
+  std::complex<double> at_plus_one = 1, at_minus_one = 1;
+  for (const std::complex<double>& multiplier : multipliers) {
+    at_plus_one *= 1.0 - multiplier;
+    at_minus_one *= 1.0 + multiplier;
+  }
+  return {at_plus_one.real(), at_minus_one.real(), 1 - multipliers.cwiseAbs2().maxCoeff()};
+}
+
+}  // namespace
+
+/// May one of them pass zero twice in a step, by the parabolas through its ends and a neighbour?
 bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_t step) const {
   if (!found.points[step].stable || !found.points[step + 1].stable) return false;
   constexpr double deep = 0.25;  // of the smaller end: the parabola is a guess
-  const auto product = [&](std::size_t point, double sign) {
-    std::complex<double> all = 1;
-    for (const std::complex<double>& multiplier : found.points[point].multipliers) all *= 1.0 - sign * multiplier;
-    return all.real();
-  };
+  const auto at = [&](std::size_t point) { return distances_to_changes(found.points[point].multipliers); };
   const double length = path_.step_length(step);
-  for (const double sign : {1.0, -1.0}) {
-    const double from = product(step, sign), to = product(step + 1, sign);
+  const std::array<double, 3> all_from = at(step), all_to = at(step + 1);
+  for (std::size_t kind = 0; kind < all_from.size(); ++kind) {
+    const double from = all_from[kind], to = all_to[kind];
     const auto least_with = [&](double place, double value) {  // the third point, in shares of the step from its start
       const double bend = ((value - from) / place - (to - from)) / (place - 1), slope = to - from - bend;
       const double lowest = bend > 0 ? -slope / (2 * bend) : -1;
       return lowest > 0 && lowest < 1 ? from + lowest * (slope + lowest * bend) : std::min(from, to);
     };
     double least = std::min(from, to);
-    if (step > 0) least = std::min(least, least_with(-path_.step_length(step - 1) / length, product(step - 1, sign)));
+    if (step > 0) least = std::min(least, least_with(-path_.step_length(step - 1) / length, at(step - 1)[kind]));
     if (step + 2 < found.points.size())
-      least = std::min(least, least_with(1 + path_.step_length(step + 1) / length, product(step + 2, sign)));
+      least = std::min(least, least_with(1 + path_.step_length(step + 1) / length, at(step + 2)[kind]));
     if (least < deep * std::min(from, to)) return true;
   }
   return false;
