@@ -54,17 +54,18 @@ Vector3d after_a_period(const InTime& law, double omega, Vector3d y, double limi
   return y;
 }
 
-Marched marched(const InTime& law, double omega, double limit) {
+using AfterAPeriod = std::function<Vector3d(double omega, const Vector3d& start, double* largest)>;
+
+Marched marched(const AfterAPeriod& after, double omega, double limit) {
   Marched found;
   constexpr int periods = 80;
-  for (int i = 0; i < periods; ++i) found.start = after_a_period(law, omega, found.start, limit);
-  (void)after_a_period(law, omega, found.start, limit, &found.largest);
+  for (int i = 0; i < periods; ++i) found.start = after(omega, found.start, nullptr);
+  (void)after(omega, found.start, &found.largest);
   const Vector3d steps(1e-5 * found.largest, 1e-5 * omega * found.largest, 1e-5 * limit);
   for (int j = 0; j < 3; ++j) {
     const Vector3d change = steps(j) * Vector3d::Unit(j);
-    found.transition.col(j) = (after_a_period(law, omega, found.start + change, limit) -
-                               after_a_period(law, omega, found.start - change, limit)) /
-        (2 * steps(j));
+    found.transition.col(j) =
+        (after(omega, found.start + change, nullptr) - after(omega, found.start - change, nullptr)) / (2 * steps(j));
   }
   return found;
 }
@@ -77,13 +78,13 @@ std::vector<double> largest_three(const Eigen::VectorXcd& values) {
   return sizes;
 }
 
-void expect_agreement(const elements::ScalarLaw& law, const InTime& in_law, double limit) {
+void expect_agreement(const elements::ScalarLaw& law, const AfterAPeriod& after, double limit, double from = 20) {
   const std::string excitation =
       "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [90, 0, 0]\n";
   model::Description description =
       test::project(test::chain({mass}, {stiffness, 0}, {damping, 0}) + excitation).base().system.description();
   description.elements[0].nonlinear_parts = {{0, 0.5, {law}}};
-  nonlinear::SteadyOptions options{.from = 20, .to = 70};
+  nonlinear::SteadyOptions options{.from = from, .to = 70};
   options.harmonics = 31;
   options.of = {"m1.x"};
   options.at = {34, 42, 55};
@@ -91,7 +92,7 @@ void expect_agreement(const elements::ScalarLaw& law, const InTime& in_law, doub
   ASSERT_EQ(branch.at.size(), options.at.size());
   for (const nonlinear::SteadyPoint& point : branch.at) {
     SCOPED_TRACE(point.angular_frequency);
-    const Marched in_time = marched(in_law, point.angular_frequency, limit);
+    const Marched in_time = marched(after, point.angular_frequency, limit);
     constexpr double of_motion = 2e-5;       // 31 harmonics; steps of the march across kinks
     constexpr double of_multipliers = 2e-3;  // differences of periods
     EXPECT_THAT(point.results[0].largest, RelativelyNear(in_time.largest, of_motion));
@@ -100,6 +101,15 @@ void expect_agreement(const elements::ScalarLaw& law, const InTime& in_law, doub
     for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], of_multipliers) << i;
     EXPECT_EQ(point.stable, theirs[0] < 1);
   }
+}
+
+void expect_agreement(const elements::ScalarLaw& law, const InTime& in_law, double limit) {
+  expect_agreement(
+      law,
+      [&](double omega, const Vector3d& start, double* largest) {
+        return after_a_period(in_law, omega, start, limit, largest);
+      },
+      limit);
 }
 
 TEST(MarchedMotion, Slider) {
@@ -136,6 +146,58 @@ TEST(MarchedMotion, DampedStop) {
     return x > stop.gap_above ? stop.stiffness * (x - stop.gap_above) * std::max(0.0, 1 + stop.dissipation * v) : 0;
   };
   expect_agreement(elements::ElasticForce(stop), {.force = force}, 1);
+}
+
+/// Sticks with its stiffness, or slips with one force. The instants of change are found by bisection.
+struct BreakingAway {
+  elements::Slider law;
+  double sense = 0;  ///< of slip; 0: it sticks
+
+  /// x, v, and its force after a time.
+  [[nodiscard]] Vector3d after(double omega, double t, const Vector3d& y, double h) const {
+    const auto slope = [&](double at, const Vector3d& z) {
+      return Vector3d(z(1), (amplitude * std::cos(omega * at) - damping * z(1) - stiffness * z(0) - z(2)) / mass,
+                      sense == 0 ? law.stiffness * z(1) : 0);
+    };
+    const Vector3d k1 = slope(t, y), k2 = slope(t + h / 2, y + h / 2 * k1), k3 = slope(t + h / 2, y + h / 2 * k2),
+                   k4 = slope(t + h, y + h * k3);
+    return y + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  [[nodiscard]] bool changes(const Vector3d& y) const {
+    return sense == 0 ? std::abs(y(2)) > law.limit() : sense * y(1) < 0;
+  }
+  Vector3d after_a_period(double omega, Vector3d y, double* largest) {
+    constexpr int steps = 4'000;
+    const double h = 2 * pi / omega / steps;
+    sense = std::abs(std::abs(y(2)) - law.slip) < 1e-9 && y(2) * y(1) > 0 ? (y(1) > 0 ? 1 : -1) : 0;
+    for (int i = 0; i < steps; ++i) {
+      double t = i * h, left = h;
+      while (changes(after(omega, t, y, left))) {
+        double low = 0, high = left;
+        for (int b = 0; b < 60; ++b) (changes(after(omega, t, y, (low + high) / 2)) ? high : low) = (low + high) / 2;
+        y = after(omega, t, y, high);
+        t += high;
+        left -= high;
+        sense = sense != 0 ? 0 : (y(1) > 0 ? 1 : -1);
+        if (sense != 0) y(2) = sense * law.slip;
+      }
+      y = after(omega, t, y, left);
+      if (largest) *largest = std::max(*largest, y(0));
+    }
+    return y;
+  }
+};
+
+/// Friction that begins to slip at a larger force than that with which it slips.
+TEST(MarchedMotion, SliderThatBreaksAway) {
+  const elements::Slider law{2.2e4, 50, 60};
+  constexpr double slips_from = 31;  // [rad/s]
+  expect_agreement(
+      elements::HystereticForce(law),
+      [law](double omega, const Vector3d& start, double* largest) {
+        return BreakingAway{law}.after_a_period(omega, start, largest);
+      },
+      law.limit(), slips_from);
 }
 
 }  // namespace

@@ -15,8 +15,13 @@ namespace {
 ForceOnTravel upwards(const Slider& law, double start, double travel) {
   constexpr double round_off = 1e-13;  // a loop that just reaches the limit slips there
   const double stuck = start + law.stiffness * travel;
-  if (stuck >= law.slip * (1 - round_off)) return {law.slip, 0, 0};
+  if (stuck >= law.limit() * (1 - round_off)) return {law.slip, 0, 0};
   return {stuck, law.stiffness, 1};
+}
+
+ForceOnTravel upwards(const CoulombFriction& law, double start, double travel) {
+  if (travel == 0) return {start, 0, 1};
+  return {law.slip, 0, 0};
 }
 
 ForceOnTravel upwards(const BergFriction& law, double start, double travel) {
@@ -136,8 +141,9 @@ ForceOnTravel upwards(const BoucWen& law, double start, double travel) {
           rate_at_start > at_limit ? rate / rate_at_start : (travel > 0 ? 0.0 : 1.0)};
 }
 
-std::optional<double> kink_upwards(const Slider& law, double start) { return (law.slip - start) / law.stiffness; }
+std::optional<double> kink_upwards(const Slider& law, double start) { return (law.limit() - start) / law.stiffness; }
 std::optional<double> kink_upwards(const BergFriction&, double) { return std::nullopt; }
+std::optional<double> kink_upwards(const CoulombFriction&, double) { return std::nullopt; }
 std::optional<double> kink_upwards(const BoucWen& law, double start) {
   if (start >= 0) return std::nullopt;
   return unloading(law)(-z_at(law, start)) * law.force / law.stiffness;
@@ -166,7 +172,36 @@ std::optional<double> kink_travel(const HystereticForce& law, double start, doub
       law);
 }
 
+ForceOnTravel virgin_force(const HystereticForce& law, double deflection) {
+  if (std::holds_alternative<CoulombFriction>(law)) return {};
+  if (const auto* slider = std::get_if<Slider>(&law))
+    return force_on_travel(Slider{slider->stiffness, slider->slip}, 0, deflection);
+  return force_on_travel(law, 0, deflection);
+}
+
+std::vector<double> virgin_kinks(const HystereticForce& law) {
+  const auto* slider = std::get_if<Slider>(&law);
+  if (!slider) return {};
+  const double slips_at = slider->slip / slider->stiffness;
+  return {-slips_at, slips_at};
+}
+
+double jump_at_kink(const HystereticForce& law, double direction) {
+  const auto* slider = std::get_if<Slider>(&law);
+  return slider ? direction * (slider->slip - slider->limit()) : 0;
+}
+
+double jump_at_turn(const HystereticForce& law, double start, double direction) {
+  const auto* friction = std::get_if<CoulombFriction>(&law);
+  return friction ? direction * friction->slip - start : 0;
+}
+
+bool is_piecewise_linear(const HystereticForce& law) {
+  return std::holds_alternative<Slider>(law) || std::holds_alternative<CoulombFriction>(law);
+}
+
 double initial_stiffness(const HystereticForce& law) {
+  if (std::holds_alternative<CoulombFriction>(law)) return 0;
   if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force / berg->deflection;
   if (const auto* slider = std::get_if<Slider>(&law)) return slider->stiffness;
   return std::get<BoucWen>(law).stiffness;
@@ -174,7 +209,8 @@ double initial_stiffness(const HystereticForce& law) {
 
 double force_limit(const HystereticForce& law) {
   if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force;
-  if (const auto* slider = std::get_if<Slider>(&law)) return slider->slip;
+  if (const auto* slider = std::get_if<Slider>(&law)) return slider->limit();
+  if (const auto* friction = std::get_if<CoulombFriction>(&law)) return friction->slip;
   const auto& smooth = std::get<BoucWen>(law);
   return smooth.force * std::max(z_limit(smooth), z_limit(mirrored(smooth)));
 }

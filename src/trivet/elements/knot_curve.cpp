@@ -41,6 +41,13 @@ KnotCurve::KnotCurve(std::vector<double> x, const std::vector<double>& y, Interp
   }
 }
 
+KnotCurve::KnotCurve(std::vector<double> x, const std::vector<double>& y, const std::vector<double>& slopes)
+    : interpolation_(Interpolation::monotone_cubic),
+      x_(std::move(x)),
+      y_(Eigen::Map<const Eigen::VectorXd>(y.data(), to_index(y.size()))),
+      below_(slopes.begin(), slopes.end() - 1),
+      above_(slopes.begin() + 1, slopes.end()) {}
+
 KnotCurve::ValueAndSlope KnotCurve::at(double x) const {
   if (x <= x_.front()) return {y_(0) + below_.front() * (x - x_.front()), below_.front()};
   if (x >= x_.back()) return {y_(y_.size() - 1) + above_.back() * (x - x_.back()), above_.back()};

@@ -23,6 +23,8 @@ class KnotCurve {
   KnotCurve() = default;
   /// @param x  two or more, ascending
   KnotCurve(std::vector<double> x, const std::vector<double>& y, Interpolation interpolation);
+  /// Cubic with these slopes at the knots.
+  KnotCurve(std::vector<double> x, const std::vector<double>& y, const std::vector<double>& slopes);
 
   struct ValueAndSlope {
     double value = 0, slope = 0;

@@ -2,6 +2,7 @@
 #include "trivet/elements/scalar_law.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trivet::elements {
 
@@ -11,8 +12,12 @@ ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection) {
     ForceAndTangent one;
     if (const auto* elastic = std::get_if<ElasticForce>(&law)) one = force_and_tangent(*elastic, deflection);
     if (const auto* hysteretic = std::get_if<HystereticForce>(&law)) {
-      const ForceOnTravel virgin = force_on_travel(*hysteretic, 0, deflection);
+      const ForceOnTravel virgin = virgin_force(*hysteretic, deflection);
       one = {virgin.force, virgin.by_travel};
+    }
+    if (const auto* payne = std::get_if<PayneForce>(&law)) {
+      const StiffnessOfAmplitude there = stiffness_at(*payne, std::abs(deflection));
+      one = {there.storage * deflection, there.storage + there.storage_slope * std::abs(deflection)};
     }
     sum.force += one.force;
     sum.tangent += one.tangent;
@@ -30,6 +35,7 @@ SmallMotion small_motion(const ScalarLaws& laws, double deflection) {
     }
     if (const auto* hysteretic = std::get_if<HystereticForce>(&law)) sum.stiffness += initial_stiffness(*hysteretic);
     if (const auto* damping = std::get_if<DampingForce>(&law)) sum.damping += damping_at_rest(*damping);
+    if (const auto* payne = std::get_if<PayneForce>(&law)) sum.stiffness += payne->stiffness;
   }
   return sum;
 }
@@ -43,7 +49,7 @@ double elastic_energy(const ScalarLaws& laws, double deflection) {
 bool is_monotone(const ScalarLaws& laws) {
   return std::all_of(laws.begin(), laws.end(), [](const ScalarLaw& law) {
     const auto* elastic = std::get_if<ElasticForce>(&law);
-    return !elastic || is_monotone(*elastic);
+    return elastic ? is_monotone(*elastic) : !std::holds_alternative<PayneForce>(law);
   });
 }
 
@@ -54,9 +60,10 @@ std::vector<double> kinks_at_rest(const ScalarLaws& laws) {
       const std::vector<double> of_law = kinks(*elastic);
       all.insert(all.end(), of_law.begin(), of_law.end());
     }
-    if (const auto* hysteretic = std::get_if<HystereticForce>(&law))
-      for (const double direction : {-1.0, 1.0})
-        if (const auto travel = kink_travel(*hysteretic, 0, direction)) all.push_back(*travel);
+    if (const auto* hysteretic = std::get_if<HystereticForce>(&law)) {
+      const std::vector<double> of_law = virgin_kinks(*hysteretic);
+      all.insert(all.end(), of_law.begin(), of_law.end());
+    }
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

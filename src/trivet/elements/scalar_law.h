@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "trivet/elements/amplitude_force.h"
 #include "trivet/elements/damping_force.h"
 #include "trivet/elements/elastic_force.h"
 #include "trivet/elements/hysteresis.h"
@@ -11,14 +12,16 @@
 /// over rad. Positive forces act against positive deflections. Equations and sources: docs/nonlinear.md.
 namespace trivet::elements {
 
-using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce>;
+using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce, PayneForce>;
 /// Forces over the same deflection add up.
 using ScalarLaws = std::vector<ScalarLaw>;
 
-/// Force of a slow deflection from 0: hysteretic parts under virgin loading.
+/// Force of a slow deflection from 0: hysteretic parts under virgin loading, parts that depend on the amplitude as at
+/// the turning points of that amplitude.
 [[nodiscard]] ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection);
 
-/// What the laws are for motions of vanishing amplitude about a deflection: hysteretic parts stick.
+/// What the laws are for motions of vanishing amplitude about a deflection: hysteretic parts stick, but for friction
+/// without a spring, which is left out.
 struct SmallMotion {
   double stiffness = 0;  ///< [N/m or N m/rad]
   double damping = 0;    ///< [N s/m or N m s/rad]

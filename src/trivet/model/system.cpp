@@ -179,6 +179,16 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 
 }  // namespace
 
+void take_linear_law(double deflection, Element& element) {
+  constexpr Eigen::Index along_k = 8;
+  const auto& along = std::get<elements::ElasticForce>(element.nonlinear_parts.front().laws.front());
+  element.law.nominal_stiffness =
+      element.over_deflection->at(deflection, elements::force_and_tangent(along, deflection).force);
+  element.law.preload.reset();
+  element.nonlinear_parts.front().laws[1] =
+      elements::ElasticForce(elements::PolynomialForce{{-element.law.nominal_stiffness(along_k, along_k)}});
+}
+
 System System::in_other_state(Description description) const {
   const bool has_nodes =
       std::any_of(description.bodies.begin(), description.bodies.end(), [](const Body& body) { return body.is_node; });

@@ -10,6 +10,7 @@
 
 #include "trivet/elements/distance_force.h"
 #include "trivet/elements/law.h"
+#include "trivet/elements/stiffness_over_deflection.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
 #include "trivet/model/observations.h"
@@ -146,6 +147,9 @@ struct Element {
   elements::Law law;
   std::vector<NonlinearPart> nonlinear_parts;
   std::vector<DistancePart> distance_parts;
+  /// The 12×12 about each state on the way along e3. The first law of the first nonlinear part is then the whole force
+  /// along e3, the second that of the linear law, negative.
+  std::optional<elements::StiffnessOverDeflection> over_deflection;
   bool symmetric = true;
   bool allow_residual = false;
   bool is_foundation = false;    ///< impedance of a ground point: elements on it count as "on the ground"
@@ -157,6 +161,10 @@ struct Element {
   double massless_up_to = std::numeric_limits<double>::infinity();  ///< first natural frequency of the element itself
                                                                     ///< if its mass is neglected [rad/s]
 };
+
+/// Makes the 12×12 about a deflection along e3 the linear law of an element with `over_deflection`. Its force along e3
+/// stays the same; that it also turns with the element is left to a preload.
+void take_linear_law(double deflection, Element& element);
 
 /// Has it any nonlinear parts?
 [[nodiscard]] inline bool has_laws(const Element& element) {

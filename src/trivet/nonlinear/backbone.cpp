@@ -67,8 +67,8 @@ class FreeMotion {
         damped_(damped),
         harmonics_(harmonics),
         across_(A_.rows(), to_index(deflections.size())),
-        laws_(deflections, harmonics),
-        wider_(deflections, 3 * harmonics) {
+        laws_(deflections, harmonics, harmonics),
+        wider_(deflections, 3 * harmonics, harmonics) {
     for (std::size_t j = 0; j < deflections.size(); ++j) across_.col(to_index(j)) = deflections[j].on_coordinates;
   }
 

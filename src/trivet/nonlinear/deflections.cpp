@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -100,6 +101,13 @@ model::System with_references(const model::System& system, const References& ref
       sum.damping += reference.damping * row * row.transpose();
       sum.offset += (elements::force_at_rest(part.laws, part.at_rest).force - reference.stiffness * part.at_rest) * row;
     }
+    if (element.over_deflection) {  // the force at rest, as one that turns with the element
+      const model::NonlinearPart& along = element.nonlinear_parts.front();
+      const double force = elements::force_at_rest({along.laws.front()}, along.at_rest).force;
+      element.law.preload =
+          force * elements::deflection_row(along.axis, span.arm, span.n_from_k, along.centre).transpose();
+      sum.offset -= *element.law.preload;
+    }
     for (const model::DistancePart& part : element.distance_parts) {
       const Eigen::Matrix<double, 3, 12> rows = elements::difference_rows(span.n_from_k);
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
@@ -144,6 +152,29 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
 
 }  // namespace
 
+namespace {
+
+/// Change of the acceleration of a deflection per change of a force on it: s² wᵀ (K + s B + s² A)⁻¹ w for large s,
+/// which is large for a node without mass.
+double acceleration_per_force(const numerics::DynamicMatrices& matrices, const Eigen::VectorXd& on_coordinates) {
+  constexpr double beyond = 1e7;
+  double fastest = 1;
+  for (Eigen::Index i = 0; i < matrices.size(); ++i)
+    if (matrices.A(i, i) > 0) fastest = std::max(fastest, std::sqrt(std::abs(matrices.K(i, i)) / matrices.A(i, i)));
+  const double s = beyond * fastest;
+  const Eigen::MatrixXd dynamic = matrices.K + s * matrices.B + s * s * matrices.A;
+  return s * s * on_coordinates.dot(numerics::PivotedLu<double>(dynamic).solve(on_coordinates));
+}
+
+bool has_coulomb_friction(const model::NonlinearPart& part) {
+  const std::vector<elements::HystereticForce> all = elements::only<elements::HystereticForce>(part.laws);
+  return std::any_of(all.begin(), all.end(), [](const elements::HystereticForce& law) {
+    return std::holds_alternative<elements::CoulombFriction>(law);
+  });
+}
+
+}  // namespace
+
 std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled,
                                               const References& references) {
   std::vector<Deflection> found;
@@ -153,9 +184,9 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
     const assembly::ElementMap& map = assembled.elements[e];
     const model::Span span = model::span(system.bodies(), element.n, element.k);
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
-      Deflection deflection{
-          name_of(element, part), part.is_rotation(), Eigen::VectorXd::Zero(assembled.matrices.size()),
-          Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout(part.laws, part.at_rest, references[found.size()])};
+      Deflection deflection{name_of(element, part), part.is_rotation(),
+                            Eigen::VectorXd::Zero(assembled.matrices.size()),
+                            Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
       Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
       if (part.is_inner()) row(row.size() - element.law.inner->count() + part.inner) = 1;
       else row.head<12>() = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
@@ -163,6 +194,9 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
       for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
       for (Eigen::Index c = 0; c < on_ground.size(); ++c)
         deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+      deflection.law = LawAbout(
+          part.laws, part.at_rest, references[found.size()],
+          has_coulomb_friction(part) ? acceleration_per_force(assembled.matrices, deflection.on_coordinates) : 0);
       found.push_back(std::move(deflection));
     }
   }

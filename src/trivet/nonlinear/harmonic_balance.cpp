@@ -12,7 +12,10 @@ using Eigen::VectorXd;
 
 HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  Index harmonics)
-    : machine_(machine), harmonics_(harmonics), laws_(deflections, harmonics), wider_(deflections, 3 * harmonics) {}
+    : machine_(machine),
+      harmonics_(harmonics),
+      laws_(deflections, harmonics, harmonics),
+      wider_(deflections, 3 * harmonics, harmonics) {}
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 

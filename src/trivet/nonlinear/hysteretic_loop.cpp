@@ -16,8 +16,8 @@ using elements::ForceOnTravel;
 using foundation::two_pi;
 
 HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd& deflection,
-                               const std::vector<double>& turns)
-    : part_(part) {
+                               const std::vector<double>& turns, double turning_slope)
+    : part_(part), turning_slope_(turning_slope) {
   if (turns.empty()) return;
   const Index harmonics = (deflection.size() - 1) / 2;
   for (std::size_t i = 0; i < turns.size(); ++i)
@@ -25,8 +25,10 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
                          i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi,
                          numerics::motion_at(harmonics, turns[i], deflection),
                          0,
+                         0,
+                         {},
                          std::nullopt,
-                         {}});
+                         0});
   const double start = elements::force_on_travel(part_.law, part_.at_state, branches_.front().deflection).force;
   sticks_ = std::holds_alternative<elements::Slider>(part_.law) && around(start).by_start == 1;
   around(sticks_ ? start : closed(start));
@@ -34,14 +36,36 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     Branch& branch = branches_[i];
     const double travel = branches_[(i + 1) % branches_.size()].deflection - branch.deflection;
-    const std::optional<double> kink = elements::kink_travel(part_.law, branch.force, travel < 0 ? -1 : 1);
-    if (kink && std::abs(*kink) > 0 && std::abs(*kink) < std::abs(travel))
-      branch.kink = numerics::crossing_between(deflection, branch.deflection + *kink, branch.from, branch.to);
+    const double direction = travel < 0 ? -1 : 1;
+    branch.jump = elements::jump_at_turn(part_.law, branch.force, direction);
+    const std::optional<double> kink = elements::kink_travel(part_.law, branch.force, direction);
+    if (!kink || !(std::abs(*kink) > 0) || std::abs(*kink) >= std::abs(travel)) continue;
+    branch.kink = numerics::crossing_between(deflection, branch.deflection + *kink, branch.from, branch.to);
+    branch.kink_jump = elements::jump_at_kink(part_.law, direction);
   }
 }
 
+std::vector<HystereticLoop::Jump> HystereticLoop::jumps(const VectorXd& deflection) const {
+  const Index harmonics = (deflection.size() - 1) / 2;
+  const VectorXd slope = numerics::phase_derivative(deflection);
+  std::vector<Jump> found;
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    const Branch& branch = branches_[b];
+    if (branch.jump != 0) {
+      const double curvature = numerics::motion_at(harmonics, branch.from, numerics::phase_derivative(slope));
+      const double slope = branch.jump < 0 ? turning_slope_ : -turning_slope_;  // falls with ω²
+      found.push_back({branch.from, branch.jump, b, 0, -1 / curvature, 0, -2 * slope / curvature});
+    }
+    if (branch.kink_jump == 0) continue;
+    const double there = numerics::motion_at(harmonics, *branch.kink, slope);
+    found.push_back(
+        {*branch.kink, branch.kink_jump, b, -1 / there, 0, -1 / (elements::initial_stiffness(part_.law) * there), 0});
+  }
+  return found;
+}
+
 bool HystereticLoop::is_symmetric() const {
-  if (branches_.size() != 2 || std::holds_alternative<elements::Slider>(part_.law)) return false;
+  if (branches_.size() != 2 || elements::is_piecewise_linear(part_.law)) return false;
   const auto* smooth = std::get_if<elements::BoucWen>(&part_.law);
   return !smooth || smooth->asymmetry == 0;
 }
@@ -117,6 +141,8 @@ const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {
 }
 
 ForceOnTravel HystereticLoop::at(const Branch& branch, double deflection) const {
+  // Friction without a spring turns a little before the given harmonics do.
+  if (branch.jump != 0) return {branch.force + branch.jump - part_.at_state, 0, 0};
   ForceOnTravel found = elements::force_on_travel(part_.law, branch.force, deflection - branch.deflection);
   found.force -= part_.at_state;
   return found;

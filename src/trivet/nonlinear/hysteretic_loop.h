@@ -14,16 +14,20 @@ namespace trivet::nonlinear {
 class HystereticLoop {
  public:
   /// @param deflection  Fourier coefficients of the deviation from the state
-  /// @param turns       phases of its turning points, ascending in [0, 2π)
-  HystereticLoop(const LawAbout::Hysteretic& part, const Eigen::VectorXd& deflection, const std::vector<double>& turns);
+  /// @param turns          phases of its turning points, ascending in [0, 2π)
+  /// @param turning_slope  |dδ/dφ| of the given harmonics there
+  HystereticLoop(const LawAbout::Hysteretic& part, const Eigen::VectorXd& deflection, const std::vector<double>& turns,
+                 double turning_slope = 0);
 
   /// From one turning point to the next.
   struct Branch {
     double from = 0, to = 0;       ///< phases; that of the last branch ends beyond 2π
     double deflection = 0;         ///< at the turning point
-    double force = 0;              ///< the whole force there
-    std::optional<double> kink;    ///< phase at which the force is not smooth
+    double force = 0;              ///< the whole force there, before it jumps
+    double jump = 0;               ///< of the force there
     Eigen::VectorXd force_slopes;  ///< derivative of `force` by the coefficients of the deflection
+    std::optional<double> kink;    ///< phase at which the force is not smooth
+    double kink_jump = 0;          ///< of the force there
   };
   /// Empty if the deflection does not move.
   [[nodiscard]] const std::vector<Branch>& branches() const { return branches_; }
@@ -31,6 +35,20 @@ class HystereticLoop {
 
   /// @return force beyond that at the state
   [[nodiscard]] elements::ForceOnTravel at(const Branch& branch, double deflection) const;
+
+  /// Instants at which the force jumps, and how they move: by the deflection and its rate there, by the deflection and
+  /// the force at the turning point before.
+  struct Jump {
+    double phase = 0, force = 0;
+    std::size_t branch = 0;
+    double by_deflection = 0,
+           by_slope = 0;  ///< of the phase, by the deflection and by its derivative by the phase there
+    double by_start = 0;  ///< of the phase, by the force at the turning point; −by_deflection by the deflection there
+    double by_log_omega = 0;  ///< of the phase, by the logarithm of the frequency
+  };
+  [[nodiscard]] std::vector<Jump> jumps(const Eigen::VectorXd& deflection) const;
+
+  [[nodiscard]] const elements::HystereticForce& law() const { return part_.law; }
 
   /// Does a slider stick all the time? Its force is then an elastic one, and its mean depends on what happened before;
   /// here on sticking since the state.
@@ -46,6 +64,7 @@ class HystereticLoop {
 
   LawAbout::Hysteretic part_;
   std::vector<Branch> branches_;
+  double turning_slope_;
   bool sticks_ = false;
 };
 

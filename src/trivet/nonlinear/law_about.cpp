@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/law_about.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trivet::nonlinear {
 namespace {
@@ -13,16 +14,19 @@ void make_ascending(std::vector<double>& numbers) {
 
 }  // namespace
 
-LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotion reference)
+LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotion reference,
+                   double acceleration_per_force)
     : laws_(std::move(laws)),
       elastic_(elements::only<elements::ElasticForce>(laws_)),
       dampers_(elements::only<elements::DampingForce>(laws_)),
+      of_amplitude_(elements::only<elements::PayneForce>(laws_)),
       state_(state),
       offset_(elements::force_at_rest(laws_, state).force),
+      acceleration_per_force_(acceleration_per_force),
       reference_(reference),
-      has_dampers_(!dampers_.empty()) {
+      has_dampers_(!dampers_.empty() || !of_amplitude_.empty()) {
   for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(laws_))
-    hysteretic_.push_back({law, elements::force_on_travel(law, 0, state).force});
+    hysteretic_.push_back({law, elements::virgin_force(law, state).force});
   for (const elements::ElasticForce& law : elastic_) {
     for (const double kink : elements::kinks(law)) kinks_.push_back(kink - state);
     for (const double kink : elements::rate_kinks(law)) rate_kinks_.push_back(kink);
@@ -64,6 +68,8 @@ LawAbout::Parts::Curvature LawAbout::Parts::curvature(double deflection, double 
 LawAbout::Line LawAbout::line() const {
   Line found{-offset_, -reference_.stiffness, -reference_.damping};
   for (const Hysteretic& part : hysteretic_) found.constant += part.at_state;  // in the offset
+  for (const elements::PayneForce& law : of_amplitude_)
+    found.constant += elements::stiffness_at(law, std::abs(state_)).storage * state_;
   return found;
 }
 
@@ -98,7 +104,7 @@ bool LawAbout::is_piecewise_linear() const {
   return std::all_of(elastic_.begin(), elastic_.end(), straight) &&
       std::all_of(dampers_.begin(), dampers_.end(), straight) &&
       std::all_of(hysteretic_.begin(), hysteretic_.end(),
-                  [](const Hysteretic& part) { return std::holds_alternative<elements::Slider>(part.law); });
+                  [](const Hysteretic& part) { return elements::is_piecewise_linear(part.law); });
 }
 
 std::pair<double, double> LawAbout::untouched() const {

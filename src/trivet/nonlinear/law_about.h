@@ -13,7 +13,8 @@ namespace trivet::nonlinear {
 class LawAbout {
  public:
   // NOLINTNEXTLINE(google-explicit-constructor): laws about the undeformed state
-  LawAbout(elements::ScalarLaws laws, double state = 0, elements::SmallMotion reference = {});
+  LawAbout(elements::ScalarLaws laws, double state = 0, elements::SmallMotion reference = {},
+           double acceleration_per_force = 0);
 
   struct Force {
     double force = 0, by_deviation = 0, by_rate = 0;
@@ -60,12 +61,18 @@ class LawAbout {
     double at_state = 0;  ///< its force at the state
   };
   [[nodiscard]] const std::vector<Hysteretic>& hysteretic() const { return hysteretic_; }
+  /// Change of the acceleration of the deflection per change of the force on it [1/kg, 1/(kg m²)].
+  [[nodiscard]] double acceleration_per_force() const { return acceleration_per_force_; }
+
+  /// Parts that depend on the amplitude of the motion about the state.
+  [[nodiscard]] const std::vector<elements::PayneForce>& of_amplitude() const { return of_amplitude_; }
 
   /// Does the force at rest never fall as the deflection grows?
   [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
   /// Are all tangents constant between kinks?
   [[nodiscard]] bool is_piecewise_linear() const;
   [[nodiscard]] bool is_empty() const { return laws_.empty(); }
+  /// Does any force depend on the rate?
   [[nodiscard]] bool has_dampers() const { return has_dampers_; }
 
   /// Deviations and rates at which the parts without memory are not smooth, ascending.
@@ -83,7 +90,8 @@ class LawAbout {
   std::vector<elements::DampingForce> dampers_;
   Parts smooth_, quadratic_, others_;
   std::vector<Hysteretic> hysteretic_;
-  double state_ = 0, offset_ = 0;
+  std::vector<elements::PayneForce> of_amplitude_;
+  double state_ = 0, offset_ = 0, acceleration_per_force_ = 0;
   elements::SmallMotion reference_;
   bool has_dampers_;
   std::vector<double> kinks_, rate_kinks_;

@@ -10,9 +10,22 @@
 
 namespace trivet::nonlinear {
 
-LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, double omega,
+using Eigen::VectorXd;
+
+LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
                      const Eigen::Ref<const Eigen::MatrixXd>& samples)
-    : law_(law), deflection_(deflection), rate_(omega * numerics::phase_derivative(deflection)) {
+    : law_(law), omega_(omega), deflection_(deflection), rate_(omega * numerics::phase_derivative(deflection)) {
+  if (!law.of_amplitude().empty()) {
+    ahead_ = numerics::phase_derivative(deflection_);
+    for (Eigen::Index k = 1; 2 * k < ahead_.size(); ++k) ahead_.segment<2>(2 * k - 1) /= static_cast<double>(k);
+    for (const elements::PayneForce& one : law.of_amplitude()) {
+      const elements::StiffnessOfAmplitude there = elements::stiffness_at(one, amplitude());
+      of_amplitude_.storage += there.storage;
+      of_amplitude_.loss += there.loss;
+      of_amplitude_.storage_slope += there.storage_slope;
+      of_amplitude_.loss_slope += there.loss_slope;
+    }
+  }
   if (!law.kinks().empty()) corners_ = numerics::level_crossings(deflection_, law.kinks(), samples);
   if (!law.rate_kinks().empty()) {
     const std::vector<double> of_rate = numerics::level_crossings(rate_, law.rate_kinks(), samples);
@@ -20,9 +33,40 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, dou
     std::sort(corners_.begin(), corners_.end());
   }
   if (law.hysteretic().empty()) return;
-  const std::vector<double> turns = numerics::level_crossings(numerics::phase_derivative(deflection_), {0}, samples);
-  for (const LawAbout::Hysteretic& part : law.hysteretic())
-    if (HystereticLoop loop(part, deflection_, turns); !loop.branches().empty()) loops_.push_back(std::move(loop));
+  const auto turns = [&](double turning_slope) {
+    const VectorXd slope = numerics::phase_derivative(deflection_), bend = numerics::phase_derivative(slope);
+    if (turning_slope == 0) return numerics::level_crossings(slope, {0}, samples);
+    std::vector<double> found;
+    double before = 0;
+    for (const double phase : numerics::level_crossings(slope, {-turning_slope, turning_slope}, samples)) {
+      const auto at = [&](const VectorXd& one) { return numerics::motion_at((one.size() - 1) / 2, phase, one); };
+      const double sense = at(slope) > 0 ? 1 : -1;
+      if (sense * at(bend) > 0 || sense == before) continue;
+      found.push_back(phase);
+      before = sense;
+    }
+    if (found.size() % 2 == 1) found.pop_back();  // the first and the last are one turning point
+    return found;
+  };
+  const double turning_slope = this->turning_slope(harmonics);
+  for (const LawAbout::Hysteretic& part : law.hysteretic()) {
+    const bool is_coulomb = std::holds_alternative<elements::CoulombFriction>(part.law);
+    const double of_part = is_coulomb ? turning_slope : 0;
+    if (HystereticLoop loop(part, deflection_, turns(of_part), of_part); !loop.branches().empty())
+      loops_.push_back(std::move(loop));
+  }
+}
+
+/// Friction without a spring jumps where the deflection turns, which bends its slope there by J/(m ω²): the harmonics
+/// beyond H, Σ 1/(π k²) of that, are missing in the slope of the first H, which is this one where the whole is zero.
+double LawCourse::turning_slope(Eigen::Index harmonics) const {
+  double slip = 0;
+  for (const LawAbout::Hysteretic& part : law_.hysteretic())
+    if (const auto* friction = std::get_if<elements::CoulombFriction>(&part.law)) slip += friction->slip;
+  if (slip == 0 || !(omega_ > 0)) return 0;
+  double missing = foundation::two_pi * foundation::two_pi / 24;  // Σ 1/k², k = 1 …
+  for (Eigen::Index k = 1; k <= harmonics; ++k) missing -= 1 / static_cast<double>(k * k);
+  return 2 * slip * law_.acceleration_per_force() / (omega_ * omega_) * missing / (foundation::two_pi / 2);
 }
 
 std::vector<double> LawCourse::all_corners() const {
@@ -41,8 +85,20 @@ double LawCourse::deflection_at(double phase) const {
 
 double LawCourse::rate_at(double phase) const { return numerics::motion_at((rate_.size() - 1) / 2, phase, rate_); }
 
+double LawCourse::amplitude() const { return deflection_.tail(deflection_.size() - 1).norm(); }
+
 LawAbout::Force LawCourse::at(double phase) const {
-  return law_.without_memory(deflection_at(phase), is_damped() ? rate_at(phase) : 0);
+  return at(numerics::fourier_row((deflection_.size() - 1) / 2, phase));
+}
+
+LawAbout::Force LawCourse::at(const Eigen::RowVectorXd& row) const {
+  const double deflection = row.dot(deflection_);
+  LawAbout::Force found = law_.without_memory(deflection, is_damped() ? row.dot(rate_) : 0);
+  if (law_.of_amplitude().empty()) return found;
+  found.force += of_amplitude_.storage * deflection + of_amplitude_.loss * row.dot(ahead_);
+  found.by_deviation += of_amplitude_.storage;
+  if (omega_ > 0) found.by_rate += of_amplitude_.loss / omega_;
+  return found;
 }
 
 }  // namespace trivet::nonlinear

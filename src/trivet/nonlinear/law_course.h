@@ -14,9 +14,10 @@ class LawCourse {
  public:
   /// The law must outlive it.
   /// @param deflection  Fourier coefficients of the deviation from the state (numerics/periodic/fourier_basis.h)
+  /// @param harmonics   of the motion; the others are zero
   /// @param omega       of the first harmonic [rad/s]
   /// @param samples     evenly spaced phases × coefficients: rows of the basis
-  LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, double omega,
+  LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
             const Eigen::Ref<const Eigen::MatrixXd>& samples);
 
   /// Phases at which the parts without memory are not smooth, ascending in [0, 2π).
@@ -29,16 +30,26 @@ class LawCourse {
   [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
   [[nodiscard]] double deflection_at(double phase) const;
   [[nodiscard]] double rate_at(double phase) const;  ///< by time
-  /// Of the parts without memory.
+  /// Of the parts without memory, and of those that depend on the amplitude: k' over the deflection, k''/ω over the
+  /// rate of the first harmonic, at the amplitude of the motion.
   [[nodiscard]] LawAbout::Force at(double phase) const;
   /// The same, with the row of the basis at a phase (set_fourier_row).
-  [[nodiscard]] LawAbout::Force at(const Eigen::RowVectorXd& row) const {
-    return law_.without_memory(row.dot(deflection_), is_damped() ? row.dot(rate_) : 0);
-  }
+  [[nodiscard]] LawAbout::Force at(const Eigen::RowVectorXd& row) const;
+
+  /// Of the motion about its mean: that of a harmonic motion of the same root mean square.
+  [[nodiscard]] double amplitude() const;
+  /// k' and k'' there.
+  [[nodiscard]] const elements::StiffnessOfAmplitude& of_amplitude() const { return of_amplitude_; }
+  /// Coefficients of the motion, each harmonic a quarter of its period ahead: k'' times it is the force of the losses.
+  [[nodiscard]] const Eigen::VectorXd& ahead() const { return ahead_; }
 
  private:
+  [[nodiscard]] double turning_slope(Eigen::Index harmonics) const;
+
   const LawAbout& law_;
-  Eigen::VectorXd deflection_, rate_;
+  double omega_;
+  Eigen::VectorXd deflection_, rate_, ahead_;
+  elements::StiffnessOfAmplitude of_amplitude_;
   std::vector<double> corners_;
   std::vector<HystereticLoop> loops_;
 };

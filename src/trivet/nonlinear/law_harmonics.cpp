@@ -37,7 +37,8 @@ std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
 
 }  // namespace
 
-LawHarmonics::LawHarmonics(LawAbout law, Index harmonics) : law_(std::move(law)), harmonics_(harmonics) {
+LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> of_motion)
+    : law_(std::move(law)), harmonics_(harmonics), of_motion_(of_motion.value_or(harmonics)) {
   const Index samples = sample_count(harmonics);
   values_.resize(samples, numerics::coefficient_count(2 * harmonics));
   for (Index n = 0; n < samples; ++n)
@@ -46,18 +47,18 @@ LawHarmonics::LawHarmonics(LawAbout law, Index harmonics) : law_(std::move(law))
 }
 
 LawCourse LawHarmonics::course(const VectorXd& deflection, double omega) const {
-  return {law_, deflection, omega, values_.leftCols(deflection.size())};
+  return {law_, deflection, of_motion_, omega, values_.leftCols(deflection.size())};
 }
 
 ForceHarmonics LawHarmonics::at(const VectorXd& deflection, double omega) const {
   Spectra found = spectra(deflection, omega, true);
   ForceHarmonics result{std::move(found.force), numerics::product_matrix(found.by_deflection, harmonics_),
-                        VectorXd::Zero(deflection.size())};
+                        found.by_omega};
   if (found.by_memory.size() > 0) result.tangent += found.by_memory;
   if (law_.has_dampers()) {
     const Eigen::MatrixXd on_rate = numerics::product_matrix(found.by_rate, harmonics_);
     result.tangent += omega * numerics::on_motion(on_rate);
-    result.by_omega = on_rate * numerics::phase_derivative(deflection);
+    result.by_omega += on_rate * numerics::phase_derivative(deflection);
   }
   return result;
 }
@@ -77,6 +78,7 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
               VectorXd::Zero(deflection.size()),
               VectorXd::Zero(twice),
               VectorXd::Zero(law_.has_dampers() ? twice : 0),
+              VectorXd::Zero(deflection.size()),
               {}};
   const LawCourse along = course(deflection, omega);
   add_line(deflection, omega, sum);
@@ -86,8 +88,13 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
     if (along.corners().empty()) add_sampled(law_.others(), deflection, omega, sum);
     else add_between_corners(along, sum);
   }
-  for (const HystereticLoop& loop : along.loops()) add_loop(along, loop, sum);
+  for (const HystereticLoop& loop : along.loops()) {
+    add_loop(along, loop, sum);
+    if (with_tangent) add_jumps(deflection, omega, loop, sum);
+  }
+  if (!law_.of_amplitude().empty()) add_of_amplitude(along, deflection, sum);
   sum.force(0) /= 2;
+  sum.by_omega(0) /= 2;
   if (sum.by_memory.size() > 0) sum.by_memory.row(0) /= 2;
   return sum;
 }
@@ -208,6 +215,46 @@ void LawHarmonics::add_loop(const LawCourse& course, const HystereticLoop& loop,
       sum.by_memory +=
           by_start * branch.force_slopes.transpose() - by_travel * numerics::fourier_row(harmonics_, branch.from);
   }
+}
+
+/// Where the force jumps by J at a phase, and that moves by dφ, the force is that before the jump for dφ longer.
+void LawHarmonics::add_jumps(const VectorXd& deflection, double omega, const HystereticLoop& loop, Spectra& sum) const {
+  for (const HystereticLoop::Jump& jump : loop.jumps(deflection)) {
+    const HystereticLoop::Branch& branch = loop.branches()[jump.branch];
+    const Eigen::RowVectorXd here = numerics::fourier_row(harmonics_, jump.phase);
+    Eigen::RowVectorXd moved = jump.by_deflection * (here - numerics::fourier_row(harmonics_, branch.from)) +
+        jump.by_start * branch.force_slopes.transpose();
+    for (Index k = 1; k <= harmonics_; ++k) {
+      moved(2 * k - 1) -= jump.by_slope * static_cast<double>(k) * here(2 * k);
+      moved(2 * k) += jump.by_slope * static_cast<double>(k) * here(2 * k - 1);
+    }
+    const VectorXd later = jump.force / (two_pi / 2) * here.transpose();
+    sum.by_memory -= later * moved;
+    if (jump.by_log_omega != 0) sum.by_omega -= jump.by_log_omega / omega * later;
+  }
+}
+
+/// Each harmonic times k' + i k'' at the amplitude of the whole motion; the mean times k'.
+void LawHarmonics::add_of_amplitude(const LawCourse& course, const VectorXd& deflection, Spectra& sum) const {
+  const Index count = deflection.size();
+  const elements::StiffnessOfAmplitude& there = course.of_amplitude();
+  VectorXd force = there.storage * deflection + there.loss * course.ahead();
+  force(0) *= 2;
+  sum.force += force;
+  if (!sum.with_tangent) return;
+  if (sum.by_memory.size() == 0) sum.by_memory = Eigen::MatrixXd::Zero(count, count);
+  sum.by_memory.diagonal().array() += there.storage;
+  sum.by_memory(0, 0) += there.storage;
+  for (Index k = 1; k <= harmonics_; ++k) {
+    sum.by_memory(2 * k - 1, 2 * k) += there.loss;
+    sum.by_memory(2 * k, 2 * k - 1) -= there.loss;
+  }
+  if (!(course.amplitude() > 0)) return;
+  VectorXd by_amplitude = there.storage_slope * deflection + there.loss_slope * course.ahead();
+  by_amplitude(0) *= 2;
+  Eigen::RowVectorXd amplitude_slopes = deflection.transpose() / course.amplitude();
+  amplitude_slopes(0) = 0;
+  sum.by_memory += by_amplitude * amplitude_slopes;
 }
 
 }  // namespace trivet::nonlinear

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "trivet/nonlinear/law_course.h"
@@ -22,7 +23,8 @@ struct ForceHarmonics {
 /// forces are those of closed loops.
 class LawHarmonics {
  public:
-  LawHarmonics(LawAbout law, Eigen::Index harmonics);
+  /// @param of_motion  harmonics of the motions, if these are fewer and padded with zeros
+  LawHarmonics(LawAbout law, Eigen::Index harmonics, std::optional<Eigen::Index> of_motion = std::nullopt);
 
   /// @param omega  of the first harmonic [rad/s]
   [[nodiscard]] ForceHarmonics at(const Eigen::VectorXd& deflection, double omega) const;
@@ -30,7 +32,7 @@ class LawHarmonics {
   [[nodiscard]] Eigen::VectorXd force_at(const Eigen::VectorXd& deflection, double omega) const;
 
   /// Coefficients of the tangents, to twice the harmonics, with doubled means: of elastic forces and of loops since
-  /// their last turning points by the deflection, of dampers by the rate.
+  /// their last turning points by the deflection, of dampers by the rate. Without parts that depend on the amplitude.
   struct TangentHarmonics {
     Eigen::VectorXd by_deflection, by_rate;
   };
@@ -45,18 +47,22 @@ class LawHarmonics {
     bool with_tangent = false;
     Eigen::VectorXd force;  ///< coefficients; the first one is twice the mean
     Eigen::VectorXd by_deflection, by_rate;
-    Eigen::MatrixXd by_memory;  ///< what the force owes to past turning points, by the coefficients
+    Eigen::VectorXd by_omega;  ///< of the instants at which forces jump
+    /// What the force owes to past turning points and to the amplitude, by the coefficients.
+    Eigen::MatrixXd by_memory;
   };
   [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
   void add_line(const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_between_corners(const LawCourse& course, Spectra& sum) const;
+  void add_of_amplitude(const LawCourse& course, const Eigen::VectorXd& deflection, Spectra& sum) const;
+  void add_jumps(const Eigen::VectorXd& deflection, double omega, const HystereticLoop& loop, Spectra& sum) const;
   void add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const;
   [[nodiscard]] double longest_piece() const;
 
   LawAbout law_;
-  Eigen::Index harmonics_;
+  Eigen::Index harmonics_, of_motion_;
   Eigen::MatrixXd values_;  ///< samples × coefficients, to twice the harmonics
 };
 

@@ -21,6 +21,8 @@ struct Extent {
   double operator()(const elements::ElasticForce& law) const {
     constexpr double beyond = 1.5;
     double extent = 0;
+    if (const auto [low, high] = elements::range(law); std::isfinite(low) || std::isfinite(high))
+      if (!std::holds_alternative<elements::GasForce>(law)) return std::min(at_rest - low, high - at_rest);
     for (const double kink : elements::kinks(law)) extent = std::max(extent, beyond * std::abs(kink - at_rest));
     constexpr double of_stroke = 0.3;
     if (const auto* gas = std::get_if<elements::GasForce>(&law)) return of_stroke * gas->volume / gas->area;
@@ -34,10 +36,15 @@ struct Extent {
     return extent;
   }
   double operator()(const elements::HystereticForce& law) const {
-    constexpr double of_its_slip = 5;
+    constexpr double of_its_slip = 5, without_spring = 1e-3;
+    if (!(elements::initial_stiffness(law) > 0)) return without_spring;
     return of_its_slip * elements::force_limit(law) / elements::initial_stiffness(law);
   }
   double operator()(const elements::DampingForce&) const { return 0; }
+  double operator()(const elements::PayneForce& law) const {
+    constexpr double of_its_amplitude = 20;
+    return of_its_amplitude * law.amplitude;
+  }
 };
 
 LawLoop loop(const LawHarmonics& law, double at_rest, double force_at_rest, double amplitude) {

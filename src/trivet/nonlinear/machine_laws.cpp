@@ -8,9 +8,9 @@ namespace trivet::nonlinear {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, Index harmonics) {
+MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, Index harmonics, Index of_motion) {
   for (std::size_t j = 0; j < deflections.size(); ++j) {
-    single_.emplace_back(deflections[j].law, harmonics);
+    single_.emplace_back(deflections[j].law, harmonics, of_motion);
     if (deflections[j].distance)
       distances_.push_back({to_index(j), DistanceHarmonics(*deflections[j].distance, harmonics)});
   }

@@ -23,7 +23,8 @@ struct CoupledForces {
 /// The laws of all nonlinear parts: over one deflection each, and over the three of a distance.
 class MachineLaws {
  public:
-  MachineLaws(const std::vector<Deflection>& deflections, Eigen::Index harmonics);
+  /// @param of_motion  harmonics of the motions, which are padded with zeros
+  MachineLaws(const std::vector<Deflection>& deflections, Eigen::Index harmonics, Eigen::Index of_motion);
 
   /// @param course  Fourier coefficients × deflections
   /// @param omega   of the first harmonic [rad/s]

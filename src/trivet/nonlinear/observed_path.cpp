@@ -8,6 +8,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/contact_share.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
 
@@ -23,6 +24,7 @@ ObservedPath::ObservedPath(const ReferenceMachine& machine, SteadyPath& path, co
       winding_(machine.condensed, machine.deflections) {
   for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
     const Deflection& deflection = machine.deflections[j];
+    of_amplitude_ = of_amplitude_ || !deflection.law.of_amplitude().empty();
     const auto [low, high] = deflection.law.untouched();
     const bool is_ring = deflection.distance && deflection.distance->is_ring();
     if (std::isfinite(low) || std::isfinite(high) || is_ring) stops_.push_back(j);
@@ -42,7 +44,8 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   found.closed = path_.closed();
   const bool over_frequency = machine_.assembled.frequency_dependent();
   using Multipliers = SteadyBranch::Multipliers;
-  found.multipliers_of = over_frequency    ? Multipliers::constant_machine
+  found.multipliers_of = of_amplitude_     ? Multipliers::fixed_amplitude
+      : over_frequency                     ? Multipliers::constant_machine
       : stability_.is_of_viscous_machine() ? Multipliers::viscous_machine
                                            : Multipliers::machine;
   for (const Deflection& deflection : machine_.deflections) found.deflections.push_back(deflection.name);
@@ -58,7 +61,8 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
       progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
   }
   add_points_between(found);
-  const bool has_winding = !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
+  const bool has_winding =
+      !of_amplitude_ && !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
   if (has_winding && (options_.deep || over_frequency)) judge_by_winding(found, progress);
   for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
   for (const SteadyPath::Turn& turn : path_.turns())
@@ -133,12 +137,20 @@ SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
     result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
   result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, result));
-  result.stable = result.unstable_multipliers() == 0;
+  result.stable = result.unstable_multipliers() == 0 && !(of_amplitude_ && is_behind_fold(point));
   if (by_winding_) {
     result.unstable_by_winding = winding_.unstable_exponents(point.unknowns, omega);
     if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
   }
   return result;
+}
+
+/// The multipliers of a fixed amplitude do not see folds over it. There the determinant of the balance changes its
+/// sign, which is that of a linear machine on stable motions.
+bool ObservedPath::is_behind_fold(const BranchPoint& point) const {
+  numerics::Equations equations;
+  path_.balance().evaluate(point.unknowns, path_.driving(point.parameter), options_.over, equations);
+  return numerics::PivotedLu<double>(equations.by_unknowns).determinant() < 0;
 }
 
 double ObservedPath::contact(std::size_t stop, const SteadyPoint& point) const {

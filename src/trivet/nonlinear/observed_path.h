@@ -31,6 +31,7 @@ class ObservedPath {
 
  private:
   [[nodiscard]] SteadyPoint steady(const numerics::BranchPoint& point) const;
+  [[nodiscard]] bool is_behind_fold(const numerics::BranchPoint& point) const;
   [[nodiscard]] double contact(std::size_t stop, const SteadyPoint& point) const;
   void add_points_between(SteadyBranch& found);
   [[nodiscard]] bool may_be_unstable_between(const SteadyBranch& found, std::size_t step) const;
@@ -48,7 +49,8 @@ class ObservedPath {
   Observer observer_;
   PeriodicStability stability_;
   WindingStability winding_;
-  bool by_winding_ = false;  ///< the winding number decides, because the multipliers of constant matrices differ
+  bool of_amplitude_ = false;  ///< forces depend on it
+  bool by_winding_ = false;    ///< the winding number decides, because the multipliers of constant matrices differ
 };
 
 }  // namespace trivet::nonlinear

@@ -77,11 +77,13 @@ struct PeriodicStability::Motion {
     }
     for (std::size_t j = 0; j < courses.size(); ++j)
       for (const HystereticLoop& loop : courses[j].loops())
-        (loop.sticks() ? sticking : loops).push_back({to_index(j), &loop});
+        (loop.sticks() ? sticking : loops)
+            .push_back({to_index(j), &loop, loop.jumps(deflections.segment(to_index(j) * C, C))});
   }
   struct Loop {
     Index deflection;
     const HystereticLoop* loop;
+    std::vector<HystereticLoop::Jump> jumps;
   };
   [[nodiscard]] bool is_damped() const {
     return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
@@ -308,6 +310,26 @@ void PeriodicStability::turn(const Motion& motion, std::size_t loop, double phas
   states.row(row + 1) = force;
 }
 
+/// The instant at which a force jumps by J moves by dt: an impulse −J dt.
+void PeriodicStability::jump(const Motion& motion, std::size_t loop, double phase, MatrixXd& states) const {
+  const Index n = F_.rows(), row = n + 2 * to_index(loop), j = motion.loops[loop].deflection;
+  for (const HystereticLoop::Jump& one : motion.loops[loop].jumps) {
+    if (std::fmod(one.phase, two_pi) != phase) continue;
+    Eigen::RowVectorXd later;
+    if (one.by_slope != 0) {
+      // The motion of the harmonics has the mean acceleration there.
+      const double mean = -motion.omega * motion.omega / one.by_slope,
+                   before = mean - one.force / 2 * accelerations_(j);
+      later = -rates_.row(j) * states.topRows(n) / before;
+    } else {
+      later = (one.by_deflection * (values_.row(j) * states.topRows(n) - states.row(row)) +
+               one.by_start * states.row(row + 1)) /
+          motion.omega;
+    }
+    states.topRows(n) -= one.force * force_.col(j) * later;
+  }
+}
+
 Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections, double omega,
                                                 double accurate) const {
   const Motion motion(laws, deflections, omega);
@@ -324,6 +346,8 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
     for (std::size_t h = 0; h < motion.loops.size(); ++h)
       for (const HystereticLoop::Branch& branch : motion.loops[h].loop->branches())
         if (branch.from == from && (i == 0 || corners[i - 1] != from)) turn(motion, h, from, period);
+    if (i == 0 || corners[i - 1] != from)
+      for (std::size_t h = 0; h < motion.loops.size(); ++h) jump(motion, h, from, period);
     constexpr double nothing = 1e-12;
     if (to - from < nothing) continue;
     const MatrixXd piece =

@@ -14,7 +14,9 @@ namespace trivet::nonlinear {
 
 /// Stability of periodic motions of a machine with finitely many states: the linear machine ẋ = F x with the tangent of
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
-/// the variations of deflection and force at its last turning point. If all tangents are constant between the corners,
+/// the variations of deflection and force at its last turning point. Where a force jumps, the variation of that instant
+/// is an impulse. Parts that depend on the amplitude have their stiffness at that of the motion, and as viscous damping
+/// their loss at the first harmonic. If all tangents are constant between the corners,
 /// each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine around
 /// a kick by the tangents (splitting), extrapolated from smaller and smaller steps. [Strang 1968; Hairer,
 /// Lubich, Wanner, Geometric Numerical Integration, II.4]
@@ -43,6 +45,7 @@ class PeriodicStability {
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void jump(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
   bool replaced_losses_;
   Eigen::MatrixXd F_;              ///< states × states

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -24,6 +26,19 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
         notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
       const bool turns = part.is_rotation();
       if (part.is_inner()) continue;
+      for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(part.laws))
+        if (const auto* friction = std::get_if<elements::CoulombFriction>(&law))
+          notes.push_back(
+              fmt::format("{}: friction without a stiffness is left out of all but steady: forces below {:.4g} {} do "
+                          "not move it at all",
+                          element.name, friction->limit(), turns ? "N m" : "N"));
+      if (element.over_deflection && &part == &element.nonlinear_parts.front()) {
+        notes.push_back(fmt::format(
+            "{}: {:.5g} N/m along z at rest, compressed by {:.4g} m; its 12×12 is the one there", element.name,
+            element.law.nominal_stiffness(8, 8) + elements::small_motion(part.laws, part.at_rest).stiffness,
+            -part.at_rest));
+        continue;
+      }
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
@@ -90,13 +105,43 @@ RestPosition rest_between_gaps(const model::System& undeformed) {
 
 }  // namespace
 
+namespace {
+
+RestPosition rest_of(const model::System& undeformed) {
+  model::Description description = undeformed.description();
+  bool counts_from_rest = false;
+  each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
+  return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
+}
+
+}  // namespace
+
+/// Elements whose 12×12 follows their deflection have that of the last position found, until it stays.
 RestPosition rest_position(const model::System& system) {
   model::Description description = system.description();
   undeform(description);
-  bool counts_from_rest = false;
-  each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
-  const model::System undeformed = system.in_other_state(std::move(description));
-  return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
+  RestPosition found = rest_of(system.in_other_state(description));
+  constexpr int most = 50;
+  constexpr double accurate = 1e-10;
+  std::vector<double> before;
+  for (int i = 0; i < most; ++i) {
+    std::vector<double> deflections;
+    double change = 0, largest = 0;
+    for (std::size_t e = 0; e < description.elements.size(); ++e) {
+      if (!description.elements[e].over_deflection) continue;
+      const double deflection = found.system.elements()[e].nonlinear_parts.front().at_rest;
+      largest = std::max(largest, std::abs(deflection));
+      change = std::max(change, std::abs(deflection - (i > 0 ? before[deflections.size()] : 0)));
+      deflections.push_back(deflection);
+      model::take_linear_law(deflection, description.elements[e]);
+    }
+    if (change <= accurate * largest) return found;
+    before = std::move(deflections);
+    found = rest_of(system.in_other_state(description));
+  }
+  throw foundation::NotComputable(
+      "static: the position of rest was not found: the stiffness of its mounts across their axes changes too much with "
+      "their compression");
 }
 
 namespace {

@@ -78,8 +78,9 @@ struct SteadyBranch {
   /// What the multipliers are of.
   enum class Multipliers {
     machine,
-    viscous_machine,  ///< loss factors were replaced
-    constant_machine  ///< elements that depend on frequency were replaced by the nearest constant matrices
+    viscous_machine,   ///< loss factors were replaced
+    constant_machine,  ///< elements that depend on frequency were replaced by the nearest constant matrices
+    fixed_amplitude    ///< parts that depend on the amplitude keep their stiffness and loss
   };
   Multipliers multipliers_of = Multipliers::machine;
   /// The second verdict at some or all points.

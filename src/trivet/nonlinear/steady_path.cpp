@@ -47,10 +47,10 @@ std::vector<double> resonances(const Eigen::VectorXcd& poles, const PeriodicExci
 SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                        const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
     : options_(options),
-      deflections_(deflections),
       first_harmonic_(excitation.first_harmonic),
       resonances_(resonances(machine.poles(), excitation, options)),
       balance_(machine, deflections, harmonics),
+      known_(deflections),
       branch_(
           [this](const VectorXd& unknowns, double parameter, numerics::Equations& equations) {
             balance_.evaluate(unknowns, driving(parameter), options_.over, equations);
@@ -88,13 +88,17 @@ numerics::ScaleUnknowns SteadyPath::scale() const {
   };
 }
 
-/// From the linear motion; where Newton's method does not converge from there, from a raised load or raised forces.
+/// From the linear motion; where Newton's method does not converge from there, from a raised load or raised forces, or
+/// from larger motions: a force that jumps as friction breaks away cannot be raised.
 std::optional<BranchPoint> SteadyPath::first() const {
   const VectorXd linear = balance_.linear_motion(driving(options_.from));
   if (std::optional<BranchPoint> found = branch_.start(linear, options_.from)) return found;
-  if (const std::optional<BranchPoint> raised = raised_to_load()) return branch_.start(raised->unknowns, options_.from);
+  if (const std::optional<BranchPoint> raised = raised_to_load())
+    if (std::optional<BranchPoint> found = branch_.start(raised->unknowns, options_.from)) return found;
   if (const std::optional<BranchPoint> raised = raised_forces(linear))
-    return branch_.start(raised->unknowns, options_.from);
+    if (std::optional<BranchPoint> found = branch_.start(raised->unknowns, options_.from)) return found;
+  for (const double larger : {1.5, 2.0, 3.0, 5.0})
+    if (std::optional<BranchPoint> found = branch_.start(larger * linear, options_.from)) return found;
   return std::nullopt;
 }
 
@@ -172,10 +176,12 @@ std::vector<BranchPoint> SteadyPath::motions_over_load(double parameter, double 
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
   const std::optional<BranchPoint> start = first();
   if (!start)
-    throw foundation::NotComputable(
-        fmt::format("steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above "
-                    "the motions that were sought",
-                    place(options_.from)));
+    throw foundation::NotComputable(fmt::format(
+        "steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above the "
+        "motions that were sought{}",
+        place(options_.from), known_.may_rest() ? "; friction without a stiffness may rest there: give it one" : ""));
+  if (const std::string reason = unknown_forces(*start); !reason.empty())
+    throw foundation::NotComputable("steady: " + reason);
   return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
 }
 
@@ -321,7 +327,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
       (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
       break;
     }
-    if (ended_ = leaves_curve(next); !ended_.empty()) break;
+    if (ended_ = unknown_forces(next); !ended_.empty()) break;
     const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next);
     constexpr double least = 1e-5;
     if (!on_the_way && length > least) {
@@ -340,6 +346,12 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
     if (progress) progress("steady motion", std::clamp((next.parameter - options_.from) / width(), 0.0, 1.0));
   }
   return true;
+}
+
+/// Of a motion over which the forces are not known, with its place.
+std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
+  const std::string reason = known_.left_by(balance_, point.unknowns, driving(point.parameter).omega);
+  return reason.empty() ? reason : fmt::format("at {} {}", place(point.parameter), reason);
 }
 
 bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
@@ -427,44 +439,6 @@ std::vector<BranchPoint> SteadyPath::all_at(double parameter) const {
   for (const Piece& piece : pieces_)
     if (std::optional<BranchPoint> there = at(parameter, piece)) found.push_back(std::move(*there));
   return found;
-}
-
-/// Of a motion that leaves the distances for which the forces that begin at a deflection are known.
-std::string SteadyPath::leaves_distance(const BranchPoint& point, Index j) const {
-  const std::optional<DistanceAbout>& law = deflections_[to_size(j)].distance;
-  if (!law) return "";
-  const auto [low, high] = law->range();
-  if (!std::isfinite(low) && !std::isfinite(high)) return "";
-  const Index C = balance_.coefficients(), samples = 4 * C;
-  const Eigen::MatrixXd course = point.unknowns.segment(j * C, 3 * C).reshaped(C, 3);
-  for (Index n = 0; n < samples; ++n) {
-    const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
-    const Eigen::Vector3d here = (numerics::fourier_row(balance_.harmonics(), phase) * course).transpose();
-    if (const double distance = law->distance(here); distance < low || distance > high)
-      return fmt::format("{} reaches a length of {:.6g} m at {}; its forces are known from {:.6g} to {:.6g} m",
-                         deflections_[to_size(j)].name, distance, place(point.parameter), low, high);
-  }
-  return "";
-}
-
-/// Of a motion that leaves the points of a curve which must not be extended.
-std::string SteadyPath::leaves_curve(const BranchPoint& point) const {
-  const Index C = balance_.coefficients();
-  for (Index j = 0; j < to_index(deflections_.size()); ++j) {
-    if (const std::string left = leaves_distance(point, j); !left.empty()) return left;
-    const auto [low, high] = deflections_[to_size(j)].law.range();
-    if (!std::isfinite(low)) continue;
-    const VectorXd motion = point.unknowns.segment(j * C, C);
-    const Index samples = 4 * C;
-    for (Index n = 0; n < samples; ++n) {
-      const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
-      const double deviation = numerics::motion_at(balance_.harmonics(), phase, motion);
-      if (deviation >= low && deviation <= high) continue;
-      return fmt::format("{} leaves its curve at {}: {:.6g} from rest, known from {:.6g} to {:.6g}",
-                         deflections_[to_size(j)].name, place(point.parameter), deviation, low, high);
-    }
-  }
-  return "";
 }
 
 }  // namespace trivet::nonlinear

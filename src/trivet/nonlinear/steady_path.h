@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
+#include "trivet/nonlinear/known_forces.h"
 #include "trivet/nonlinear/steady_options.h"
 #include "trivet/numerics/periodic/branch.h"
 
@@ -110,14 +111,13 @@ class SteadyPath {
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
-  [[nodiscard]] std::string leaves_distance(const numerics::BranchPoint& point, Eigen::Index deflection) const;
-  [[nodiscard]] std::string leaves_curve(const numerics::BranchPoint& point) const;
+  [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;
-  const std::vector<Deflection>& deflections_;
   double first_harmonic_;           ///< its frequency over the one that is varied
   std::vector<double> resonances_;  ///< of the machine of references, ascending [rad/s]
   HarmonicBalance balance_;
+  KnownForces known_;
   numerics::Branch branch_;
   std::vector<numerics::BranchPoint> points_, asked_for_;
   std::vector<double> lengths_;

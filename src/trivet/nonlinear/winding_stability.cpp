@@ -41,7 +41,7 @@ class LawVariation {
  public:
   LawVariation(const LawAbout& law, const VectorXd& deflection, double omega, Index harmonics)
       : harmonics_(harmonics), omega_(omega) {
-    const LawHarmonics wide(law, harmonics);
+    const LawHarmonics wide(law, harmonics, (deflection.size() - 1) / 2);
     VectorXd padded = VectorXd::Zero(numerics::coefficient_count(harmonics));
     padded.head(deflection.size()) = deflection;
     tangents_ = wide.tangents_at(padded, omega);
@@ -63,6 +63,7 @@ class LawVariation {
         memory.from.push_back(branch.from);
         memory.ends.push_back(loop.at(branch, branches[(b + 1) % branches.size()].deflection));
       }
+      memory.jumps = loop.jumps(padded);
       memories_.push_back(std::move(memory));
     }
   }
@@ -83,6 +84,7 @@ class LawVariation {
     std::vector<Node> nodes;
     std::vector<double> from;                   ///< phases of the turning points
     std::vector<elements::ForceOnTravel> ends;  ///< of the branches
+    std::vector<HystereticLoop::Jump> jumps;
   };
 
   void add_memory(const Memory& memory, double mu, MatrixXcd& sum) const {
@@ -115,6 +117,23 @@ class LawVariation {
         by_start(k, to_index(node.branch)) += wave * node.by_start;
       }
     sum += by_start * force - by_travel * deflection;
+    for (const HystereticLoop::Jump& jump : memory.jumps) add_jump(jump, mu, deflection, force, sum);
+  }
+
+  /// @param deflection, force  at the turning points
+  void add_jump(const HystereticLoop::Jump& jump, double mu, const MatrixXcd& deflection, const MatrixXcd& force,
+                MatrixXcd& sum) const {
+    const Index count = sum.rows(), turn = to_index(jump.branch);
+    Eigen::RowVectorXcd moved(count);
+    VectorXcd waves(count);
+    for (Index l = 0; l < count; ++l) {
+      const double order = mu + static_cast<double>(l - harmonics_);
+      const Complex here = std::polar(1.0, order * jump.phase);
+      waves(l) = std::conj(here) / two_pi;
+      moved(l) = jump.by_deflection * (here - deflection(turn, l)) + jump.by_slope * Complex(0, order) * here +
+          jump.by_start * force(turn, l);
+    }
+    sum -= jump.force * waves * moved;
   }
 
   Index harmonics_;

@@ -212,9 +212,10 @@ std::string laws_text(const study::ElementSummary& summary, const ShownUnits& di
     const DisplayUnit deflection = display_unit(display, turns ? "rad" : "m"),
                       force = display_unit(display, turns ? "N m" : "N"),
                       stiffness = display_unit(display, turns ? "N m/rad" : "N/m");
-    text += fmt::format("\nLaws {} {}, in addition to the stiffness, about rest at a deflection of {}{}\n",
-                        turns ? "about" : "along", "xyz"[laws.axis % 3], value_text(laws.at_rest, deflection),
-                        laws.damped ? "; dampers left out" : "");
+    text +=
+        fmt::format("\n{} {} {}{}, about rest at a deflection of {}{}\n", laws.whole ? "Force" : "Laws",
+                    turns ? "about" : "along", "xyz"[laws.axis % 3], laws.whole ? "" : ", in addition to the stiffness",
+                    value_text(laws.at_rest, deflection), laws.damped ? "; dampers left out" : "");
     if (laws.loops.empty()) continue;
     TextTable table({"amplitude", "force from", "to", "storage", "loss", "lost per cycle"});
     for (const nonlinear::LawLoop& loop : laws.loops) {

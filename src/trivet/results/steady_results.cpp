@@ -95,6 +95,8 @@ const char* multipliers_of(const SteadyBranch& branch) {
       return "nearest viscous machine";
     case SteadyBranch::Multipliers::constant_machine:
       return "nearest machine with constant matrices";
+    case SteadyBranch::Multipliers::fixed_amplitude:
+      return "machine with stiffness and loss at the amplitude of the motion";
     case SteadyBranch::Multipliers::machine:
       break;
   }
@@ -316,6 +318,10 @@ std::string stability_text(const SteadyBranch& branch) {
   std::string text;
   if (branch.multipliers_of == SteadyBranch::Multipliers::viscous_machine)
     text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
+  if (branch.multipliers_of == SteadyBranch::Multipliers::fixed_amplitude)
+    text +=
+        "  stability: with the stiffness and loss of each motion's amplitude, and by the folds over it, because such "
+        "forces are known for steady motion only\n";
   if (winding.decides)
     return text +
         fmt::format(

@@ -47,8 +47,11 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
     const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
     const double own =
         element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
-    all.push_back({part.axis, part.at_rest, !elements::only<elements::DampingForce>(part.laws).empty(),
-                   nonlinear::law_loops(part, own)});
+    model::NonlinearPart shown = part;
+    const bool whole = element.over_deflection && &part == &element.nonlinear_parts.front();
+    if (whole) shown.laws.erase(shown.laws.begin() + 1);  // less the linear law
+    all.push_back({part.axis, part.at_rest, !elements::only<elements::DampingForce>(part.laws).empty(), whole,
+                   nonlinear::law_loops(shown, whole ? 0 : own)});
   }
   return all;
 }

@@ -27,6 +27,7 @@ struct ElementLaws {
   int axis = 0;         ///< 0 … 2: translation, 3 … 5: rotation, axes of K
   double at_rest = 0;   ///< deflection [m, rad]
   bool damped = false;  ///< it has dampers too, which are not in the loops
+  bool whole = false;   ///< the loops are of the whole force along the axis; else in addition to the stiffness
   std::vector<nonlinear::LawLoop> loops;
 };
 [[nodiscard]] std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t element);

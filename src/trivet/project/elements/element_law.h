@@ -15,6 +15,9 @@ struct Placement {
   double damping_at = 0.5;  ///< fraction of the way from N to K where constants of `damping` act; a law may change it
 };
 
+/// A stiffness over frequency from a CSV file, of the types table, air_spring and wire_rope.
+void read_tabulated(TableReader& reader, Placement& ends, model::Element& element);
+
 /// One type of element in the project file. Each is defined next to its reader in this folder, as TYPE_law.
 struct ElementLaw {
   const char* type;  ///< "beam"; "catalogue:NAME" for every word that begins with "catalogue:"

@@ -37,6 +37,18 @@ std::string description(const fem::Shape& shape) {
   return fmt::format("bush {:.17g} {:.17g} {:.17g}", bush.inner_diameter, bush.outer_diameter, bush.length);
 }
 
+/// Thickness of all rubber along e3.
+double rubber_along(const fem::Shape& shape) {
+  const auto sum = [](const std::vector<fem::Layer>& layers) {
+    double thickness = 0;
+    for (const fem::Layer& layer : layers) thickness += layer.metal ? 0 : layer.thickness;
+    return thickness;
+  };
+  if (const auto* disc = std::get_if<fem::Disc>(&shape)) return sum(disc->layers);
+  if (const auto* block = std::get_if<fem::Block>(&shape)) return sum(block->layers);
+  return std::get<fem::Bush>(shape).length;
+}
+
 ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
   const std::size_t before = reader.errors();
   const int level = read_mesh_level(reader);
@@ -49,6 +61,11 @@ ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::
                    "use closed formulas, or a STEP file");
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
+  const auto stroke = read_stroke(reader, rubber_along(shape.solid));
+  if (stroke && std::holds_alternative<fem::Bush>(shape.solid))
+    reader.error("nonlinear", "a nonlinear bush",
+                 "large deformations are computed along e3, and a bush is loaded across it",
+                 "give its measured force over deflection: laws.x = {curve = …}");
   if (reader.errors() > before) return std::nullopt;
   const std::string key =
       solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level, constants_text(shape.materials[0]),
@@ -61,7 +78,7 @@ ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::
         if (level > 1) solid.coarse = fem::mesh(shape.solid, level - 1);
         return solid;
       },
-      compression, element);
+      compression, stroke, element);
   return moved ? moved : ElementLength(shape.length);
 }
 
@@ -80,10 +97,10 @@ foundation::Problems findings_of(const RubberShape& shape, bool by_elements) {
 
 ElementLength read_rubber_mount(TableReader& reader, const std::string& kind, model::Element& element) {
   const bool by_elements = reader.choice("method", {"formulas", "finite_elements"}) == "finite_elements";
-  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload"});
+  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload", "nonlinear", "range"});
   auto shape = read_rubber_shape(reader, kind);
   if (!by_elements)
-    for (const char* key : {"mesh_level", "mooney_rivlin", "yeoh", "preload"}) {
+    for (const char* key : {"mesh_level", "mooney_rivlin", "yeoh", "preload", "nonlinear", "range"}) {
       if (reader.has(key))
         reader.error(key, std::string(key) + " with closed formulas", "it belongs to finite elements",
                      "add method = \"finite_elements\", or remove it");
@@ -107,11 +124,11 @@ ElementLength read_rubber_mount(TableReader& reader, const std::string& kind, mo
 
 /// Marks all keys as known: without a shape, the valid keys are not known.
 void know_all_keys(TableReader& reader) {
-  reader.also_known({"step",          "shape",           "mesh_size",      "rim_size",       "rim_distance",
-                     "plate_n",       "plate_k",         "step_axis",      "materials",      "material",
-                     "mesh_level",    "mooney_rivlin",   "yeoh",           "preload",        "diameter",
-                     "hole_diameter", "thickness",       "formulas",       "width_x",        "width_y",
-                     "layers",        "plate_thickness", "inner_diameter", "outer_diameter", "length"});
+  reader.also_known({"step",           "shape",          "mesh_size", "rim_size", "rim_distance", "plate_n",
+                     "plate_k",        "step_axis",      "materials", "material", "mesh_level",   "mooney_rivlin",
+                     "yeoh",           "preload",        "nonlinear", "range",    "diameter",     "hole_diameter",
+                     "thickness",      "formulas",       "width_x",   "width_y",  "layers",       "plate_thickness",
+                     "inner_diameter", "outer_diameter", "length"});
 }
 
 ElementLength read_rubber_disc(TableReader& reader, model::Element& element) {
@@ -142,7 +159,7 @@ ElementLength read_solid_mount(TableReader& reader, model::Element& element) {
     know_all_keys(reader);
     return std::nullopt;
   }
-  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload"});
+  reader.also_known({"mesh_level", "mooney_rivlin", "yeoh", "preload", "nonlinear", "range"});
   auto shape = read_rubber_shape(reader, *kind);
   if (!shape) return std::nullopt;
   const foundation::Problems findings = findings_of(*shape, true);

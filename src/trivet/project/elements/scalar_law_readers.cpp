@@ -237,7 +237,7 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
 elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
   const std::size_t before = reader.errors();
   elements::ScalarLaws laws;
-  reader.also_known({"slip", "stiffness", "sliders", "berg"});
+  reader.also_known({"slip", "breakaway", "stiffness", "sliders", "berg"});
   const int given = static_cast<int>(reader.has("slip")) + static_cast<int>(reader.has("sliders")) +
       static_cast<int>(reader.has("berg"));
   if (given != 1) {
@@ -246,15 +246,19 @@ elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
     return {};
   }
   if (reader.has("slip")) {
-    elements::Slider law;
-    law.slip = read_positive(reader, "slip", force_quantity(is_rotation));
-    if (reader.has("stiffness")) law.stiffness = read_positive(reader, "stiffness", stiffness_quantity(is_rotation));
-    else
-      reader.missing("stiffness",
-                     "give the stiffness of the joint before it slips; friction without any is not computed");
-    laws.emplace_back(elements::HystereticForce(law));
-  } else if (reader.has("stiffness")) {
-    reader.error("stiffness", "stiffness beside another law", "it belongs to slip", "remove it");
+    const double slip = read_positive(reader, "slip", force_quantity(is_rotation)),
+                 breakaway = reader.number("breakaway", force_quantity(is_rotation)).value_or(slip);
+    if (reader.errors() == before && breakaway < slip)
+      reader.error("breakaway", fmt::format("{:.6g}, below slip {:.6g}", breakaway, slip),
+                   "the static limit of friction is at least the kinetic one, slip", "correct one of them");
+    if (reader.has("stiffness"))
+      laws.emplace_back(elements::HystereticForce(
+          elements::Slider{read_positive(reader, "stiffness", stiffness_quantity(is_rotation)), slip, breakaway}));
+    else laws.emplace_back(elements::HystereticForce(elements::CoulombFriction{slip, breakaway}));
+  } else {
+    for (const char* key : {"stiffness", "breakaway"})
+      if (reader.has(key))
+        reader.error(key, fmt::format("{} beside another law", key), "it belongs to slip", "remove it");
   }
   if (reader.has("sliders"))
     if (const auto pairs = read_pairs(reader, "sliders", stiffness_quantity(is_rotation), force_quantity(is_rotation)))
@@ -274,6 +278,24 @@ elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
     laws.emplace_back(elements::HystereticForce(law));
   }
   return reader.errors() == before ? laws : elements::ScalarLaws();
+}
+
+std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::PayneForce law;
+  law.stiffness = reader.required_number("stiffness", stiffness_quantity(is_rotation));
+  law.loss = reader.required_number("loss", stiffness_quantity(is_rotation));
+  for (const auto& [key, value] : {std::pair{"stiffness", law.stiffness}, std::pair{"loss", law.loss}})
+    if (!(value >= 0))
+      reader.error(key, fmt::format("{:.6g}", value),
+                   "rubber is stiffer at small amplitudes and feeds no energy: both are ≥ 0", "correct its sign");
+  law.amplitude = read_positive(reader, "amplitude", travel_quantity(is_rotation));
+  law.exponent = reader.number("exponent", Quantity::pure).value_or(law.exponent);
+  constexpr double highest = 5;
+  if (!(law.exponent > 0 && law.exponent <= highest))
+    reader.error("exponent", fmt::format("{:.6g}", law.exponent),
+                 fmt::format("it is above 0 and at most {:g}; filled rubber has about 0.6", highest), "correct it");
+  return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 
 std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation) {

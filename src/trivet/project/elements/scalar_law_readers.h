@@ -21,8 +21,10 @@ namespace trivet::project {
 [[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);
 /// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
-/// `slip` and `stiffness`, `sliders`, or `berg`.
+/// `slip`, `breakaway` and `stiffness`, `sliders`, or `berg`.
 [[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
+/// `stiffness`, `loss`, `amplitude`, `exponent`.
+[[nodiscard]] std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rotation);
 /// `stiffness`, `force`, `exponent`, `beta`, `gamma`, `asymmetry`, `allow_active`.
 [[nodiscard]] std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation);
 

@@ -121,6 +121,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
   const auto axis = reader.direction("step_axis").value_or(Eigen::Vector3d::UnitZ());
   const std::vector<fem::Material> materials = read_solid_materials(reader);
   const auto compression = read_compression(reader);
+  const auto stroke = read_stroke(reader, std::nullopt);
   if (reader.errors() > before) return std::nullopt;
   std::string words_of_all =
       fmt::format("step {:.17g} {:.17g} {:.17g}", options.size, options.rim_size, options.rim_distance);
@@ -156,7 +157,7 @@ ElementLength read_step_mount(TableReader& reader, model::Element& element) {
     keep_numbers(key + "-length", {*distance});
     return solid;
   };
-  const ElementLength moved = condensed(reader, key, make, compression, element);
+  const ElementLength moved = condensed(reader, key, make, compression, stroke, element);
   if (moved || reader.errors() > before) return moved;
   if (!distance)
     if (const auto kept = cached_numbers(key + "-length"); kept && kept->size() == 1) distance = (*kept)[0];

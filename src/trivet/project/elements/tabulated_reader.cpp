@@ -23,6 +23,8 @@ namespace {
 
 constexpr std::array<const char*, 6> directions = {"x", "y", "z", "rx", "ry", "rz"};
 
+}  // namespace
+
 void read_tabulated(TableReader& reader, Placement& ends, model::Element& element) {
   const std::size_t before = reader.errors();
   const double centre = reader.number("center", Quantity::pure).value_or(0.5);
@@ -107,8 +109,6 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
   element.facts.push_back(defined_range(from, to));
 }
 
-}  // namespace
-
 namespace {
 
 /// A table, or a column of gas along e3 that is compressed as K approaches N.
@@ -135,20 +135,21 @@ void read_air_spring(TableReader& reader, Placement& ends, model::Element& eleme
 
 }  // namespace
 
-/// Of the types table and wire_rope.
-constexpr const char* table_keys =
-    R"json({"properties": {
+const ElementLaw table_law = {
+    .type = "table",
+    .placed = read_tabulated,
+    .keys =
+        R"json({"properties": {
    "file": {"type": "string",
      "description": "CSV relative to the project file: frequency_hz and, per direction x, y, z, rx, ry, rz, k_x )json"
-    R"json(and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved )json"
-    R"json(end K) or 12 (N, then K)"},
+        R"json(and k_x_loss (N/m or N m/rad); or a whole matrix, per entry k_I_J and k_I_J_loss, I ≤ J, up to 6 (moved )json"
+        R"json(end K) or 12 (N, then K)"},
    "interpolation": {"enum": ["monotone_cubic", "linear"],
      "description": "default: monotone_cubic; a whole matrix is interpolated linearly"},
    "center": {"$ref": "#/$defs/number",
      "description": "elastic centre as a fraction of the length from N, 0 to 1 (default: 0.5)"},
    "damping": false},
-  "required": ["file"]})json";
-const ElementLaw table_law = {.type = "table", .placed = read_tabulated, .keys = table_keys};
+  "required": ["file"]})json"};
 const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_air_spring, .keys = R"json([
    {"properties": {
    "file": {"type": "string", "description": "CSV as of a table"},
@@ -165,6 +166,5 @@ const ElementLaw air_spring_law = {.type = "air_spring", .placed = read_air_spri
    "lateral": {"$ref": "#/$defs/number", "description": "stiffness across the axis, N/m (default: 0)"},
    "damping": false},
    "required": ["pressure", "volume", "area"]}])json"};
-const ElementLaw wire_rope_law = {.type = "wire_rope", .placed = read_tabulated, .keys = table_keys};
 
 }  // namespace trivet::project

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/elements/stiffness_over_deflection.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/index.h"
+
+namespace trivet::elements {
+namespace {
+
+using spatial::Matrix12;
+
+/// A string of unit tension between the ends: in a rigid rotation it turns its force.
+Matrix12 of_string(double arm) {
+  Matrix12 found = Matrix12::Zero();
+  for (const Eigen::Index across : {0, 1}) {
+    spatial::Vector12 difference = spatial::Vector12::Zero();
+    difference(across) = -1;
+    difference(across + 6) = 1;
+    found += difference * difference.transpose() / arm;
+  }
+  return found;
+}
+
+/// Slopes of the parabolas through neighbours. They are linear in y, and so keep linear relations between entries.
+std::vector<double> parabola_slopes(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<double> slopes;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t j = std::clamp<std::size_t>(i, 1, x.size() - 2);  // in the middle of the three
+    const double before = (y[j] - y[j - 1]) / (x[j] - x[j - 1]), after = (y[j + 1] - y[j]) / (x[j + 1] - x[j]),
+                 bend = (after - before) / (x[j + 1] - x[j - 1]);
+    slopes.push_back(before + bend * (2 * x[i] - x[j - 1] - x[j]));
+  }
+  return slopes;
+}
+
+}  // namespace
+
+StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, double arm)
+    : from_(states.front().deflection), to_(states.back().deflection), of_force_(of_string(arm)) {
+  std::vector<double> deflections;
+  for (const State& state : states) deflections.push_back(state.deflection);
+  for (Eigen::Index i = 0; i < Matrix12::SizeAtCompileTime; ++i) {
+    std::vector<double> entry;
+    for (const State& state : states)
+      entry.push_back(state.stiffness.reshaped()(i) - state.force * of_force_.reshaped()(i));
+    without_force_.emplace_back(deflections, entry, parabola_slopes(deflections, entry));
+  }
+}
+
+Matrix12 StiffnessOverDeflection::at(double deflection, double force) const {
+  const double nearest = std::clamp(deflection, from_, to_);
+  Matrix12 found = force * of_force_;
+  for (Eigen::Index i = 0; i < found.size(); ++i) found.reshaped()(i) += without_force_[to_size(i)].at(nearest).value;
+  return found;
+}
+
+}  // namespace trivet::elements

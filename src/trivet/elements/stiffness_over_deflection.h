@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "trivet/elements/knot_curve.h"
+#include "trivet/spatial/types.h"
+
+namespace trivet::elements {
+
+/// The 12×12 of an element about its states at several deflections of K relative to N along e3, each with its force:
+/// tangents of large deformations. A rigid rotation turns the force, and does nothing else.
+class StiffnessOverDeflection {
+ public:
+  struct State {
+    double deflection = 0;  ///< [m]
+    double force = 0;       ///< of K on the element along e3 [N]
+    spatial::Matrix12 stiffness = spatial::Matrix12::Zero();
+  };
+  /// @param states  three or more, ascending
+  /// @param arm     from N to K along e3 [m], > 0
+  StiffnessOverDeflection(const std::vector<State>& states, double arm);
+
+  /// Between the states by a cubic of each entry, about the nearest one outside.
+  /// @param force  at the deflection
+  [[nodiscard]] spatial::Matrix12 at(double deflection, double force) const;
+
+ private:
+  double from_, to_;
+  spatial::Matrix12 of_force_;            ///< per unit of the force
+  std::vector<KnotCurve> without_force_;  ///< entries column by column
+};
+
+}  // namespace trivet::elements

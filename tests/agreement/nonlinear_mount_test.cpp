@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <numbers>
+#include <string>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/modal/modes.h"
+#include "trivet/response/steady/static_response.h"
+
+/// A rubber mount that finds its own compression under its machine against the same mount with that preload.
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+
+std::string on_rubber(const std::string& state) {
+  return R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 150
+inertia = {about = "center_of_mass", xx = 3, yy = 3, zz = 3}
+[elements.mount]
+type = "rubber_disc"
+on = "m"
+at = [0, 0, 0]
+axis = "z"
+diameter = "50 mm"
+thickness = "25 mm"
+material = {G = "1 MPa", bulk_modulus = "500 MPa"}
+method = "finite_elements"
+mesh_level = 2
+)" + state;
+}
+
+TEST(NonlinearMount, AtRestIsTheOnePreloadedByItsLoad) {
+  constexpr double load = 150 * 9.80665;
+  const project::Case nonlinear = test::project(on_rubber("nonlinear = true\n")).base(),
+                      preloaded =
+                          test::project(on_rubber("preload = {force = \"" + std::to_string(load) + " N\"}\n")).base();
+  const auto sag = [](const project::Case& one) {
+    const assembly::Assembled assembled = assembly::assemble(one.system);
+    return response::static_response(
+        one.system, assembled,
+        assembly::channels(one.system, assembled, {"m.z", "mount.force.z"}, assembly::MotionQuantity::displacement));
+  };
+  const auto at_rest = sag(nonlinear);
+  constexpr double between_states = 1e-3;  // five states over a quarter of the height
+  EXPECT_THAT(at_rest.values[1].value, RelativelyNear(-load, 1e-9));
+  // The preloaded mount moves no farther under the weight that it carries; its own compression is in its facts.
+  std::string compressed;
+  for (const model::Fact& fact : preloaded.system.elements()[0].facts)
+    if (fact.what == "compressed by") compressed = fact.value;
+  EXPECT_THAT(-at_rest.values[0].value, RelativelyNear(std::stod(compressed), between_states));
+  const elements::Matrix12 found = elements::stiffness(nonlinear.system.elements()[0].law),
+                           expected = elements::stiffness(preloaded.system.elements()[0].law);
+  for (const int direction : {6, 7, 8, 11})  // the others depend on the distance of the ends
+    EXPECT_THAT(found(direction, direction), RelativelyNear(expected(direction, direction), between_states))
+        << direction;
+  const modal::Modes ours = modal::modes(nonlinear.system), theirs = modal::modes(preloaded.system);
+  ASSERT_EQ(ours.list.size(), 6u);
+  constexpr double lever = 0.08;  // the ends keep their distance, which a preload makes shorter
+  for (std::size_t i = 0; i < 6; ++i)
+    EXPECT_THAT(*ours.list[i].angular_frequency, RelativelyNear(*theirs.list[i].angular_frequency, lever)) << i;
+}
+
+}  // namespace

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+/// A mass on a spring with Coulomb friction under a harmonic force: the closed form of Den Hartog, Trans. ASME 53
+/// (1931) for motion that does not rest, and the product of its multipliers.
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+
+constexpr double pi = std::numbers::pi;
+constexpr double mass = 2, stiffness = 1800, load = 12, slip = 4;
+
+model::System with_friction(double static_limit) {
+  model::Description description =
+      test::project(test::chain({mass}, {stiffness, 0}, {0, 0}) +
+                    "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [12, 0, 0]\n")
+          .base()
+          .system.description();
+  description.elements[0].nonlinear_parts = {
+      {0, 0.5, {elements::HystereticForce(elements::CoulombFriction{slip, static_limit})}}};
+  return model::System::checked(description).value();
+}
+
+nonlinear::SteadyBranch branch_of(const model::System& system, Eigen::Index harmonics, std::vector<double> at) {
+  nonlinear::SteadyOptions options{.from = at.front() - 1, .to = at.back() + 1};
+  options.harmonics = harmonics;
+  options.of = {"m1.x"};
+  options.at = std::move(at);
+  return nonlinear::steady_branch(system, options);
+}
+
+/// Largest deflection, and the force on the mass without friction where it turns.
+struct DenHartog {
+  double largest = 0, turning_force = 0;
+};
+DenHartog den_hartog(double omega) {
+  const double ratio = omega / std::sqrt(stiffness / mass), V = 1 / (1 - ratio * ratio),
+               U = std::sin(pi / ratio) / (ratio * (1 + std::cos(pi / ratio)));
+  const double largest = load / stiffness * std::sqrt(V * V - std::pow(slip / load * U, 2));
+  // Where the deflection is largest, the phase of the load has the cosine x k/(V F), so that the spring less the load
+  // is k x (1 − 1/V).
+  return {largest, stiffness * largest * (1 - 1 / V)};
+}
+
+TEST(CoulombFriction, IsTheMotionOfDenHartog) {
+  const model::System system = with_friction(slip);
+  const std::vector<double> at = {18, 22, 26, 28.5};
+  const auto largest_error = [&](Eigen::Index harmonics) {
+    const nonlinear::SteadyBranch branch = branch_of(system, harmonics, at);
+    double largest = 0;
+    EXPECT_EQ(branch.at.size(), at.size());
+    for (std::size_t i = 0; i < branch.at.size(); ++i) {
+      largest = std::max(largest, std::abs(branch.at[i].results[0].largest / den_hartog(at[i]).largest - 1));
+      EXPECT_TRUE(branch.at[i].stable);
+    }
+    return largest;
+  };
+  // The turning points are corrected for the missing harmonics: the error falls as their square.
+  EXPECT_LT(largest_error(21), 3e-4);
+  EXPECT_LT(largest_error(99), 2e-5);
+}
+
+/// Each turn takes the share a⁺/a⁻ of a variation of the velocity, with the accelerations after and before it.
+TEST(CoulombFriction, MultipliersAreTheSharesOfTwoTurns) {
+  const nonlinear::SteadyBranch branch = branch_of(with_friction(slip), 99, {22, 26});
+  for (const nonlinear::SteadyPoint& point : branch.at) {
+    const double force = den_hartog(point.angular_frequency).turning_force;
+    const double share = (force - slip) / (force + slip);
+    std::complex<double> product = 1;
+    for (const std::complex<double>& one : point.multipliers)
+      if (std::abs(one) > 1e-6) product *= one;  // those of the memory of the loop are zero
+    EXPECT_NEAR(product.real(), share * share, 2e-3);
+  }
+}
+
+/// The motion rests where a lower static limit would let it turn: the curve is refused with the reason.
+TEST(CoulombFriction, IsRefusedWhereItRests) {
+  EXPECT_THAT([] { (void)branch_of(with_friction(11), 15, {18, 22}); },
+              testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("rests for a part of the period")));
+}
+
+}  // namespace
