@@ -19,9 +19,9 @@ using test::RelativelyNear;
 constexpr double pi = std::numbers::pi;
 constexpr double mass = 2, stiffness = 1800, load = 12, slip = 4;
 
-model::System with_friction(double static_limit) {
+model::System with_friction(double static_limit, double damping = 0) {
   model::Description description =
-      test::project(test::chain({mass}, {stiffness, 0}, {0, 0}) +
+      test::project(test::chain({mass}, {stiffness, 0}, {damping, 0}) +
                     "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [12, 0, 0]\n")
           .base()
           .system.description();
@@ -72,6 +72,7 @@ TEST(CoulombFriction, IsTheMotionOfDenHartog) {
 /// Each turn takes the share a⁺/a⁻ of a variation of the velocity, with the accelerations after and before it.
 TEST(CoulombFriction, MultipliersAreTheSharesOfTwoTurns) {
   const nonlinear::SteadyBranch branch = branch_of(with_friction(slip), 99, {22, 26});
+  ASSERT_EQ(branch.at.size(), 2u);
   for (const nonlinear::SteadyPoint& point : branch.at) {
     const double force = den_hartog(point.angular_frequency).turning_force;
     const double share = (force - slip) / (force + slip);
@@ -82,10 +83,35 @@ TEST(CoulombFriction, MultipliersAreTheSharesOfTwoTurns) {
   }
 }
 
-/// The motion rests where a lower static limit would let it turn: the curve is refused with the reason.
-TEST(CoulombFriction, IsRefusedWhereItRests) {
-  EXPECT_THAT([] { (void)branch_of(with_friction(11), 15, {18, 22}); },
-              testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("rests for a part of the period")));
+/// Where the static limit holds the deflection, its force is not known.
+TEST(CoulombFriction, IsNotComputedWhereItRests) {
+  const auto rests =
+      testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("rests for a part of the period"));
+  EXPECT_THAT([] { (void)branch_of(with_friction(11), 15, {18, 22}); }, rests);
+  // A load that does not move it at all: the rate of the harmonics never becomes that of a turning point.
+  model::Description weak = with_friction(slip).description();
+  weak.excitations[0].action.amplitude *= 0.04;
+  EXPECT_THAT([&] { (void)branch_of(model::System::checked(weak).value(), 9, {18, 22}); }, rests);
+}
+
+TEST(CoulombFriction, TwoOnOneBodyAreNotComputedAsIfEachWereAlone) {
+  model::Description description = with_friction(slip).description();
+  description.elements[0].nonlinear_parts[0].laws = {elements::HystereticForce(elements::CoulombFriction{slip / 4})};
+  description.elements.push_back(description.elements[0]);
+  description.elements[1].name = "second";
+  EXPECT_THAT([&] { (void)branch_of(model::System::checked(description).value(), 9, {32, 36}); },
+              testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("turn at the same instant")));
+}
+
+/// The second verdict has the jumps too.
+TEST(CoulombFriction, BothVerdictsAgree) {
+  nonlinear::SteadyOptions options{.from = 18, .to = 28};
+  options.harmonics = 9;
+  options.deep = true;
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(with_friction(slip, 3), options);
+  EXPECT_GT(branch.winding.points, 5);
+  EXPECT_EQ(branch.winding.undecided, 0);
+  EXPECT_TRUE(branch.winding.differs_at.empty());
 }
 
 }  // namespace

@@ -173,7 +173,7 @@ std::optional<double> kink_travel(const HystereticForce& law, double start, doub
 }
 
 ForceOnTravel virgin_force(const HystereticForce& law, double deflection) {
-  if (std::holds_alternative<CoulombFriction>(law)) return {};
+  if (jumps_at_turns(law)) return {};
   if (const auto* slider = std::get_if<Slider>(&law))
     return force_on_travel(Slider{slider->stiffness, slider->slip}, 0, deflection);
   return force_on_travel(law, 0, deflection);
@@ -196,12 +196,14 @@ double jump_at_turn(const HystereticForce& law, double start, double direction) 
   return friction ? direction * friction->slip - start : 0;
 }
 
+bool jumps_at_turns(const HystereticForce& law) { return std::holds_alternative<CoulombFriction>(law); }
+
 bool is_piecewise_linear(const HystereticForce& law) {
-  return std::holds_alternative<Slider>(law) || std::holds_alternative<CoulombFriction>(law);
+  return std::holds_alternative<Slider>(law) || jumps_at_turns(law);
 }
 
 double initial_stiffness(const HystereticForce& law) {
-  if (std::holds_alternative<CoulombFriction>(law)) return 0;
+  if (jumps_at_turns(law)) return 0;
   if (const auto* berg = std::get_if<BergFriction>(&law)) return berg->force / berg->deflection;
   if (const auto* slider = std::get_if<Slider>(&law)) return slider->stiffness;
   return std::get<BoucWen>(law).stiffness;

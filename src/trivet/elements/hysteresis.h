@@ -70,6 +70,9 @@ struct ForceOnTravel {
 [[nodiscard]] double jump_at_kink(const HystereticForce& law, double direction);
 [[nodiscard]] double jump_at_turn(const HystereticForce& law, double start, double direction);
 
+/// Does it jump at turning points: is it friction without a spring?
+[[nodiscard]] bool jumps_at_turns(const HystereticForce& law);
+
 /// Is the tangent constant between turning points and kinks?
 [[nodiscard]] bool is_piecewise_linear(const HystereticForce& law);
 

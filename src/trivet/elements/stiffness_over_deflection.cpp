@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "trivet/foundation/index.h"
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::elements {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 using spatial::Matrix12;
 
 /// A string of unit tension between the ends: in a rigid rotation it turns its force.
-Matrix12 of_string(double arm) {
+Matrix12 string_stiffness(double arm) {
   Matrix12 found = Matrix12::Zero();
   for (const Eigen::Index across : {0, 1}) {
     spatial::Vector12 difference = spatial::Vector12::Zero();
@@ -36,21 +37,28 @@ std::vector<double> parabola_slopes(const std::vector<double>& x, const std::vec
 
 }  // namespace
 
-StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, double arm)
-    : from_(states.front().deflection), to_(states.back().deflection), of_force_(of_string(arm)) {
+StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, double arm) {
+  const auto does_not_ascend = [](const State& a, const State& b) { return !(a.deflection < b.deflection); };
+  if (states.size() < 3 || std::adjacent_find(states.begin(), states.end(), does_not_ascend) != states.end() ||
+      !(arm > 0))
+    throw foundation::InvalidInput(
+        "a stiffness over a deflection has three states or more, ascending, and an arm above 0");
+  from_ = states.front().deflection;
+  to_ = states.back().deflection;
+  per_force_ = string_stiffness(arm);
   std::vector<double> deflections;
   for (const State& state : states) deflections.push_back(state.deflection);
   for (Eigen::Index i = 0; i < Matrix12::SizeAtCompileTime; ++i) {
     std::vector<double> entry;
     for (const State& state : states)
-      entry.push_back(state.stiffness.reshaped()(i) - state.force * of_force_.reshaped()(i));
+      entry.push_back(state.stiffness.reshaped()(i) - state.force * per_force_.reshaped()(i));
     without_force_.emplace_back(deflections, entry, parabola_slopes(deflections, entry));
   }
 }
 
 Matrix12 StiffnessOverDeflection::at(double deflection, double force) const {
   const double nearest = std::clamp(deflection, from_, to_);
-  Matrix12 found = force * of_force_;
+  Matrix12 found = force * per_force_;
   for (Eigen::Index i = 0; i < found.size(); ++i) found.reshaped()(i) += without_force_[to_size(i)].at(nearest).value;
   return found;
 }

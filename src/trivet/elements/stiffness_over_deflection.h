@@ -19,6 +19,7 @@ class StiffnessOverDeflection {
   };
   /// @param states  three or more, ascending
   /// @param arm     from N to K along e3 [m], > 0
+  /// @throws foundation::InvalidInput otherwise
   StiffnessOverDeflection(const std::vector<State>& states, double arm);
 
   /// Between the states by a cubic of each entry, about the nearest one outside.
@@ -26,8 +27,8 @@ class StiffnessOverDeflection {
   [[nodiscard]] spatial::Matrix12 at(double deflection, double force) const;
 
  private:
-  double from_, to_;
-  spatial::Matrix12 of_force_;            ///< per unit of the force
+  double from_ = 0, to_ = 0;
+  spatial::Matrix12 per_force_;           ///< per unit of the force
   std::vector<KnotCurve> without_force_;  ///< entries column by column
 };
 

@@ -22,6 +22,7 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
+constexpr double highest_exponent = 9;
 constexpr Index samples = 240;  // a turning point between two samples is missed by 4e-5 of the travel
 
 VectorXd motion_of(const LoopFit& loop) {
@@ -92,10 +93,7 @@ class RopeModel {
 
   /// Logarithms of the deflection over the largest one, and of the exponent less 1.
   [[nodiscard]] double deflection(const VectorXd& p) const { return largest_ * std::exp(p(0)); }
-  [[nodiscard]] static double exponent(const VectorXd& p) {
-    constexpr double most = 8;
-    return 1 + std::min(std::exp(p(1)), most);
-  }
+  [[nodiscard]] static double exponent(const VectorXd& p) { return 1 + std::min(std::exp(p(1)), highest_exponent - 1); }
 
   struct Solution {
     VectorXd parameters, residuals;
@@ -161,24 +159,38 @@ foundation::Expected<RopeFit> rope_fit(const std::vector<LoopFit>& loops) {
   constexpr double apart = 2;
   if (loops.size() < 2 || largest < apart * smallest) {
     problems.error("", fmt::format("{} loops, amplitudes from {:.4g} to {:.4g}", loops.size(), smallest, largest),
-                   "sticking and slip are told apart by loops whose amplitudes differ by a factor of two at least",
+                   "sticking and slip are distinguished by loops whose amplitudes differ by a factor of two at least",
                    "measure small and large loops");
-    return tl::unexpected(problems);
+    return tl::make_unexpected(std::move(problems));
   }
+  for (const LoopFit& loop : loops)
+    if (!(loop.force_harmonics.size() > 0 && std::abs(loop.force_harmonics(0)) > 0)) {
+      problems.error("", "a loop without force", "each loop has a force of its frequency",
+                     "remove it, or check its column");
+      return tl::make_unexpected(std::move(problems));
+    }
   const RopeModel model(loops);
   std::optional<LeastSquaresMinimum> best;
   for (const double start : {0.5, 0.15, 0.05}) {  // of the largest deflection
     LeastSquaresMinimum found = least_squares_minimum([&](const VectorXd& p) { return model.solved(p).residuals; },
                                                       VectorXd{{std::log(start), std::log(0.5)}});
-    if (!best || found.residuals.norm() < best->residuals.norm()) best = std::move(found);
+    if (found.converged && (!best || found.residuals.norm() < best->residuals.norm())) best = std::move(found);
   }
-  RopeFit found = model.fit(best->parameters);
-  if (!(found.friction.force > 0)) {
-    problems.error("", fmt::format("a friction of {:.4g} N fits best", found.friction.force),
-                   "loops of dry friction lose energy", "check the sense of displacement and force");
-    return tl::unexpected(problems);
+  const std::optional<RopeFit> fit = best ? std::optional(model.fit(best->parameters)) : std::nullopt;
+  constexpr double at_bound = 0.99;
+  std::string found_instead;
+  if (!fit) found_instead = "the search did not converge";
+  else if (!(fit->friction.force > 0))
+    found_instead = fmt::format("a friction of {:.4g} N fits best", fit->friction.force);
+  else if (!(fit->stiffness >= 0)) found_instead = fmt::format("a spring of {:.4g} N/m fits best", fit->stiffness);
+  else if (fit->friction.exponent > at_bound * highest_exponent)
+    found_instead = fmt::format("an exponent above {:g} fits best", at_bound * highest_exponent);
+  if (!found_instead.empty()) {
+    problems.error("", found_instead, "slow loops are those of a spring with dry friction, which lose energy",
+                   "check the sense and the units of displacement and force, or give numbers");
+    return tl::make_unexpected(std::move(problems));
   }
-  return found;
+  return *fit;
 }
 
 }  // namespace trivet::identification

@@ -179,7 +179,7 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 
 }  // namespace
 
-void take_linear_law(double deflection, Element& element) {
+void set_linear_law_at(double deflection, Element& element) {
   constexpr Eigen::Index along_k = 8;
   const auto& along = std::get<elements::ElasticForce>(element.nonlinear_parts.front().laws.front());
   element.law.nominal_stiffness =

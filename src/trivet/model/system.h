@@ -164,7 +164,7 @@ struct Element {
 
 /// Makes the 12×12 about a deflection along e3 the linear law of an element with `over_deflection`. Its force along e3
 /// stays the same; that it also turns with the element is left to a preload.
-void take_linear_law(double deflection, Element& element);
+void set_linear_law_at(double deflection, Element& element);
 
 /// Has it any nonlinear parts?
 [[nodiscard]] inline bool has_laws(const Element& element) {

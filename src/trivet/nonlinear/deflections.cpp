@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -154,23 +155,27 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
 
 namespace {
 
-/// Change of the acceleration of a deflection per change of a force on it: s² wᵀ (K + s B + s² A)⁻¹ w for large s,
-/// which is large for a node without mass.
-double acceleration_per_force(const numerics::DynamicMatrices& matrices, const Eigen::VectorXd& on_coordinates) {
-  constexpr double beyond = 1e7;
+/// Accelerations of the coordinates per force on a deflection: s² (K + s B + s² A)⁻¹ w for large s. Infinite if they
+/// grow with s: on a node without mass.
+Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrices,
+                                        const Eigen::VectorXd& on_coordinates) {
+  constexpr double beyond = 1e6, farther = 10, grows = 2;
   double fastest = 1;
   for (Eigen::Index i = 0; i < matrices.size(); ++i)
     if (matrices.A(i, i) > 0) fastest = std::max(fastest, std::sqrt(std::abs(matrices.K(i, i)) / matrices.A(i, i)));
-  const double s = beyond * fastest;
-  const Eigen::MatrixXd dynamic = matrices.K + s * matrices.B + s * s * matrices.A;
-  return s * s * on_coordinates.dot(numerics::PivotedLu<double>(dynamic).solve(on_coordinates));
+  const auto at = [&](double s) {
+    const Eigen::MatrixXd dynamic = matrices.K + s * matrices.B + s * s * matrices.A;
+    return Eigen::VectorXd(s * s * numerics::PivotedLu<double>(dynamic).solve(on_coordinates));
+  };
+  const Eigen::VectorXd near = at(beyond * fastest), far = at(farther * beyond * fastest);
+  if (on_coordinates.dot(far) > grows * on_coordinates.dot(near))
+    return std::numeric_limits<double>::infinity() * on_coordinates.cwiseSign();
+  return far;
 }
 
 bool has_coulomb_friction(const model::NonlinearPart& part) {
   const std::vector<elements::HystereticForce> all = elements::only<elements::HystereticForce>(part.laws);
-  return std::any_of(all.begin(), all.end(), [](const elements::HystereticForce& law) {
-    return std::holds_alternative<elements::CoulombFriction>(law);
-  });
+  return std::any_of(all.begin(), all.end(), elements::jumps_at_turns);
 }
 
 }  // namespace
@@ -194,9 +199,14 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
       for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
       for (Eigen::Index c = 0; c < on_ground.size(); ++c)
         deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
-      deflection.law = LawAbout(
-          part.laws, part.at_rest, references[found.size()],
-          has_coulomb_friction(part) ? acceleration_per_force(assembled.matrices, deflection.on_coordinates) : 0);
+      double acceleration = 0;
+      if (has_coulomb_friction(part)) {
+        deflection.accelerations = accelerations_per_force(assembled.matrices, deflection.on_coordinates);
+        for (Eigen::Index c = 0; c < deflection.on_coordinates.size(); ++c)
+          if (const double share = deflection.on_coordinates(c); share != 0)
+            acceleration += share * deflection.accelerations(c);
+      }
+      deflection.law = LawAbout(part.laws, part.at_rest, references[found.size()], acceleration);
       found.push_back(std::move(deflection));
     }
   }

@@ -16,9 +16,10 @@ namespace trivet::nonlinear {
 struct Deflection {
   std::string name;  ///< "mount.deflection.z"
   bool is_rotation = false;
-  Eigen::VectorXd on_coordinates;  ///< free coordinates: the deflection, and by virtual work the force on them
-  Eigen::VectorXd on_ground;       ///< ground coordinates
-  LawAbout law;                    ///< beyond the tangents that the assembled machine contains
+  Eigen::VectorXd on_coordinates;      ///< free coordinates: the deflection, and by virtual work the force on them
+  Eigen::VectorXd on_ground;           ///< ground coordinates
+  LawAbout law;                        ///< beyond the tangents that the assembled machine contains
+  Eigen::VectorXd accelerations = {};  ///< of the coordinates per force on it; of friction without a spring only
   std::optional<DistanceAbout> distance = {};  ///< over this deflection and the next two
 };
 

@@ -21,18 +21,14 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
   if (turns.empty()) return;
   const Index harmonics = (deflection.size() - 1) / 2;
   for (std::size_t i = 0; i < turns.size(); ++i)
-    branches_.push_back({turns[i],
-                         i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi,
-                         numerics::motion_at(harmonics, turns[i], deflection),
-                         0,
-                         0,
-                         {},
-                         std::nullopt,
-                         0});
-  const double start = elements::force_on_travel(part_.law, part_.at_state, branches_.front().deflection).force;
+    branches_.push_back({turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi,
+                         numerics::motion_at(harmonics, turns[i], deflection)});
+  const ForceOnTravel first = elements::force_on_travel(part_.law, part_.at_state, branches_.front().deflection);
+  const double start = closed(first.force);
   sticks_ = std::holds_alternative<elements::Slider>(part_.law) && around(start).by_start == 1;
-  around(sticks_ ? start : closed(start));
-  set_slopes(deflection);
+  around(start);
+  if (sticks_) set_slopes_of_sticking(first, deflection);
+  else set_slopes(deflection);
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     Branch& branch = branches_[i];
     const double travel = branches_[(i + 1) % branches_.size()].deflection - branch.deflection;
@@ -47,17 +43,17 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
 
 std::vector<HystereticLoop::Jump> HystereticLoop::jumps(const VectorXd& deflection) const {
   const Index harmonics = (deflection.size() - 1) / 2;
-  const VectorXd slope = numerics::phase_derivative(deflection);
+  const VectorXd rate = numerics::phase_derivative(deflection);
   std::vector<Jump> found;
   for (std::size_t b = 0; b < branches_.size(); ++b) {
     const Branch& branch = branches_[b];
     if (branch.jump != 0) {
-      const double curvature = numerics::motion_at(harmonics, branch.from, numerics::phase_derivative(slope));
+      const double curvature = numerics::motion_at(harmonics, branch.from, numerics::phase_derivative(rate));
       const double slope = branch.jump < 0 ? turning_slope_ : -turning_slope_;  // falls with ω²
       found.push_back({branch.from, branch.jump, b, 0, -1 / curvature, 0, -2 * slope / curvature});
     }
     if (branch.kink_jump == 0) continue;
-    const double there = numerics::motion_at(harmonics, *branch.kink, slope);
+    const double there = numerics::motion_at(harmonics, *branch.kink, rate);
     found.push_back(
         {*branch.kink, branch.kink_jump, b, -1 / there, 0, -1 / (elements::initial_stiffness(part_.law) * there), 0});
   }
@@ -105,32 +101,62 @@ double HystereticLoop::closed(double force) {
   return force;
 }
 
-void HystereticLoop::set_slopes(const VectorXd& deflection) {
-  const Index harmonics = (deflection.size() - 1) / 2;
-  const auto row = [&](std::size_t i) {
-    return VectorXd(numerics::fourier_row(harmonics, branches_[i % branches_.size()].from).transpose());
-  };
+std::vector<ForceOnTravel> HystereticLoop::ends() const {
   const std::size_t count = branches_.size();
-  std::vector<ForceOnTravel> ends;
+  std::vector<ForceOnTravel> found;
   for (std::size_t i = 0; i < count; ++i)
-    ends.push_back(elements::force_on_travel(part_.law, branches_[i].force,
-                                             branches_[(i + 1) % count].deflection - branches_[i].deflection));
-  if (sticks_) {
-    branches_.front().force_slopes = elements::initial_stiffness(part_.law) * row(0);
-  } else if (is_symmetric()) {
-    branches_.front().force_slopes = -ends[0].by_travel / (1 + ends[0].by_start) * (row(1) - row(0));
+    found.push_back(elements::force_on_travel(part_.law, branches_[i].force,
+                                              branches_[(i + 1) % count].deflection - branches_[i].deflection));
+  return found;
+}
+
+VectorXd HystereticLoop::row_at_turn(std::size_t turn, const VectorXd& deflection) const {
+  return numerics::fourier_row((deflection.size() - 1) / 2, branches_[turn % branches_.size()].from).transpose();
+}
+
+VectorXd HystereticLoop::slopes_after(std::size_t branch, const ForceOnTravel& end, const VectorXd& slopes,
+                                      const VectorXd& deflection) const {
+  return end.by_travel * (row_at_turn(branch + 1, deflection) - row_at_turn(branch, deflection)) +
+      end.by_start * slopes;
+}
+
+void HystereticLoop::set_slopes(const VectorXd& deflection) {
+  const std::vector<ForceOnTravel> end = ends();
+  if (is_symmetric()) {
+    branches_.front().force_slopes =
+        -end[0].by_travel / (1 + end[0].by_start) * (row_at_turn(1, deflection) - row_at_turn(0, deflection));
   } else {
     VectorXd slopes = VectorXd::Zero(deflection.size());
     double by_start = 1;
-    for (std::size_t i = 0; i < count; ++i) {
-      slopes = ends[i].by_travel * (row(i + 1) - row(i)) + ends[i].by_start * slopes;
-      by_start *= ends[i].by_start;
+    for (std::size_t i = 0; i < branches_.size(); ++i) {
+      slopes = slopes_after(i, end[i], slopes, deflection);
+      by_start *= end[i].by_start;
     }
     branches_.front().force_slopes = slopes / (1 - by_start);
   }
-  for (std::size_t i = 0; i + 1 < count; ++i)
-    branches_[i + 1].force_slopes =
-        ends[i].by_travel * (row(i + 1) - row(i)) + ends[i].by_start * branches_[i].force_slopes;
+  for (std::size_t i = 0; i + 1 < branches_.size(); ++i)
+    branches_[i + 1].force_slopes = slopes_after(i, end[i], branches_[i].force_slopes, deflection);
+}
+
+/// A slider that sticks has the force at which it came to stick: of the way from the state to the first turning point,
+/// and of the periods in which it slipped.
+void HystereticLoop::set_slopes_of_sticking(const ForceOnTravel& first, const VectorXd& deflection) {
+  const double force = branches_.front().force;
+  VectorXd slopes = first.by_travel * row_at_turn(0, deflection);
+  constexpr int most = 60;
+  double start = first.force;
+  for (int period = 0; period < most && start != force; ++period) {
+    const double after = around(start).force;
+    const std::vector<ForceOnTravel> end = ends();
+    for (std::size_t i = 0; i < branches_.size(); ++i) slopes = slopes_after(i, end[i], slopes, deflection);
+    start = after;
+  }
+  around(force);
+  const std::vector<ForceOnTravel> end = ends();
+  for (std::size_t i = 0; i < branches_.size(); ++i) {
+    branches_[i].force_slopes = slopes;
+    slopes = slopes_after(i, end[i], slopes, deflection);
+  }
 }
 
 const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {

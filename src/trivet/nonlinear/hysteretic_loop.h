@@ -21,13 +21,13 @@ class HystereticLoop {
 
   /// From one turning point to the next.
   struct Branch {
-    double from = 0, to = 0;       ///< phases; that of the last branch ends beyond 2π
-    double deflection = 0;         ///< at the turning point
-    double force = 0;              ///< the whole force there, before it jumps
-    double jump = 0;               ///< of the force there
-    Eigen::VectorXd force_slopes;  ///< derivative of `force` by the coefficients of the deflection
-    std::optional<double> kink;    ///< phase at which the force is not smooth
-    double kink_jump = 0;          ///< of the force there
+    double from = 0, to = 0;            ///< phases; that of the last branch ends beyond 2π
+    double deflection = 0;              ///< at the turning point
+    double force = 0;                   ///< the whole force there, before it jumps
+    double jump = 0;                    ///< of the force there
+    Eigen::VectorXd force_slopes = {};  ///< derivative of `force` by the coefficients of the deflection
+    std::optional<double> kink = {};    ///< phase at which the force is not smooth
+    double kink_jump = 0;               ///< of the force there
   };
   /// Empty if the deflection does not move.
   [[nodiscard]] const std::vector<Branch>& branches() const { return branches_; }
@@ -60,7 +60,13 @@ class HystereticLoop {
   /// Forces at all turning points from that at the first one. @return force and its derivative after one period
   elements::ForceOnTravel around(double start);
   [[nodiscard]] double closed(double guess);
+  [[nodiscard]] std::vector<elements::ForceOnTravel> ends() const;  ///< of the branches
+  [[nodiscard]] Eigen::VectorXd row_at_turn(std::size_t turn, const Eigen::VectorXd& deflection) const;
+  /// Slopes of the force at the end of a branch, from those at its start.
+  [[nodiscard]] Eigen::VectorXd slopes_after(std::size_t branch, const elements::ForceOnTravel& end,
+                                             const Eigen::VectorXd& slopes, const Eigen::VectorXd& deflection) const;
   void set_slopes(const Eigen::VectorXd& deflection);
+  void set_slopes_of_sticking(const elements::ForceOnTravel& first, const Eigen::VectorXd& deflection);
 
   LawAbout::Hysteretic part_;
   std::vector<Branch> branches_;

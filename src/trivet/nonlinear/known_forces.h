@@ -15,19 +15,22 @@ class KnownForces {
   /// `deflections` must outlive it.
   explicit KnownForces(const std::vector<Deflection>& deflections) : deflections_(deflections) {}
 
-  /// May friction without a spring rest?
-  [[nodiscard]] bool may_rest() const;
+  [[nodiscard]] bool has_friction_without_spring() const;
 
-  /// Why a motion is none of them; empty if it is.
+  /// Why not all forces are known over a motion; empty if they are.
   /// @param motion  unknowns of the balance
   /// @param omega   of the first harmonic [rad/s]
-  [[nodiscard]] std::string left_by(const HarmonicBalance& balance, const Eigen::VectorXd& motion, double omega) const;
+  [[nodiscard]] std::string reason_unknown(const HarmonicBalance& balance, const Eigen::VectorXd& motion,
+                                           double omega) const;
 
  private:
   [[nodiscard]] std::string out_of_curve(std::size_t deflection, const Eigen::VectorXd& motion) const;
   [[nodiscard]] std::string out_of_distances(std::size_t deflection, const Eigen::MatrixXd& motion) const;
+  /// @param smallest  amplitude that is not round-off
+  /// @param turns     phases at which friction without a spring turns are added
   [[nodiscard]] std::string rests(std::size_t deflection, const LawHarmonics& law, const Eigen::VectorXd& motion,
-                                  double omega) const;
+                                  double smallest, double omega, std::vector<double>& turns) const;
+  [[nodiscard]] std::string turn_together(const std::vector<std::vector<double>>& turns) const;
 
   const std::vector<Deflection>& deflections_;
 };

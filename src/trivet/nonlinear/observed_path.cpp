@@ -7,8 +7,6 @@
 #include <utility>
 
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/contact_share.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
 
@@ -16,44 +14,16 @@ using Eigen::Index;
 using numerics::BranchPoint;
 
 ObservedPath::ObservedPath(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options)
-    : machine_(machine),
-      path_(path),
-      options_(options),
-      observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
-      stability_(machine.assembled, machine.deflections),
-      winding_(machine.condensed, machine.deflections) {
-  for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
-    const Deflection& deflection = machine.deflections[j];
-    of_amplitude_ = of_amplitude_ || !deflection.law.of_amplitude().empty();
-    const auto [low, high] = deflection.law.untouched();
-    const bool is_ring = deflection.distance && deflection.distance->is_ring();
-    if (std::isfinite(low) || std::isfinite(high) || is_ring) stops_.push_back(j);
-  }
-}
+    : machine_(machine), path_(path), options_(options), observer_(machine, options) {}
 
 SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   SteadyBranch found;
+  observer_.describe(found);
   found.harmonics = path_.balance().harmonics();
-  found.over = options_.over;
-  found.first_harmonic = machine_.excitation.first_harmonic;
-  found.of_shaft = machine_.excitation.of_shaft;
-  found.excitations = machine_.excitation.names;
   found.left_out = path_.left_out();
   found.held_share = path_.held_share();
   found.ended = path_.ended();
   found.closed = path_.closed();
-  const bool over_frequency = machine_.assembled.frequency_dependent();
-  using Multipliers = SteadyBranch::Multipliers;
-  found.multipliers_of = of_amplitude_     ? Multipliers::fixed_amplitude
-      : over_frequency                     ? Multipliers::constant_machine
-      : stability_.is_of_viscous_machine() ? Multipliers::viscous_machine
-                                           : Multipliers::machine;
-  for (const Deflection& deflection : machine_.deflections) found.deflections.push_back(deflection.name);
-  for (const std::size_t stop : stops_) found.stops.push_back(machine_.deflections[stop].name);
-  for (const assembly::Channel& channel : observer_.channels()) {
-    found.results.push_back(channel.name);
-    found.units.push_back(channel.unit);
-  }
   for (const BranchPoint& point : path_.points()) {
     found.points.push_back(steady(point));
     note_sticking(point, found);
@@ -61,9 +31,8 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
       progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
   }
   add_points_between(found);
-  const bool has_winding =
-      !of_amplitude_ && !(over_frequency ? machine_.assembled.constant : machine_.assembled.matrices).lossy();
-  if (has_winding && (options_.deep || over_frequency)) judge_by_winding(found, progress);
+  if (observer_.has_winding() && (options_.deep || machine_.assembled.frequency_dependent()))
+    judge_by_winding(found, progress);
   for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
   for (const SteadyPath::Turn& turn : path_.turns())
     found.folds.push_back({steady(turn.point), turn.after, turn.upper, std::nullopt});
@@ -126,39 +95,13 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
 }
 
 SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
-  SteadyPoint result;
-  const HarmonicBalance& balance = path_.balance();
-  const auto [omega, factor] = path_.driving(point.parameter);
-  result.angular_frequency = omega / machine_.excitation.first_harmonic;
-  result.load_factor = factor;
-  result.deflections = point.unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
-  const Eigen::MatrixXd forces = balance.forces(point.unknowns, omega);
-  if (!observer_.channels().empty())
-    result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
-  result.multipliers = stability_.multipliers(balance.laws(), point.unknowns, omega);
-  for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, result));
-  result.stable = result.unstable_multipliers() == 0 && !(of_amplitude_ && is_behind_fold(point));
+  SteadyPoint result = observer_.at(path_.balance(), point.unknowns, path_.driving(point.parameter));
   if (by_winding_) {
-    result.unstable_by_winding = winding_.unstable_exponents(point.unknowns, omega);
+    result.unstable_by_winding =
+        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
     if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
   }
   return result;
-}
-
-/// The multipliers of a fixed amplitude do not see folds over it. There the determinant of the balance changes its
-/// sign, which is that of a linear machine on stable motions.
-bool ObservedPath::is_behind_fold(const BranchPoint& point) const {
-  numerics::Equations equations;
-  path_.balance().evaluate(point.unknowns, path_.driving(point.parameter), options_.over, equations);
-  return numerics::PivotedLu<double>(equations.by_unknowns).determinant() < 0;
-}
-
-double ObservedPath::contact(std::size_t stop, const SteadyPoint& point) const {
-  const auto first = to_index(stop);
-  for (const MachineLaws::Distance& one : path_.balance().laws().distances())
-    if (one.first == first) return contact_share(one.law, point.deflections.middleCols(first, 3));
-  return contact_share(path_.balance().laws().single()[stop], point.deflections.col(first),
-                       point.angular_frequency * machine_.excitation.first_harmonic);
 }
 
 /// The second verdict: at all points, or, of elements that depend on frequency, at some and beside each change of
@@ -189,7 +132,8 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const BranchPoint& point = path_.points()[chosen[i]];
     SteadyPoint& judged = found.points[chosen[i]];
-    judged.unstable_by_winding = winding_.unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+    judged.unstable_by_winding =
+        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
     ++found.winding.points;
     if (!judged.unstable_by_winding) ++found.winding.undecided;
     else if (*judged.unstable_by_winding != judged.unstable_multipliers())
@@ -251,7 +195,7 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
   // Where another curve crosses, Newton's method along this one has no unique step: as near as it converges.
   constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
   const auto excess = [&](const BranchPoint& there) {
-    return stability_
+    return observer_.stability()
                .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
                             of_multipliers)
                .cwiseAbs()
@@ -260,7 +204,7 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
   };
   const auto by_winding = [&](const BranchPoint& there) {
     const std::optional<int> unstable =
-        winding_.unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
+        observer_.winding().unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
     return unstable && *unstable > 0 ? 1.0 : -1.0;
   };
   std::optional<BranchPoint> middle;

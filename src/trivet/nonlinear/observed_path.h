@@ -6,12 +6,8 @@
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
-#include "trivet/nonlinear/observed_motion.h"
-#include "trivet/nonlinear/periodic_stability.h"
-#include "trivet/nonlinear/reference_machine.h"
-#include "trivet/nonlinear/steady_branch.h"
+#include "trivet/nonlinear/observed_point.h"
 #include "trivet/nonlinear/steady_path.h"
-#include "trivet/nonlinear/winding_stability.h"
 
 namespace trivet::nonlinear {
 
@@ -31,8 +27,6 @@ class ObservedPath {
 
  private:
   [[nodiscard]] SteadyPoint steady(const numerics::BranchPoint& point) const;
-  [[nodiscard]] bool is_behind_fold(const numerics::BranchPoint& point) const;
-  [[nodiscard]] double contact(std::size_t stop, const SteadyPoint& point) const;
   void add_points_between(SteadyBranch& found);
   [[nodiscard]] bool may_be_unstable_between(const SteadyBranch& found, std::size_t step) const;
   void judge_by_winding(SteadyBranch& found, const foundation::Progress& progress);
@@ -45,12 +39,8 @@ class ObservedPath {
   const ReferenceMachine& machine_;
   SteadyPath& path_;
   const SteadyOptions& options_;
-  std::vector<std::size_t> stops_;  ///< deflections that have any
-  Observer observer_;
-  PeriodicStability stability_;
-  WindingStability winding_;
-  bool of_amplitude_ = false;  ///< forces depend on it
-  bool by_winding_ = false;    ///< the winding number decides, because the multipliers of constant matrices differ
+  PointObserver observer_;
+  bool by_winding_ = false;  ///< the winding number decides, because the multipliers of constant matrices differ
 };
 
 }  // namespace trivet::nonlinear

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/reference_machine.h"
 
+#include "trivet/assembly/channels.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
@@ -12,13 +14,31 @@ PeriodicExcitation halved(PeriodicExcitation excitation) {
   return excitation;
 }
 
+std::vector<Deflection> with_displacement(const std::string& name, const model::System& system,
+                                          const assembly::Assembled& assembled, std::vector<Deflection> deflections) {
+  if (name.empty()) return deflections;
+  const std::vector<assembly::Channel> channels =
+      assembly::channels(system, assembled, {name}, assembly::MotionQuantity::displacement);
+  const auto is_force = [](const assembly::Channel& one) {
+    return !one.on_velocity.isZero(0) || !one.on_acceleration.isZero(0) || !one.dynamic_forces.empty();
+  };
+  if (channels.size() != 1 || channels[0].derivative != 0 || is_force(channels[0]))
+    throw foundation::InvalidInput("steady: phase.of: " + name + " is not one displacement or rotation");
+  Deflection found{name, false, channels[0].on_displacement.real(), Eigen::VectorXd::Zero(assembled.ground.size()),
+                   LawAbout({})};
+  if (!channels[0].ground.empty()) found.on_ground = channels[0].ground.on_displacement.real();
+  deflections.push_back(std::move(found));
+  return deflections;
+}
+
 }  // namespace
 
 ReferenceMachine::ReferenceMachine(const model::System& given, const References& references,
-                                   const std::vector<std::string>& excitations)
+                                   const std::vector<std::string>& excitations, const std::string& without_law)
     : system(with_references(given, references)),
       assembled(assembly::assemble(system)),
-      deflections(nonlinear_deflections(system, assembled, references)),
+      deflections(
+          with_displacement(without_law, system, assembled, nonlinear_deflections(system, assembled, references))),
       excitation(periodic_excitation(system, assembled, excitations)),
       condensed(assembled, deflections, excitation) {}
 

@@ -14,8 +14,9 @@ namespace trivet::nonlinear {
 
 /// The machine with references in place of its nonlinear parts, the parts beyond them, and its periodic excitation.
 struct ReferenceMachine {
+  /// @param without_law  a displacement that is followed as if it were nonlinear; empty: none
   ReferenceMachine(const model::System& given, const References& references,
-                   const std::vector<std::string>& excitations);
+                   const std::vector<std::string>& excitations, const std::string& without_law = "");
   ReferenceMachine(const ReferenceMachine&) = delete;
   ReferenceMachine& operator=(const ReferenceMachine&) = delete;
   /// The same for motions that repeat after two periods of the excitation: its harmonic k is their harmonic 2k.

@@ -65,7 +65,10 @@ void each_part(model::Description& description, const Visit& visit) {
     for (model::NonlinearPart& part : element.nonlinear_parts) visit(part);
 }
 
+/// Elements whose 12×12 follows their deflection keep the one where they rested.
 void undeform(model::Description& description) {
+  for (model::Element& element : description.elements)
+    if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
   each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
   for (model::Element& element : description.elements)
     for (model::DistancePart& part : element.distance_parts) part.at_rest.setZero();
@@ -133,7 +136,7 @@ RestPosition rest_position(const model::System& system) {
       largest = std::max(largest, std::abs(deflection));
       change = std::max(change, std::abs(deflection - (i > 0 ? before[deflections.size()] : 0)));
       deflections.push_back(deflection);
-      model::take_linear_law(deflection, description.elements[e]);
+      model::set_linear_law_at(deflection, description.elements[e]);
     }
     if (change <= accurate * largest) return found;
     before = std::move(deflections);

@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/branched_motions.h"
 #include "trivet/nonlinear/observed_path.h"
+#include "trivet/nonlinear/phase_resonance.h"
 #include "trivet/nonlinear/reference_machine.h"
 #include "trivet/nonlinear/steady_path.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -207,7 +208,11 @@ void check(const SteadyOptions& options) {
   if (!(options.from > 0 && options.to > options.from && std::isfinite(options.to)))
     throw foundation::InvalidInput(
         fmt::format("steady: the band [{}, {}] must rise from above 0", options.from, options.to));
-  if (options.over == Parameter::load_factor && !(options.angular_frequency > 0))
+  if (options.at_phase &&
+      !(options.over == Parameter::load_factor && options.at_phase->from > 0 &&
+        options.at_phase->to > options.at_phase->from))
+    throw foundation::InvalidInput("steady: a phase is held over the load factor, in a band that rises from above 0");
+  if (options.over == Parameter::load_factor && !options.at_phase && !(options.angular_frequency > 0))
     throw foundation::InvalidInput("steady: over the load factor, the frequency must be above 0");
   if (options.harmonics < 0) throw foundation::InvalidInput("steady: at least one harmonic");
 }
@@ -266,6 +271,7 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
                            const foundation::Progress& progress) {
   check(options);
   const bool holds = holds_at_rest(system);
+  if (options.at_phase) return phase_resonances(system, options, references_of(system, holds), progress);
   const ReferenceMachine machine(system, references_of(system, holds), options.excitations);
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());

@@ -63,8 +63,9 @@ struct SteadyBranch {
   std::vector<StabilityChange> changes;  ///< in the order of the branch
   Parameter over = Parameter::frequency;
   std::vector<std::string> excitations;
-  bool of_shaft = false;      ///< the frequency is that of a shaft, and the excitation its orders
-  double first_harmonic = 1;  ///< frequency of the first harmonic over that of the excitation or the shaft
+  std::optional<PhaseLag> at_phase;  ///< the frequency of each point is the one at this phase
+  bool of_shaft = false;             ///< the frequency is that of a shaft, and the excitation its orders
+  double first_harmonic = 1;         ///< frequency of the first harmonic over that of the excitation or the shaft
   Eigen::Index harmonics = 0;
   /// Amplitudes of the machine that is linear about rest, at these parameters; empty if it does not hold all its
   /// bodies.
@@ -78,11 +79,11 @@ struct SteadyBranch {
   /// What the multipliers are of.
   enum class Multipliers {
     machine,
-    viscous_machine,   ///< loss factors were replaced
-    constant_machine,  ///< elements that depend on frequency were replaced by the nearest constant matrices
-    fixed_amplitude    ///< parts that depend on the amplitude keep their stiffness and loss
+    viscous_machine,  ///< loss factors were replaced
+    constant_machine  ///< elements that depend on frequency were replaced by the nearest constant matrices
   };
   Multipliers multipliers_of = Multipliers::machine;
+  bool of_amplitude = false;  ///< parts that depend on the amplitude have the stiffness and loss of each motion's
   /// The second verdict at some or all points.
   struct Winding {
     int points = 0;                  ///< judged

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,20 @@
 
 namespace trivet::nonlinear {
 
+/// Instead of a fixed frequency over the load factor: that at which a result lags the excitation by a phase.
+struct PhaseLag {
+  std::string of;           ///< a displacement
+  double lag = 0;           ///< of its harmonic at the lowest frequency of the excitation, behind phase 0 [rad]
+  double from = 0, to = 0;  ///< the frequency at the lower end of the load is sought here [rad/s]
+};
+
 struct SteadyOptions {
   double
       from = 0,
       to = 0;  ///< of the parameter: angular frequency of the excitation or the shaft [rad/s], or factor; 0 < from < to
   Parameter over = Parameter::frequency;
   double angular_frequency = 0;          ///< over the load factor: the fixed one [rad/s]
+  std::optional<PhaseLag> at_phase;      ///< or, over the load factor, at this phase
   Eigen::Index harmonics = 9;            ///< 0: as many as `tolerance` needs, up to most_steady_harmonics
   double tolerance = 1e-3;               ///< share of the deflections that the harmonics beyond may add
   std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones, or without any, all orders

@@ -179,7 +179,8 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
     throw foundation::NotComputable(fmt::format(
         "steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above the "
         "motions that were sought{}",
-        place(options_.from), known_.may_rest() ? "; friction without a stiffness may rest there: give it one" : ""));
+        place(options_.from),
+        known_.has_friction_without_spring() ? "; friction without a stiffness may rest there: give it one" : ""));
   if (const std::string reason = unknown_forces(*start); !reason.empty())
     throw foundation::NotComputable("steady: " + reason);
   return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
@@ -350,7 +351,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
 
 /// Of a motion over which the forces are not known, with its place.
 std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
-  const std::string reason = known_.left_by(balance_, point.unknowns, driving(point.parameter).omega);
+  const std::string reason = known_.reason_unknown(balance_, point.unknowns, driving(point.parameter).omega);
   return reason.empty() ? reason : fmt::format("at {} {}", place(point.parameter), reason);
 }
 

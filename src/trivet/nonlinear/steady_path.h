@@ -51,9 +51,10 @@ class SteadyPath {
   /// The end that it came to.
   [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
 
-  /// The motion that Newton's method finds from a guess; empty if it does not converge.
+  /// The motion that Newton's method finds from a guess; empty if it does not converge, or if not all forces are known.
   [[nodiscard]] std::optional<numerics::BranchPoint> motion_near(const Eigen::VectorXd& guess, double parameter) const {
-    return branch_.start(guess, parameter);
+    std::optional<numerics::BranchPoint> found = branch_.start(guess, parameter);
+    return found && unknown_forces(*found).empty() ? found : std::nullopt;
   }
   /// Motions at a frequency on the path over the load, from a small one through its folds.
   [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const;

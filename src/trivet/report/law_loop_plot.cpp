@@ -15,7 +15,7 @@ namespace trivet::report {
 void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLaws& laws,
                     const project::ShownUnits& display) {
   constexpr double left = 90, top = 40, width = 640, height = 230;
-  const bool turns = laws.axis >= 3;
+  const bool turns = laws.turns;
   double low_x = 0, high_x = 0, low_y = 0, high_y = 0;
   for (const nonlinear::LawLoop& loop : laws.loops) {
     const auto [x_low, x_high] = std::minmax_element(loop.deflections.begin(), loop.deflections.end());
@@ -29,7 +29,8 @@ void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLa
                    y_unit = unit_prefix(std::max(-low_y, high_y), results::display_unit(display, turns ? "N m" : "N"));
   PanelRow row;
   row.x = airy_axis(x_unit.factor * low_x, x_unit.factor * high_x, "deflection [" + x_unit.unit + "]");
-  row.y = airy_axis(y_unit.factor * low_y, y_unit.factor * high_y, "force of the laws [" + y_unit.unit + "]");
+  row.y = airy_axis(y_unit.factor * low_y, y_unit.factor * high_y,
+                    (laws.whole ? "force [" : "force of the laws [") + y_unit.unit + "]");
   for (std::size_t i = laws.loops.size(); i-- > 0;) {
     const nonlinear::LawLoop& loop = laws.loops[i];
     const std::string stroke = fmt::format("stroke=\"{}\" stroke-width=\"1.8\"", series_colour(i));
@@ -50,8 +51,7 @@ void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLa
     row.curves.push_back(std::move(rising));
   }
   canvas.text({corner.x + left, corner.y + 22},
-              fmt::format("Slow loops {} {}, in addition to the linear stiffness", turns ? "about" : "along",
-                          "xyz"[laws.axis % 3]),
+              fmt::format("Slow loops {}{}", laws.words, laws.whole ? "" : ", in addition to the linear stiffness"),
               "font-weight=\"bold\"");
   draw_row(canvas, {{corner.x + left, corner.y + top}, width, height, row.x, row.y}, row);
   draw_key(canvas, {corner.x + left + width + 18, corner.y + top}, row.curves);

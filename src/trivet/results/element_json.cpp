@@ -55,10 +55,8 @@ Json laws_json(const study::ElementSummary& summary) {
                        {"energy", loop.energy},
                        {"deflections", loop.deflections},
                        {"forces", loop.forces}});
-    result.push_back({{"axis", model::coordinate_names[to_size(laws.axis)]},
-                      {"at_rest", laws.at_rest},
-                      {"has_dampers", laws.damped},
-                      {"loops", std::move(loops)}});
+    result.push_back(
+        {{"axis", laws.axis}, {"at_rest", laws.at_rest}, {"has_dampers", laws.damped}, {"loops", std::move(loops)}});
   }
   return result;
 }

@@ -208,14 +208,13 @@ std::string frequency_text(const model::Element& element) {
 std::string laws_text(const study::ElementSummary& summary, const ShownUnits& display) {
   std::string text;
   for (const study::ElementLaws& laws : summary.laws) {
-    const bool turns = laws.axis >= 3;
+    const bool turns = laws.turns;
     const DisplayUnit deflection = display_unit(display, turns ? "rad" : "m"),
                       force = display_unit(display, turns ? "N m" : "N"),
                       stiffness = display_unit(display, turns ? "N m/rad" : "N/m");
-    text +=
-        fmt::format("\n{} {} {}{}, about rest at a deflection of {}{}\n", laws.whole ? "Force" : "Laws",
-                    turns ? "about" : "along", "xyz"[laws.axis % 3], laws.whole ? "" : ", in addition to the stiffness",
-                    value_text(laws.at_rest, deflection), laws.damped ? "; dampers left out" : "");
+    text += fmt::format("\n{} {}{}, about rest at a deflection of {}{}\n", laws.whole ? "Force" : "Laws", laws.words,
+                        laws.whole ? "" : ", in addition to the stiffness", value_text(laws.at_rest, deflection),
+                        laws.damped ? "; dampers left out" : "");
     if (laws.loops.empty()) continue;
     TextTable table({"amplitude", "force from", "to", "storage", "loss", "lost per cycle"});
     for (const nonlinear::LawLoop& loop : laws.loops) {

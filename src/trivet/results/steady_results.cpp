@@ -95,8 +95,6 @@ const char* multipliers_of(const SteadyBranch& branch) {
       return "nearest viscous machine";
     case SteadyBranch::Multipliers::constant_machine:
       return "nearest machine with constant matrices";
-    case SteadyBranch::Multipliers::fixed_amplitude:
-      return "machine with stiffness and loss at the amplitude of the motion";
     case SteadyBranch::Multipliers::machine:
       break;
   }
@@ -125,23 +123,26 @@ Json followed_curve(const SteadyBranch& branch) {
 
 Json steady(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
-  Json result{{"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
-              {"excitations", branch.excitations},
-              {"of_shaft", branch.of_shaft},
-              {"first_harmonic", branch.first_harmonic},
-              {"harmonics", branch.harmonics},
-              {"held_share", number(branch.held_share)},
-              {"stops", branch.stops},
-              {"multipliers_of", multipliers_of(branch)},
-              {"winding",
-               {{"points", branch.winding.points},
-                {"undecided", branch.winding.undecided},
-                {"differs_at", branch.winding.differs_at},
-                {"decides", branch.winding.decides}}},
-              {"search", nullptr},
-              {"further", Json::array()},
-              {"results", Json::array()},
-              {"warnings", warnings(answers.warnings)}};
+  Json result{
+      {"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
+      {"at_phase", branch.at_phase ? Json{{"of", branch.at_phase->of}, {"lag", branch.at_phase->lag}} : Json(nullptr)},
+      {"excitations", branch.excitations},
+      {"of_shaft", branch.of_shaft},
+      {"first_harmonic", branch.first_harmonic},
+      {"harmonics", branch.harmonics},
+      {"held_share", number(branch.held_share)},
+      {"stops", branch.stops},
+      {"multipliers_of", multipliers_of(branch)},
+      {"of_amplitude", branch.of_amplitude},
+      {"winding",
+       {{"points", branch.winding.points},
+        {"undecided", branch.winding.undecided},
+        {"differs_at", branch.winding.differs_at},
+        {"decides", branch.winding.decides}}},
+      {"search", nullptr},
+      {"further", Json::array()},
+      {"results", Json::array()},
+      {"warnings", warnings(answers.warnings)}};
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     result["results"].push_back({{"name", branch.results[c]}, {"unit", branch.units[c]}});
   result.update(followed_curve(branch));
@@ -318,10 +319,10 @@ std::string stability_text(const SteadyBranch& branch) {
   std::string text;
   if (branch.multipliers_of == SteadyBranch::Multipliers::viscous_machine)
     text += "  stability: of the nearest viscous machine, because loss factors define no motion in time\n";
-  if (branch.multipliers_of == SteadyBranch::Multipliers::fixed_amplitude)
+  if (branch.of_amplitude)
     text +=
         "  stability: with the stiffness and loss of each motion's amplitude, and by the folds over it, because such "
-        "forces are known for steady motion only\n";
+        "forces are known for steady motion only; there is no second verdict\n";
   if (winding.decides)
     return text +
         fmt::format(
@@ -342,6 +343,31 @@ std::string orders_text(const SteadyBranch& branch) {
   return fmt::format("Orders of a shaft: harmonic k of the motion is order {:.6g} k\n", branch.first_harmonic);
 }
 
+/// Where the frequency follows a phase: a few points along the curve.
+std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& display) {
+  if (!branch.at_phase) return "";
+  SteadyBranch over_frequency;  // with the units of the frequency
+  over_frequency.of_shaft = branch.of_shaft;
+  std::vector<std::string> heads = {"load factor", "at [" + varied_unit(over_frequency, display) + "]", "stable"};
+  for (const std::string& result : branch.results) heads.push_back("largest " + result);
+  TextTable table(heads);
+  constexpr std::size_t rows = 12;
+  const std::size_t last = branch.points.size() - 1, every = std::max<std::size_t>(1, last / rows);
+  for (std::size_t i = 0; i <= last; i += (i < last && i + every > last) ? last - i : every) {
+    const SteadyPoint& point = branch.points[i];
+    std::vector<std::string> row = {number_text(point.load_factor, 5),
+                                    number_text(shown_varied(over_frequency, point.angular_frequency, display), 6),
+                                    point.stable ? "yes" : "no"};
+    for (std::size_t c = 0; c < branch.results.size(); ++c)
+      row.push_back(value_text(point.results[c].largest, display_unit(display, branch.units[c])));
+    table.add(row);
+    if (i == last) break;
+  }
+  return fmt::format("  at each load the frequency is the one at which {} lags the excitation by {:.4g}°\n",
+                     branch.at_phase->of, 360 / foundation::two_pi * branch.at_phase->lag) +
+      table.text();
+}
+
 std::string steady_text(const project::Case& variant, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   const project::ShownUnits& display = variant.display;
@@ -356,7 +382,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
                   branch.search ? "" : " (detached ones are not sought)", branch.points.size(), unstable_points(branch),
                   branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
-  text += stability_text(branch);
+  text += stability_text(branch) + phase_text(branch, display);
   text += search_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});

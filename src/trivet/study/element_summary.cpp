@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/study/element_summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -38,6 +40,27 @@ elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model
                                         : Eigen::Matrix<double, 12, 6>::Zero().eval());
 }
 
+namespace {
+
+bool has_dampers(const elements::ScalarLaws& laws) { return !elements::only<elements::DampingForce>(laws).empty(); }
+
+/// The force along the line of a strut, or across the axis of a ring, in both senses.
+ElementLaws over_distance(const model::DistancePart& part) {
+  model::NonlinearPart shown;
+  shown.laws = part.law.laws;
+  if (!part.law.across) {
+    shown.at_rest = part.law.distance(part.at_rest) - part.law.length;
+    return {"distance", "over the distance of its ends", false, shown.at_rest, has_dampers(part.law.laws),
+            true,       nonlinear::law_loops(shown, 0)};
+  }
+  for (elements::ScalarLaw& law : shown.laws)
+    if (auto* elastic = std::get_if<elements::ElasticForce>(&law))
+      if (auto* stop = std::get_if<elements::GapStop>(elastic)) stop->gap_below = stop->gap_above;
+  return {"across", "across its axis", false, 0, has_dampers(part.law.laws), true, nonlinear::law_loops(shown, 0)};
+}
+
+}  // namespace
+
 std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t index) {
   const model::Element& element = variant.system.elements()[index];
   const model::Span span = model::span(variant.system.bodies(), element.n, element.k);
@@ -50,9 +73,12 @@ std::vector<ElementLaws> element_laws(const project::Case& variant, std::size_t 
     model::NonlinearPart shown = part;
     const bool whole = element.over_deflection && &part == &element.nonlinear_parts.front();
     if (whole) shown.laws.erase(shown.laws.begin() + 1);  // less the linear law
-    all.push_back({part.axis, part.at_rest, !elements::only<elements::DampingForce>(part.laws).empty(), whole,
+    const char* axis = model::coordinate_names[to_size(part.axis)];
+    all.push_back({axis, fmt::format("{} {}", part.is_rotation() ? "about" : "along", "xyz"[part.axis % 3]),
+                   part.is_rotation(), part.at_rest, has_dampers(part.laws), whole,
                    nonlinear::law_loops(shown, whole ? 0 : own)});
   }
+  for (const model::DistancePart& part : element.distance_parts) all.push_back(over_distance(part));
   return all;
 }
 

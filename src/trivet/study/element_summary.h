@@ -22,10 +22,12 @@ struct ElementInMode {
   elements::EnergyShares inside;            ///< shares of the element's own energy; only meaningful if it deforms
 };
 
-/// Laws of an element along one of its axes.
+/// Laws of an element over one of its deflections.
 struct ElementLaws {
-  int axis = 0;         ///< 0 … 2: translation, 3 … 5: rotation, axes of K
-  double at_rest = 0;   ///< deflection [m, rad]
+  std::string axis;     ///< "x" … "rz", axes of K; "distance" of the ends (strut); "across" e3 (ring)
+  std::string words;    ///< "along x", "about x", "over the distance of its ends", "across its axis"
+  bool turns = false;   ///< a rotation
+  double at_rest = 0;   ///< deflection [m, rad]; of a strut beyond its free length
   bool damped = false;  ///< it has dampers too, which are not in the loops
   bool whole = false;   ///< the loops are of the whole force along the axis; else in addition to the stiffness
   std::vector<nonlinear::LawLoop> loops;

@@ -39,15 +39,16 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
     throw foundation::InvalidInput(
         "steady: the machine is linear; take response, or give an element laws or a stop (docs/nonlinear.md)");
   nonlinear::SteadyOptions options;
+  const auto band = [&] { return asked.band ? *asked.band : usual_band(c, asked.selection.excitations); };
   if (asked.over_load_factor) {
     options.over = nonlinear::Parameter::load_factor;
     options.angular_frequency = asked.at;
+    if (!asked.phase_of.empty()) options.at_phase = {asked.phase_of, asked.lag, band().from, band().to};
     options.from = asked.load_from;
     options.to = asked.load_to;
   } else {
-    const response::Band band = asked.band ? *asked.band : usual_band(c, asked.selection.excitations);
-    options.from = band.from;
-    options.to = band.to;
+    options.from = band().from;
+    options.to = band().to;
   }
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;

@@ -58,7 +58,7 @@ TEST(RopeFit, FindsTheNumbersOfItsLoops) {
   EXPECT_LT(found.relative_rms, 1e-3);
 }
 
-TEST(RopeFit, BearsTheNoiseOfARig) {
+TEST(RopeFit, IsNearWithTheNoiseOfARig) {
   std::vector<identification::LoopFit> loops;
   for (const double amplitude : {0.5e-3, 2e-3, 6e-3, 12e-3}) loops.push_back(measured(amplitude, 1.0));
   const identification::RopeFit found = identification::rope_fit(loops).value();
@@ -67,7 +67,7 @@ TEST(RopeFit, BearsTheNoiseOfARig) {
   EXPECT_THAT(found.friction.force, RelativelyNear(friction.force, of_noise));
 }
 
-TEST(RopeFit, OneAmplitudeDoesNotTellStickingFromSlip) {
+TEST(RopeFit, NeedsAmplitudesThatDiffer) {
   EXPECT_THAT(identification::rope_fit({measured(2e-3, 0), measured(2.2e-3, 0)}).error().list().front().rule,
               testing::HasSubstr("differ by a factor of two"));
 }

@@ -105,18 +105,22 @@ TEST(LawHarmonics, DerivativesOfDampersAndLoops) {
       loop(elements::Slider{4, 3.9}),  // hardly slips
       loop(elements::Slider{4, 30}),   // sticks
       loop(elements::Slider{4, 1.5, 1.8}),
+      loop(elements::Slider{1, 1, 1.5}),
       loop(elements::CoulombFriction{1.5}),
       {elements::PayneForce{.stiffness = 3, .loss = 0.8, .amplitude = 0.4}, elements::CoulombFriction{0.7}},
       loop(elements::BergFriction{3, 0.2}),
       loop(elements::BoucWen{.stiffness = 4, .force = 2, .exponent = 1.5, .beta = 0.6, .gamma = 0.4})};
   VectorXd twice_round = motion;  // four turning points
   twice_round(3) = 1.1;
+  VectorXd aside = VectorXd::Zero(9);  // a slider comes to stick after it slipped
+  aside(0) = -1;
+  aside(1) = 0.6;
   for (std::size_t i = 0; i < std::size(laws); ++i)
-    for (const VectorXd& at : {motion, twice_round}) {
+    for (const VectorXd& at : {motion, twice_round, aside}) {
       SCOPED_TRACE(i);
       const LawHarmonics law(nonlinear::LawAbout(laws[i], 0.15, {1.5, 0.2}, 0.3), 4);
       constexpr double omega = 1.3, step = 1e-6;
-      const double truncation = i < 8 ? 1e-6 : 5e-5;  // Gauss's rule where a smooth loop turns sharply
+      const double truncation = i < 9 ? 1e-6 : 5e-5;  // Gauss's rule where a smooth loop turns sharply
       const nonlinear::ForceHarmonics found = law.at(at, omega);
       for (Index j = 0; j < at.size(); ++j) {
         const VectorXd change = step * VectorXd::Unit(at.size(), j);

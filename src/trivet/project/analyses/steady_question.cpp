@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
@@ -13,11 +14,11 @@ namespace trivet::project {
 namespace {
 
 /// `over`, `at` and `load_factor`.
-void read_load_factor(TableReader& reader, SteadyQuestion& asked) {
+void read_load_factor(TableReader& reader, const ResultNames& names, SteadyQuestion& asked) {
   const auto over = reader.choice("over", {"frequency", "load_factor"});
   asked.over_load_factor = over && *over == "load_factor";
   if (!asked.over_load_factor) {
-    for (const char* key : {"at", "load_factor"})
+    for (const char* key : {"at", "load_factor", "phase"})
       if (reader.has(key)) {
         reader.also_known({key});
         reader.error(key, "without over = \"load_factor\"", "the load factor is varied only then",
@@ -25,9 +26,20 @@ void read_load_factor(TableReader& reader, SteadyQuestion& asked) {
       }
     return;
   }
-  if (reader.has("band"))
-    reader.error("band", "over the load factor", "the frequency is fixed then", "remove band, and give at");
-  asked.at = reader.required_number("at", Quantity::angular_frequency);
+  if (const Node* table = reader.table("phase")) {
+    TableReader phase(*table, reader.path() + ".phase", reader.problems());
+    asked.phase_of = phase.required_text("of");
+    if (!asked.phase_of.empty() && !names.component(asked.phase_of, assembly::MotionQuantity::displacement))
+      names.refuse(phase, "of", asked.phase_of, "one displacement or rotation");
+    constexpr double resonance = std::numbers::pi / 2;
+    asked.lag = phase.number("lag", Quantity::angle).value_or(resonance);
+    phase.finish();
+    if (reader.has("at")) reader.error("at", "at beside phase", "the frequency follows the phase then", "remove one");
+  } else {
+    if (reader.has("band"))
+      reader.error("band", "over the load factor", "the frequency is fixed then", "remove band, and give at");
+    asked.at = reader.required_number("at", Quantity::angular_frequency);
+  }
   if (reader.has("at") && !(asked.at > 0))
     reader.error("at", fmt::format("{:.6g} rad/s", asked.at), "it is > 0", "correct it");
   if (!reader.has("load_factor")) reader.missing("load_factor", "give its range: load_factor = [0.1, 2]");
@@ -52,7 +64,7 @@ std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& na
   if (asked->band && !(asked->band->from > 0))
     reader.error("band", "a band from 0", "the motions are followed over a frequency above 0",
                  "begin at a low frequency, such as a tenth of the first natural one");
-  read_load_factor(reader, *asked);
+  read_load_factor(reader, names, *asked);
   read_harmonics(reader, asked->harmonics, asked->tolerance);
   const auto branches = reader.choice("branches", {"connected", "all"});
   asked->all_branches = branches && *branches == "all";
@@ -75,6 +87,7 @@ const QuestionReader steady_question = {
    "band": {"$ref": "#/$defs/band"},
    "over": {"enum": ["frequency", "load_factor"], "description": "what is varied (default: the frequency)"},
    "at": {"$ref": "#/$defs/number", "description": "rad/s: the frequency, over the load factor"},
+   "phase": {"type": "object", "description": "instead of at: the frequency at which a displacement lags the excitation by a phase", "properties": {"of": {"type": "string"}, "lag": {"$ref": "#/$defs/number", "description": "rad (default: 90 degrees, phase resonance)"}}, "required": ["of"], "additionalProperties": false},
    "load_factor": {"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2, "description": "range of the factor on all excitations"},
    "harmonics": {"type": "integer", "minimum": 1, "maximum": 200, "description": "number of harmonics (default: as many as tolerance needs)"},
    "tolerance": {"$ref": "#/$defs/number", "description": "share of the deflections beyond the last harmonic, 0 to 1 (default: 1e-3)"},

@@ -68,8 +68,8 @@ void add_error_facts(const fem::SolidStiffness& s, model::Element& element) {
       model::Evidence{s.relative_error.cwiseProduct(scale * scale.transpose()), "estimated error of the mesh", {}};
 }
 
-/// The 12×12 about the moved reference points, K at a deflection z along e3 beyond its undeformed length, about points
-/// with the distance of the undeformed element: end N a rigid z farther from K. A force f on that arm turns with it.
+/// The 12×12 after a deflection z along e3 about points at the distance of the undeformed element: N' is at (0, 0, z)
+/// from N, rigidly, u_N = u_N' + θ_N × (0, 0, −z). The force turns with that arm.
 elements::Matrix12 with_undeformed_arm(const elements::Matrix12& stiffness, double force, double z) {
   elements::Matrix12 moved = elements::Matrix12::Identity();  // u_N = u_N' + θ_N × (0, 0, −z)
   moved(0, 4) = -z;
@@ -89,6 +89,16 @@ std::vector<double> after_deflection(const Solid& solid, double deflection, int 
   if (!found.converged || found.negative_eigenvalues > 0)
     return std::vector<double>(161, 0.0);  // none: it has no stiffness
   return numbers_of(found);
+}
+
+/// Does a cubic rise everywhere? Its slope is a parabola between two knots.
+bool rises(const elements::KnotCurve& curve) {
+  constexpr int per_interval = 16;
+  const std::vector<double>& x = curve.knots();
+  for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    for (int s = 0; s <= per_interval; ++s)
+      if (!(curve.at(x[i] + (x[i + 1] - x[i]) * s / per_interval).slope > 0)) return false;
+  return true;
 }
 
 /// Its force along e3 over the stroke, and its 12×12 about each state, from finite elements at a few deflections.
@@ -131,7 +141,7 @@ void add_stroke(TableReader& reader, const std::string& key, const std::function
   }
   elements::ForceCurve curve;
   curve.force = elements::KnotCurve(deflections, forces, slopes);
-  curve.rises = true;
+  curve.rises = rises(curve.force);
   curve.is_limited = true;
   const double undeformed = element.law.nominal_stiffness(along_k, along_k);
   element.facts.push_back(
@@ -152,7 +162,7 @@ void add_stroke(TableReader& reader, const std::string& key, const std::function
   element.nonlinear_parts.push_back(
       {along, middle, {elements::ElasticForce(curve), elements::ElasticForce(elements::PolynomialForce{{-1}})}});
   element.allow_residual = true;  // of the force on the way
-  model::take_linear_law(0, element);
+  model::set_linear_law_at(0, element);
 }
 
 }  // namespace

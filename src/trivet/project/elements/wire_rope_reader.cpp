@@ -8,7 +8,7 @@
 #include "trivet/project/elements/loop_file.h"
 #include "trivet/project/elements/scalar_law_readers.h"
 
-/// Wire ropes: along each axis a spring beside dry friction, from numbers or from measured loops.
+/// Wire ropes: along each axis a spring together with dry friction, from numbers or from measured loops.
 namespace trivet::project {
 namespace {
 
@@ -46,10 +46,11 @@ std::optional<AxisOfRope> read_measured_axis(TableReader& reader, const char* ax
         fmt::format("{}{:.3g} % at {:.4g} m", i > 0 ? ", " : "", 100 * fit->rms[i], (*loops)[i].amplitude.value);
   element.facts.push_back(
       {fmt::format("loops along {}", axis),
-       fmt::format("{:.5g} N/m, {:.4g} N/m², {:.4g} N/m³ beside friction with a limit of {:.5g} N, {:.5g} N/m in small "
-                   "loops, exponent {:.3g}; deviates by {}",
-                   fit->stiffness, fit->quadratic, fit->cubic, fit->friction.force, fit->friction.stiffness,
-                   fit->friction.exponent, deviations)});
+       fmt::format(
+           "{:.5g} N/m, {:.4g} N/m², {:.4g} N/m³ together with friction with a limit of {:.5g} N, {:.5g} N/m in small "
+           "loops, exponent {:.3g}; deviates by {}",
+           fit->stiffness, fit->quadratic, fit->cubic, fit->friction.force, fit->friction.stiffness,
+           fit->friction.exponent, deviations)});
   return AxisOfRope{fit->stiffness,
                     {elements::ElasticForce(elements::PolynomialForce{{0, fit->quadratic, fit->cubic}}),
                      elements::HystereticForce(fit->friction)}};
@@ -64,6 +65,9 @@ std::optional<AxisOfRope> read_axis_of_rope(TableReader& reader, const char* axi
     reader.error("loops", "loops about an axis", "they are fitted along axes", "give numbers");
     return std::nullopt;
   }
+  for (const char* key : {"length_unit", "force_unit"})
+    if (reader.has(key))
+      reader.error(key, std::string(key) + " without loops", "it is a unit of the file of loops", "remove it");
   AxisOfRope found;
   found.stiffness =
       reader.required_number("stiffness", is_rotation ? Quantity::moment_per_angle : Quantity::force_per_length);
@@ -83,8 +87,8 @@ std::optional<AxisOfRope> read_axis_of_rope(TableReader& reader, const char* axi
 void read_wire_rope(TableReader& reader, Placement& ends, model::Element& element) {
   if (reader.has("file")) return read_tabulated(reader, ends, element);
   reader.also_known({"file", "interpolation"});
-  for (const char* key : {"interpolation"})
-    if (reader.has(key)) reader.error(key, std::string(key) + " without a file", "it belongs to a table", "remove it");
+  if (reader.has("interpolation"))
+    reader.error("interpolation", "interpolation without a file", "it belongs to a table", "remove it");
   const double centre = reader.number("center", Quantity::pure).value_or(0.5);
   if (!(centre >= 0 && centre <= 1))
     reader.error("center", fmt::format("{:.6g}", centre), "it is between the ends: 0 (N) … 1 (K)",

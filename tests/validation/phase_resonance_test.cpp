@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+/// Motions that lag their force by 90°, over the force.
+namespace {
+
+using namespace trivet;
+using test::RelativelyNear;
+
+constexpr double mass = 3, stiffness = 1200, damping = 4, cubic = 2e7, load = 5;
+
+model::System hardening(double coefficient) {
+  model::Description description =
+      test::project(test::chain({mass}, {stiffness, 0}, {damping, 0}) +
+                    "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [5, 0, 0]\n")
+          .base()
+          .system.description();
+  description.elements[0].nonlinear_parts = {
+      {0, 0.5, {elements::ElasticForce(elements::PolynomialForce{{0, 0, coefficient}})}}};
+  return model::System::checked(description).value();
+}
+
+nonlinear::SteadyOptions at_90_degrees(Eigen::Index harmonics) {
+  nonlinear::SteadyOptions options{.from = 0.01, .to = 2};
+  options.over = nonlinear::Parameter::load_factor;
+  options.at_phase = {"m1.x", std::numbers::pi / 2, 2, 100};
+  options.harmonics = harmonics;
+  options.of = {"m1.x"};
+  return options;
+}
+
+/// One harmonic: c ω A = F, m ω² = k + ¾ c₃ A².
+TEST(PhaseResonance, OfOneHarmonicIsTheClosedForm) {
+  const nonlinear::SteadyBranch found = nonlinear::steady_branch(hardening(cubic), at_90_degrees(1));
+  ASSERT_GT(found.points.size(), 10u);
+  EXPECT_EQ(found.ended, "");
+  EXPECT_THAT(found.points.back().load_factor, RelativelyNear(2, 1e-12));
+  for (const nonlinear::SteadyPoint& point : found.points) {
+    const double omega = point.angular_frequency, amplitude = std::abs(point.results[0].harmonics(0));
+    EXPECT_THAT(damping * omega * amplitude, RelativelyNear(load * point.load_factor, 1e-9));
+    EXPECT_THAT(mass * omega * omega, RelativelyNear(stiffness + 0.75 * cubic * amplitude * amplitude, 1e-9));
+    EXPECT_NEAR(point.results[0].harmonics(0).real(), 0, 1e-9 * amplitude);
+  }
+}
+
+/// The motion over frequency at the same load has its largest first harmonic there, to the damping.
+TEST(PhaseResonance, IsThePeakOverFrequency) {
+  const nonlinear::SteadyBranch found = nonlinear::steady_branch(hardening(cubic), at_90_degrees(9));
+  ASSERT_FALSE(found.points.empty());
+  const nonlinear::SteadyPoint* whole = &found.points.front();  // nearest to the whole load
+  for (const nonlinear::SteadyPoint& point : found.points)
+    if (std::abs(point.load_factor - 1) < std::abs(whole->load_factor - 1)) whole = &point;
+  nonlinear::SteadyOptions over_frequency{.from = 5, .to = 100};
+  over_frequency.harmonics = 9;
+  over_frequency.of = {"m1.x"};
+  over_frequency.at = {whole->angular_frequency};
+  model::Description scaled = hardening(cubic).description();
+  scaled.excitations[0].action.amplitude *= whole->load_factor;
+  const nonlinear::SteadyBranch curve =
+      nonlinear::steady_branch(model::System::checked(scaled).value(), over_frequency);
+  double nearest = 1;
+  for (const nonlinear::SteadyPoint& point : curve.at)
+    nearest = std::min(nearest, std::abs(point.results[0].harmonics(0) - whole->results[0].harmonics(0)));
+  EXPECT_LT(nearest, 1e-9 * std::abs(whole->results[0].harmonics(0)));
+  double largest = 0;
+  for (const nonlinear::SteadyPoint& point : curve.points)
+    largest = std::max(largest, std::abs(point.results[0].harmonics(0)));
+  EXPECT_THAT(std::abs(whole->results[0].harmonics(0)), RelativelyNear(largest, 1e-2));
+}
+
+}  // namespace
