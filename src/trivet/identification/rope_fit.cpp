@@ -186,8 +186,9 @@ foundation::Expected<RopeFit> rope_fit(const std::vector<LoopFit>& loops) {
   else if (fit->friction.exponent > at_bound * highest_exponent)
     found_instead = fmt::format("an exponent above {:g} fits best", at_bound * highest_exponent);
   if (!found_instead.empty()) {
-    problems.error("", found_instead, "slow loops are those of a spring with dry friction, which lose energy",
-                   "check the sense and the units of displacement and force, or give numbers");
+    problems.error(
+        "", found_instead, "slow loops are those of a spring with dry friction, which lose energy",
+        "measure loops large enough to slip, check the sense and the units of both columns, or give numbers");
     return tl::make_unexpected(std::move(problems));
   }
   return *fit;

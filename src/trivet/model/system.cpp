@@ -181,9 +181,7 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 
 void set_linear_law_at(double deflection, Element& element) {
   constexpr Eigen::Index along_k = 8;
-  const auto& along = std::get<elements::ElasticForce>(element.nonlinear_parts.front().laws.front());
-  element.law.nominal_stiffness =
-      element.over_deflection->at(deflection, elements::force_and_tangent(along, deflection).force);
+  element.law.nominal_stiffness = element.over_deflection->at(deflection, 0);
   element.law.preload.reset();
   element.nonlinear_parts.front().laws[1] =
       elements::ElasticForce(elements::PolynomialForce{{-element.law.nominal_stiffness(along_k, along_k)}});

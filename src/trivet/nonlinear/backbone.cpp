@@ -38,6 +38,10 @@ std::vector<Deflection> laws_of(const model::System& system, const assembly::Ass
         if (auto* stop = std::get_if<elements::GapStop>(&law)) stop->dissipation = 0;
         elastic.emplace_back(law);
       }
+      for (elements::PayneForce law : elements::only<elements::PayneForce>(part.laws)) {
+        law.loss = 0;
+        elastic.emplace_back(law);
+      }
       found[next++].law = LawAbout(elastic, part.at_rest, elements::small_motion(elastic, part.at_rest));
     }
   for (const model::Element& element : system.elements())

@@ -108,6 +108,7 @@ model::System with_references(const model::System& system, const References& ref
       element.law.preload =
           force * elements::deflection_row(along.axis, span.arm, span.n_from_k, along.centre).transpose();
       sum.offset -= *element.law.preload;
+      sum.tangent += element.over_deflection->at(along.at_rest, force) - element.over_deflection->at(along.at_rest, 0);
     }
     for (const model::DistancePart& part : element.distance_parts) {
       const Eigen::Matrix<double, 3, 12> rows = elements::difference_rows(span.n_from_k);

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {
@@ -17,29 +17,45 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
-bool KnownForces::has_friction_without_spring() const {
-  return std::any_of(deflections_.begin(), deflections_.end(), [](const Deflection& one) {
-    return std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
-                       [](const LawAbout::Hysteretic& part) { return elements::jumps_at_turns(part.law); });
-  });
+/// Where friction without a spring turns.
+struct KnownForces::Turn {
+  std::size_t deflection = 0;
+  double phase = 0;
+  double acceleration = 0;  ///< without friction there: the mean of those before and after, as of the harmonics
+  double limit = 0;         ///< of the static friction
+};
+
+std::string KnownForces::hint() const {
+  const auto any = [&](const auto& is) {
+    return std::any_of(deflections_.begin(), deflections_.end(), [&](const Deflection& one) {
+      return std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
+                         [&](const LawAbout::Hysteretic& part) { return is(part.law); });
+    });
+  };
+  if (any(elements::jumps_at_turns)) return "; friction without a stiffness may rest there: give it one";
+  if (any([](const elements::HystereticForce& law) { return elements::jump_at_kink(law, 1) != 0; }))
+    return "; friction that breaks away above its slip moves in bursts at low frequencies: begin higher";
+  return "";
 }
 
 std::string KnownForces::reason_unknown(const HarmonicBalance& balance, const VectorXd& motion, double omega) const {
   const Index C = balance.coefficients();
   constexpr double round_off = 1e-9;
   const double smallest = round_off * motion.cwiseAbs().maxCoeff();
-  std::vector<std::vector<double>> turns(deflections_.size());
+  std::vector<Turn> turns;
   for (std::size_t j = 0; j < deflections_.size(); ++j) {
     const Index first = to_index(j) * C;
     if (deflections_[j].distance)
       if (std::string reason = out_of_distances(j, motion.segment(first, 3 * C).reshaped(C, 3)); !reason.empty())
         return reason;
     if (std::string reason = out_of_curve(j, motion.segment(first, C)); !reason.empty()) return reason;
-    if (std::string reason = rests(j, balance.laws().single()[j], motion.segment(first, C), smallest, omega, turns[j]);
+    if (std::string reason = add_turns(j, balance.laws().single()[j], motion.segment(first, C), smallest, omega, turns);
         !reason.empty())
       return reason;
   }
-  return turn_together(turns);
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    if (std::string reason = rests_at_turn(turns, i); !reason.empty()) return reason;
+  return "";
 }
 
 /// Of a curve that must not be extended.
@@ -72,54 +88,53 @@ std::string KnownForces::out_of_distances(std::size_t j, const Eigen::MatrixXd& 
   return "";
 }
 
-/// Of friction without a spring: where its deflection turns, the force that would hold it there exceeds the static
-/// limit, or it rests for a while, and its force is unknown. The motion of the harmonics has the acceleration without
-/// friction there, the mean of those before and after. A deflection whose rate never becomes that of a turning point
-/// rests too.
-std::string KnownForces::rests(std::size_t j, const LawHarmonics& law, const VectorXd& motion, double smallest,
-                               double omega, std::vector<double>& turns) const {
+/// A deflection whose rate never becomes that of a turning point rests all the time.
+std::string KnownForces::add_turns(std::size_t j, const LawHarmonics& law, const VectorXd& motion, double smallest,
+                                   double omega, std::vector<Turn>& turns) const {
   double limit = 0;
   for (const LawAbout::Hysteretic& part : law.law().hysteretic())
     if (const auto* friction = std::get_if<elements::CoulombFriction>(&part.law)) limit += friction->limit();
   if (limit == 0 || motion.tail(motion.size() - 1).norm() <= smallest) return "";
   const VectorXd acceleration = omega * omega * numerics::phase_derivative(numerics::phase_derivative(motion));
   const LawCourse course = law.course(motion, omega);
-  double least = std::numeric_limits<double>::infinity();  // that would hold it at a turning point
-  for (const HystereticLoop& loop : course.loops())
-    if (elements::jumps_at_turns(loop.law()))
-      for (const HystereticLoop::Branch& branch : loop.branches()) {
-        turns.push_back(branch.from);
-        least = std::min(least,
-                         std::abs(numerics::motion_at((motion.size() - 1) / 2, branch.from, acceleration)) /
-                             law.law().acceleration_per_force());
-      }
-  if (turns.empty()) least = 0;
-  return least > limit ? ""
-                       : fmt::format(
-                             "the friction of {} rests for a part of the period: {:.4g} would hold it where it "
-                             "turns, and it holds up to {:.4g}; give it a stiffness, with which it can stick",
-                             deflections_[j].name, least, limit);
+  const std::size_t before = turns.size();
+  for (const HystereticLoop& loop : course.loops()) {
+    if (!elements::jumps_at_turns(loop.law())) continue;
+    for (const HystereticLoop::Branch& branch : loop.branches())
+      turns.push_back({j, branch.from, numerics::motion_at((motion.size() - 1) / 2, branch.from, acceleration), limit});
+    break;  // several on one deflection turn together
+  }
+  if (turns.size() > before) return "";
+  return fmt::format(
+      "the friction of {} rests: up to {:.4g} it does not move at all; give it a stiffness, with which it "
+      "can stick",
+      deflections_[j].name, limit);
 }
 
-/// Of two frictions that turn at one instant on one body: each changes the acceleration of both.
-std::string KnownForces::turn_together(const std::vector<std::vector<double>>& turns) const {
-  constexpr double together = 1e-3, coupled = 1e-6;
-  for (std::size_t i = 0; i < turns.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      if (turns[i].empty() || turns[j].empty()) continue;
-      const Deflection &one = deflections_[i], &other = deflections_[j];
-      const double both = std::abs(one.accelerations.dot(other.on_coordinates)),
-                   own = std::sqrt(one.law.acceleration_per_force() * other.law.acceleration_per_force());
-      if (!(both > coupled * own)) continue;
-      for (const double a : turns[i])
-        for (const double b : turns[j])
-          if (std::abs(std::remainder(a - b, two_pi)) < together)
-            return fmt::format(
-                "the frictions of {} and {} turn at the same instant, which is computed for one without a "
-                "stiffness only; make them one friction, or give them a stiffness",
-                other.name, one.name);
-    }
-  return "";
+/// At each turn the forces that would hold all frictions that turn there: one of them exceeds its static limit, or they
+/// rest for a while. Where several turn on one body, the smallest such forces.
+std::string KnownForces::rests_at_turn(const std::vector<Turn>& turns, std::size_t at) const {
+  constexpr double together = 1e-3, singular = 1e-9;
+  std::vector<const Turn*> here;
+  for (const Turn& turn : turns)
+    if (std::abs(std::remainder(turn.phase - turns[at].phase, two_pi)) < together) here.push_back(&turn);
+  const auto count = to_index(here.size());
+  Eigen::MatrixXd per_force(count, count);
+  VectorXd acceleration(count);
+  for (Index i = 0; i < count; ++i) {
+    acceleration(i) = here[to_size(i)]->acceleration;
+    for (Index k = 0; k < count; ++k)
+      per_force(i, k) = deflections_[here[to_size(i)]->deflection].accelerations.dot(
+          deflections_[here[to_size(k)]->deflection].on_coordinates);
+  }
+  per_force.diagonal() *= 1 + singular;
+  const VectorXd holds = numerics::PivotedLu<double>(per_force).solve(acceleration);
+  for (Index i = 0; i < count; ++i)
+    if (std::abs(holds(i)) > here[to_size(i)]->limit) return "";
+  return fmt::format(
+      "the friction of {} rests for a part of the period: {:.4g} would hold it where it turns, and it "
+      "holds up to {:.4g}; give it a stiffness, with which it can stick",
+      deflections_[here.front()->deflection].name, std::abs(holds(0)), here.front()->limit);
 }
 
 }  // namespace trivet::nonlinear

@@ -15,7 +15,8 @@ class KnownForces {
   /// `deflections` must outlive it.
   explicit KnownForces(const std::vector<Deflection>& deflections) : deflections_(deflections) {}
 
-  [[nodiscard]] bool has_friction_without_spring() const;
+  /// Where no motion is found: "; friction …", or nothing.
+  [[nodiscard]] std::string hint() const;
 
   /// Why not all forces are known over a motion; empty if they are.
   /// @param motion  unknowns of the balance
@@ -26,11 +27,11 @@ class KnownForces {
  private:
   [[nodiscard]] std::string out_of_curve(std::size_t deflection, const Eigen::VectorXd& motion) const;
   [[nodiscard]] std::string out_of_distances(std::size_t deflection, const Eigen::MatrixXd& motion) const;
+  struct Turn;
   /// @param smallest  amplitude that is not round-off
-  /// @param turns     phases at which friction without a spring turns are added
-  [[nodiscard]] std::string rests(std::size_t deflection, const LawHarmonics& law, const Eigen::VectorXd& motion,
-                                  double smallest, double omega, std::vector<double>& turns) const;
-  [[nodiscard]] std::string turn_together(const std::vector<std::vector<double>>& turns) const;
+  [[nodiscard]] std::string add_turns(std::size_t deflection, const LawHarmonics& law, const Eigen::VectorXd& motion,
+                                      double smallest, double omega, std::vector<Turn>& turns) const;
+  [[nodiscard]] std::string rests_at_turn(const std::vector<Turn>& turns, std::size_t at) const;
 
   const std::vector<Deflection>& deflections_;
 };

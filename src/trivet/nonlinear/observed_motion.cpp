@@ -38,7 +38,7 @@ MatrixXd direct_forces(const model::System& system, const assembly::Assembled& a
   const auto add = [&](std::size_t e, const elements::Vector12& on_ends) {
     model::Description description = system.description();
     description.elements[e].law.nonlinear->offset += on_ends;
-    const model::System with_force = model::System::checked(std::move(description)).value();
+    const model::System with_force = system.in_other_state(std::move(description));
     const std::vector<double> with = forces_at_rest(with_force, assembled, of, quantity);
     for (std::size_t c = 0; c < with.size(); ++c) direct(to_index(c), column) = with[c] - without[c];
     ++column;
@@ -124,8 +124,8 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
       if (excitation_.harmonics[e] == k && !excitation_.loadings[e].motion.vanishes())
         ground = factor * excitation_.loadings[e].motion.at(s.imag());
     for (std::size_t c = 0; c < channels_.size(); ++c) {
-      Complex value =
-          this->value(c, s, coordinates.col(k), ground) + (direct_.row(to_index(c)).cast<Complex>() * force)(0);
+      Complex value = this->value(c, s, coordinates.col(k), ground) +
+          (direct_.row(to_index(c)).cast<Complex>() * force.head(direct_.cols()))(0);
       value *= numerics::integer_power(s, channels_[c].derivative);
       if (k == 0) {
         courses[c](0) = value.real();

@@ -8,10 +8,13 @@
 #include <optional>
 #include <utility>
 
+#include "trivet/assembly/assembled.h"
+#include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/load_path.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::nonlinear {
 
@@ -33,10 +36,10 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                           "not move it at all",
                           element.name, friction->limit(), turns ? "N m" : "N"));
       if (element.over_deflection && &part == &element.nonlinear_parts.front()) {
-        notes.push_back(fmt::format(
-            "{}: {:.5g} N/m along z at rest, compressed by {:.4g} m; its 12×12 is the one there", element.name,
-            element.law.nominal_stiffness(8, 8) + elements::small_motion(part.laws, part.at_rest).stiffness,
-            -part.at_rest));
+        notes.push_back(
+            fmt::format("{}: {:.5g} N/m along z at rest, {} by {:.4g} m; its 12×12 is the one there", element.name,
+                        element.law.nominal_stiffness(8, 8) + elements::small_motion(part.laws, part.at_rest).stiffness,
+                        part.at_rest > 0 ? "stretched" : "compressed", std::abs(part.at_rest)));
         continue;
       }
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
@@ -86,6 +89,21 @@ void each_gap_at_rest(model::Description& description, const Visit& visit) {
 
 RestPosition rest_in(const model::System& undeformed);
 
+void require_known_force(const model::Element& element, const model::NonlinearPart& part) {
+  const auto [low, high] = LawAbout(part.laws).range();
+  if (part.at_rest >= low && part.at_rest <= high) return;
+  throw foundation::NotComputable(
+      fmt::format("static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; {}",
+                  element.name, part.at_rest, low, high,
+                  element.over_deflection ? "give it a larger range, or less load"
+                                          : "correct them, or take beyond = \"slope\" for a curve"));
+}
+
+void require_known_forces(const model::System& system) {
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) require_known_force(element, part);
+}
+
 /// The machine rests without the stops whose gaps are counted from there.
 RestPosition rest_between_gaps(const model::System& undeformed) {
   model::Description description = undeformed.description(), open = description;
@@ -119,32 +137,65 @@ RestPosition rest_of(const model::System& undeformed) {
 
 }  // namespace
 
-/// Elements whose 12×12 follows their deflection have that of the last position found, until it stays.
+namespace {
+
+/// The deflections of all nonlinear parts of a machine with tangents at rest, under its static load.
+void move_to_equilibrium(const model::System& settled, model::Description& description) {
+  const assembly::Assembled assembled = assembly::assemble(settled);
+  const VectorXd displacement =
+      numerics::PivotedLu<double>(assembled.matrices.K).solve(assembly::static_load(settled, assembled));
+  const std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
+  std::size_t next = 0;
+  const auto deflection = [&] { return deflections[next++].on_coordinates.dot(displacement); };
+  each_part(description, [&](model::NonlinearPart& part) { part.at_rest = deflection(); });
+  for (model::Element& element : description.elements)
+    for (model::DistancePart& part : element.distance_parts)
+      for (Index a = 0; a < 3; ++a) part.at_rest(a) = deflection();
+  for (model::Element& element : description.elements)
+    if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
+}
+
+/// Of the deflections at rest.
+double largest_difference(const model::Description& one, const model::Description& other) {
+  double largest = 0;
+  for (std::size_t e = 0; e < one.elements.size(); ++e)
+    for (std::size_t p = 0; p < one.elements[e].nonlinear_parts.size(); ++p)
+      largest = std::max(
+          largest, std::abs(one.elements[e].nonlinear_parts[p].at_rest - other.elements[e].nonlinear_parts[p].at_rest));
+  return largest;
+}
+
+}  // namespace
+
+/// Elements whose 12×12 follows their deflection: from the position of rest with that of the undeformed ones by
+/// Newton's method, with the forces that turn with elements and bodies.
 RestPosition rest_position(const model::System& system) {
   model::Description description = system.description();
   undeform(description);
+  bool follows = false;
+  for (model::Element& element : description.elements) {
+    if (!element.over_deflection) continue;
+    follows = true;
+    model::set_linear_law_at(0, element);
+  }
   RestPosition found = rest_of(system.in_other_state(description));
+  if (!follows) return found;
   constexpr int most = 50;
-  constexpr double accurate = 1e-10;
-  std::vector<double> before;
+  constexpr double accurate = 1e-9;
   for (int i = 0; i < most; ++i) {
-    std::vector<double> deflections;
-    double change = 0, largest = 0;
-    for (std::size_t e = 0; e < description.elements.size(); ++e) {
-      if (!description.elements[e].over_deflection) continue;
-      const double deflection = found.system.elements()[e].nonlinear_parts.front().at_rest;
-      largest = std::max(largest, std::abs(deflection));
-      change = std::max(change, std::abs(deflection - (i > 0 ? before[deflections.size()] : 0)));
-      deflections.push_back(deflection);
-      model::set_linear_law_at(deflection, description.elements[e]);
-    }
-    if (change <= accurate * largest) return found;
-    before = std::move(deflections);
-    found = rest_of(system.in_other_state(description));
+    model::Description there = found.system.description();
+    move_to_equilibrium(found.system, there);
+    const double change = largest_difference(there, found.system.description()),
+                 largest = largest_difference(there, description);
+    const model::System moved = found.system.in_other_state(std::move(there));
+    found.system = with_references(moved, tangents_at_rest(moved));
+    if (change > accurate * largest) continue;
+    require_known_forces(found.system);
+    return found;
   }
   throw foundation::NotComputable(
-      "static: the position of rest was not found: the stiffness of its mounts across their axes changes too much with "
-      "their compression");
+      "static: the position of rest was not found: the stiffness of its mounts changes too much with their "
+      "compression");
 }
 
 namespace {
@@ -161,12 +212,7 @@ RestPosition rest_in(const model::System& undeformed) {
     for (model::Element& element : description.elements)
       for (model::NonlinearPart& part : element.nonlinear_parts) {
         part.at_rest = deflections(next++);
-        const auto [low, high] = LawAbout(part.laws).range();
-        if (part.at_rest >= low && part.at_rest <= high) continue;
-        throw foundation::NotComputable(fmt::format(
-            "static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; correct "
-            "them, or take beyond = \"slope\" for a curve",
-            element.name, part.at_rest, low, high));
+        require_known_force(element, part);
       }
     for (model::Element& element : description.elements)
       for (model::DistancePart& part : element.distance_parts) {

@@ -32,6 +32,12 @@ std::vector<double> resonances(const Eigen::VectorXcd& poles, const PeriodicExci
     if (!(pole.imag() > 0) || std::abs(pole.real()) > most_damped * std::abs(pole)) continue;
     for (const Index harmonic : excitation.harmonics) {
       const double order = static_cast<double>(harmonic) * excitation.first_harmonic;
+      // At the pole of an undamped mode the receptance has no value.
+      constexpr double least_damped = 1e-6, near = 1e-3;
+      if (std::abs(pole.real()) < least_damped * std::abs(pole)) {
+        for (const double beside : {1 - near, 1 + near}) found.push_back(beside * pole.imag() / order);
+        continue;
+      }
       for (const double beside : {0.0, -1.0, 1.0}) found.push_back((pole.imag() + beside * pole.real()) / order);
       for (const double multiple : {2.0, 3.0}) found.push_back(pole.imag() / (multiple * order));
     }
@@ -179,8 +185,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
     throw foundation::NotComputable(fmt::format(
         "steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above the "
         "motions that were sought{}",
-        place(options_.from),
-        known_.has_friction_without_spring() ? "; friction without a stiffness may rest there: give it one" : ""));
+        place(options_.from), known_.hint()));
   if (const std::string reason = unknown_forces(*start); !reason.empty())
     throw foundation::NotComputable("steady: " + reason);
   return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);

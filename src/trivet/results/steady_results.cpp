@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/stable_motions.h"

@@ -193,6 +193,9 @@ std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rub
   if (reader.has("preload"))
     reader.error("preload", "a preload beside nonlinear = true", "a nonlinear mount finds its own compression at rest",
                  "remove the preload, and give gravity");
+  if (reader.has("stiffness_factor"))
+    reader.error("stiffness_factor", "stiffness_factor beside nonlinear = true",
+                 "its large deformations are not scaled", "change the material");
   if (reader.has("scale"))
     reader.error("scale", "scale beside nonlinear = true", "its large deformations are not scaled",
                  "change the material");

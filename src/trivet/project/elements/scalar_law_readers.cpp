@@ -295,6 +295,19 @@ std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rota
   if (!(law.exponent > 0 && law.exponent <= highest))
     reader.error("exponent", fmt::format("{:.6g}", law.exponent),
                  fmt::format("it is above 0 and at most {:g}; filled rubber has about 0.6", highest), "correct it");
+  constexpr double like_a_loss_factor = 3, usual_amplitude = 0.05;
+  const auto warn = [&](const char* key, double value, const char* rule, const char* remedy) {
+    reader.problems().warning(reader.path() + "." + key, fmt::format("{:.6g}", value), rule, remedy).origin =
+        reader.content().origin;
+  };
+  if (reader.errors() == before && law.loss > 0 && law.loss < like_a_loss_factor &&
+      law.stiffness > 100 * like_a_loss_factor)
+    warn("loss", law.loss, "it is a stiffness, the largest k'', and not a loss factor", "give it in N/m or N m/rad");
+  else if (reader.errors() == before && law.loss > law.stiffness)
+    warn("loss", law.loss, "filled rubber loses less than it softens: its largest k'' is below `stiffness`",
+         "check both");
+  if (reader.errors() == before && law.amplitude > usual_amplitude)
+    warn("amplitude", law.amplitude, "filled rubber softens below a few millimetres", "check its unit");
   return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "trivet/foundation/index.h"
 #include "trivet/identification/rope_fit.h"
 #include "trivet/project/elements/element_law.h"
@@ -40,6 +42,19 @@ std::optional<AxisOfRope> read_measured_axis(TableReader& reader, const char* ax
                    "check the loops; those of a rate that matters are no dry friction");
     add_loop_problems(reader, doubts);
   }
+  double largest = 0;
+  for (const identification::LoopFit& loop : *loops) largest = std::max(largest, loop.amplitude.value);
+  constexpr double slips_well = 1.5, in_metres = 0.3;
+  const double slips_at = fit->friction.force / fit->friction.stiffness;
+  foundation::Problems remarks;
+  if (largest < slips_well * slips_at)
+    remarks.warning("", fmt::format("loops up to {:.4g} m, and the fit slips from about {:.4g} m", largest, slips_at),
+                    "the limit of the friction and the spring of large loops are then extrapolated",
+                    "measure loops of at least one and a half times that amplitude");
+  if (largest > in_metres)
+    remarks.warning("", fmt::format("loops up to {:.4g} m", largest), "a wire rope hardly moves that far",
+                    "give length_unit and force_unit of the file");
+  add_loop_problems(reader, remarks);
   std::string deviations;
   for (std::size_t i = 0; i < loops->size(); ++i)
     deviations +=
@@ -85,7 +100,15 @@ std::optional<AxisOfRope> read_axis_of_rope(TableReader& reader, const char* axi
 }
 
 void read_wire_rope(TableReader& reader, Placement& ends, model::Element& element) {
-  if (reader.has("file")) return read_tabulated(reader, ends, element);
+  if (reader.has("file")) {
+    for (const char* axis : model::coordinate_names)
+      if (reader.has(axis)) {
+        reader.error(axis, std::string(axis) + " beside a file",
+                     "a wire rope is a table, or has numbers or loops per axis", "remove one of them");
+        static_cast<void>(reader.node(axis));
+      }
+    return read_tabulated(reader, ends, element);
+  }
   reader.also_known({"file", "interpolation"});
   if (reader.has("interpolation"))
     reader.error("interpolation", "interpolation without a file", "it belongs to a table", "remove it");
