@@ -168,7 +168,8 @@ Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrice
     const Eigen::MatrixXd dynamic = matrices.K + s * matrices.B + s * s * matrices.A;
     return Eigen::VectorXd(s * s * numerics::PivotedLu<double>(dynamic).solve(on_coordinates));
   };
-  const Eigen::VectorXd near = at(beyond * fastest), far = at(farther * beyond * fastest);
+  const Eigen::VectorXd near = at(beyond * fastest);
+  Eigen::VectorXd far = at(farther * beyond * fastest);
   if (on_coordinates.dot(far) > grows * on_coordinates.dot(near))
     return std::numeric_limits<double>::infinity() * on_coordinates.cwiseSign();
   return far;
