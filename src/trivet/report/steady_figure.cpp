@@ -236,11 +236,16 @@ std::string steady_tables(const study::Answers& answers) {
     }
   const std::string about = hint(fmt::format(
       "Periodic motions connected with the one at the lower end of the band; {}. {} harmonics, which leave out at most "
-      "{:.2g} of the deflections. Motions are deviations from rest.{}",
+      "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
       branch->search ? fmt::format("{} detached curves were found by a search",
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
-      branch->harmonics, branch->left_out, branch->ended.empty() ? "" : " " + branch->ended + "."));
+      branch->harmonics, branch->left_out,
+      branch->at_phase
+          ? fmt::format(" At each load the frequency is the one at which {} lags the excitation by {:.4g}°.",
+                        branch->at_phase->of, 360 / foundation::two_pi * branch->at_phase->lag)
+          : "",
+      branch->ended.empty() ? "" : " " + branch->ended + "."));
   if (rows.empty())
     return about +
         hint(branch->changes.empty() && branch->further.empty()
