@@ -50,8 +50,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
   };
   const double turning_slope = this->turning_slope(harmonics);
   for (const LawAbout::Hysteretic& part : law.hysteretic()) {
-    const bool is_coulomb = std::holds_alternative<elements::CoulombFriction>(part.law);
-    const double of_part = is_coulomb ? turning_slope : 0;
+    const double of_part = elements::jumps_at_turns(part.law) ? turning_slope : 0;
     if (HystereticLoop loop(part, deflection_, turns(of_part), of_part); !loop.branches().empty())
       loops_.push_back(std::move(loop));
   }

@@ -120,6 +120,9 @@ SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& opti
         "give another band or lag, or begin at a smaller load",
         options.at_phase->of, 360 / foundation::two_pi * options.at_phase->lag, options.from, options.at_phase->from,
         options.at_phase->to));
+  if (const std::string reason = known.reason_unknown(at.balance(), at.motion(*now), AtPhase::driving(*now).omega);
+      !reason.empty())
+    throw foundation::NotComputable(fmt::format("steady: at {:.6g} times the load {}", options.from, reason));
   const auto observed = [&](const BranchPoint& point) {
     return observer.at(at.balance(), at.motion(point), AtPhase::driving(point));
   };
@@ -147,6 +150,7 @@ SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& opti
     if (!turns && (next.parameter > options.to || next.parameter < options.from)) {
       const double end = next.parameter > options.to ? options.to : options.from;
       if (const auto last = at.branch().at(end, *now, 0, advance->length)) (void)add(*last);
+      else found.ended = fmt::format("no motion was found at {:.6g} times the load", end);
       return found;
     }
     if (turns)

@@ -124,20 +124,12 @@ RestPosition rest_between_gaps(const model::System& undeformed) {
   return {with_references(there, tangents_at_rest(there)), found.limit_loads, found.stable};
 }
 
-}  // namespace
-
-namespace {
-
 RestPosition rest_of(const model::System& undeformed) {
   model::Description description = undeformed.description();
   bool counts_from_rest = false;
   each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
   return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
 }
-
-}  // namespace
-
-namespace {
 
 /// The deflections of all nonlinear parts of a machine with tangents at rest, under its static load.
 void move_to_equilibrium(const model::System& settled, model::Description& description) {
