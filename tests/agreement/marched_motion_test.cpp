@@ -148,6 +148,34 @@ TEST(MarchedMotion, DampedStop) {
   expect_agreement(elements::ElasticForce(stop), {.force = force}, 1);
 }
 
+/// Bristles with a Stribeck curve and their dampers; the third number is the force of their deflection alone.
+TEST(MarchedMotion, LuGre) {
+  const elements::LuGreFriction law{
+      .stiffness = 2e5, .slip = 40, .breakaway = 55, .stribeck_velocity = 0.06, .damping = 90, .viscous = 40};
+  const auto slope = [law](double omega, double t, const Vector3d& y) {
+    const double ratio = y(1) / law.stribeck_velocity,
+                 steady = law.slip + (law.breakaway - law.slip) * std::exp(-ratio * ratio),
+                 bristle_rate = y(1) - std::abs(y(1)) * y(2) / steady,
+                 force = y(2) + law.damping * bristle_rate + law.viscous * y(1);
+    return Vector3d(y(1), (amplitude * std::cos(omega * t) - damping * y(1) - stiffness * y(0) - force) / mass,
+                    law.stiffness * bristle_rate);
+  };
+  const auto after = [slope](double omega, const Vector3d& start, double* largest) {
+    constexpr int steps = 16'000;
+    const double h = 2 * pi / omega / steps;
+    Vector3d y = start;
+    for (int i = 0; i < steps; ++i) {
+      const double t = i * h;
+      const Vector3d k1 = slope(omega, t, y), k2 = slope(omega, t + h / 2, y + h / 2 * k1),
+                     k3 = slope(omega, t + h / 2, y + h / 2 * k2), k4 = slope(omega, t + h, y + h * k3);
+      y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      if (largest) *largest = std::max(*largest, y(0));
+    }
+    return y;
+  };
+  expect_agreement(law, after, law.breakaway);
+}
+
 /// Sticks with its stiffness, or slips with one force. The instants of change are found by bisection.
 struct BreakingAway {
   elements::Slider law;

@@ -19,6 +19,10 @@ ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection) {
       const StiffnessOfAmplitude there = stiffness_at(*payne, std::abs(deflection));
       one = {there.storage * deflection, there.storage + there.storage_slope * std::abs(deflection)};
     }
+    if (const auto* bristles = std::get_if<LuGreFriction>(&law)) {
+      const VirginBristles virgin = virgin_force(*bristles, deflection);
+      one = {virgin.force, virgin.tangent};
+    }
     sum.force += one.force;
     sum.tangent += one.tangent;
   }
@@ -36,6 +40,10 @@ SmallMotion small_motion(const ScalarLaws& laws, double deflection) {
     if (const auto* hysteretic = std::get_if<HystereticForce>(&law)) sum.stiffness += initial_stiffness(*hysteretic);
     if (const auto* damping = std::get_if<DampingForce>(&law)) sum.damping += damping_at_rest(*damping);
     if (const auto* payne = std::get_if<PayneForce>(&law)) sum.stiffness += payne->stiffness;
+    if (const auto* bristles = std::get_if<LuGreFriction>(&law)) {
+      sum.stiffness += bristles->stiffness;
+      sum.damping += bristles->damping + bristles->viscous;
+    }
   }
   return sum;
 }

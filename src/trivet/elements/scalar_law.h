@@ -7,21 +7,22 @@
 #include "trivet/elements/damping_force.h"
 #include "trivet/elements/elastic_force.h"
 #include "trivet/elements/hysteresis.h"
+#include "trivet/elements/lugre_friction.h"
 
 /// Forces over one deflection δ of an element, in addition to its 12×12: along or about one axis, in N over m or N m
 /// over rad. Positive forces act against positive deflections. Equations and sources: docs/nonlinear.md.
 namespace trivet::elements {
 
-using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce, PayneForce>;
+using ScalarLaw = std::variant<ElasticForce, DampingForce, HystereticForce, PayneForce, LuGreFriction>;
 /// Forces over the same deflection add up.
 using ScalarLaws = std::vector<ScalarLaw>;
 
-/// Force of a slow deflection from 0: hysteretic parts under virgin loading, parts that depend on the amplitude as at
-/// the turning points of that amplitude.
+/// Force of a slow deflection from 0: hysteretic parts and bristles under virgin loading, parts that depend on the
+/// amplitude as at the turning points of that amplitude.
 [[nodiscard]] ForceAndTangent force_at_rest(const ScalarLaws& laws, double deflection);
 
-/// What the laws are for motions of vanishing amplitude about a deflection: hysteretic parts stick, but for friction
-/// without a spring, which is left out.
+/// What the laws are for motions of vanishing amplitude about a deflection: hysteretic parts and bristles stick, but
+/// for friction without a spring, which is left out.
 struct SmallMotion {
   double stiffness = 0;  ///< [N/m or N m/rad]
   double damping = 0;    ///< [N s/m or N m s/rad]

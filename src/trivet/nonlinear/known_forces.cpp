@@ -33,7 +33,11 @@ std::string KnownForces::hint() const {
     });
   };
   if (any(elements::jumps_at_turns)) return "; friction without a stiffness may rest there: give it one";
-  if (any([](const elements::HystereticForce& law) { return elements::jump_at_kink(law, 1) != 0; }))
+  const bool weakens = std::any_of(deflections_.begin(), deflections_.end(), [](const Deflection& one) {
+    return std::any_of(one.law.bristles().begin(), one.law.bristles().end(),
+                       [](const LawAbout::Bristles& part) { return part.law.has_stribeck_effect(); });
+  });
+  if (weakens || any([](const elements::HystereticForce& law) { return elements::jump_at_kink(law, 1) != 0; }))
     return "; friction that breaks away above its slip moves in bursts at low frequencies: begin higher";
   return "";
 }

@@ -27,6 +27,9 @@ LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotio
       has_dampers_(!dampers_.empty() || !of_amplitude_.empty()) {
   for (const elements::HystereticForce& law : elements::only<elements::HystereticForce>(laws_))
     hysteretic_.push_back({law, elements::virgin_force(law, state).force});
+  for (const elements::LuGreFriction& law : elements::only<elements::LuGreFriction>(laws_))
+    bristles_.push_back({law, elements::virgin_force(law, state).force});
+  has_dampers_ = has_dampers_ || !bristles_.empty();
   for (const elements::ElasticForce& law : elastic_) {
     for (const double kink : elements::kinks(law)) kinks_.push_back(kink - state);
     for (const double kink : elements::rate_kinks(law)) rate_kinks_.push_back(kink);
@@ -68,6 +71,7 @@ LawAbout::Parts::Curvature LawAbout::Parts::curvature(double deflection, double 
 LawAbout::Line LawAbout::line() const {
   Line found{-offset_, -reference_.stiffness, -reference_.damping};
   for (const Hysteretic& part : hysteretic_) found.constant += part.at_state;  // in the offset
+  for (const Bristles& part : bristles_) found.constant += part.at_state;
   for (const elements::PayneForce& law : of_amplitude_)
     found.constant += elements::stiffness_at(law, std::abs(state_)).storage * state_;
   return found;
@@ -104,7 +108,8 @@ bool LawAbout::is_piecewise_linear() const {
   return std::all_of(elastic_.begin(), elastic_.end(), straight) &&
       std::all_of(dampers_.begin(), dampers_.end(), straight) &&
       std::all_of(hysteretic_.begin(), hysteretic_.end(),
-                  [](const Hysteretic& part) { return elements::is_piecewise_linear(part.law); });
+                  [](const Hysteretic& part) { return elements::is_piecewise_linear(part.law); }) &&
+      bristles_.empty();
 }
 
 std::pair<double, double> LawAbout::untouched() const {

@@ -64,6 +64,12 @@ class LawAbout {
   /// Change of the acceleration of the deflection per change of the force on it [1/kg, 1/(kg m²)].
   [[nodiscard]] double acceleration_per_force() const { return acceleration_per_force_; }
 
+  struct Bristles {
+    elements::LuGreFriction law;
+    double at_state = 0;  ///< its force at the state
+  };
+  [[nodiscard]] const std::vector<Bristles>& bristles() const { return bristles_; }
+
   /// Parts that depend on the amplitude of the motion about the state.
   [[nodiscard]] const std::vector<elements::PayneForce>& of_amplitude() const { return of_amplitude_; }
 
@@ -90,6 +96,7 @@ class LawAbout {
   std::vector<elements::DampingForce> dampers_;
   Parts smooth_, quadratic_, others_;
   std::vector<Hysteretic> hysteretic_;
+  std::vector<Bristles> bristles_;
   std::vector<elements::PayneForce> of_amplitude_;
   double state_ = 0, offset_ = 0, acceleration_per_force_ = 0;
   elements::SmallMotion reference_;

@@ -32,7 +32,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     corners_.insert(corners_.end(), of_rate.begin(), of_rate.end());
     std::sort(corners_.begin(), corners_.end());
   }
-  if (law.hysteretic().empty()) return;
+  if (law.hysteretic().empty() && law.bristles().empty()) return;
   const auto turns = [&](double turning_slope) {
     const VectorXd slope = numerics::phase_derivative(deflection_), bend = numerics::phase_derivative(slope);
     if (turning_slope == 0) return numerics::level_crossings(slope, {0}, samples);
@@ -54,6 +54,12 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     if (HystereticLoop loop(part, deflection_, turns(of_part), of_part); !loop.branches().empty())
       loops_.push_back(std::move(loop));
   }
+  if (law.bristles().empty()) return;
+  constexpr double per_wave = 4;  // panels per wave of the highest harmonic
+  const double highest = std::max(2.0, static_cast<double>((deflection_.size() - 1) / 2));
+  const std::vector<double> of_bristles = turns(0);
+  for (const LawAbout::Bristles& part : law.bristles())
+    bristles_.emplace_back(part, deflection_, omega, of_bristles, foundation::two_pi / (per_wave * highest));
 }
 
 /// Friction without a spring jumps where the deflection turns, which bends its slope there by J/(m ω²): the harmonics
@@ -75,6 +81,10 @@ std::vector<double> LawCourse::all_corners() const {
       all.push_back(branch.from);
       if (branch.kink) all.push_back(std::fmod(*branch.kink, foundation::two_pi));
     }
+  for (const BristleLoop& loop : bristles_) {
+    const std::vector<double> of_loop = loop.corners();
+    all.insert(all.end(), of_loop.begin(), of_loop.end());
+  }
   return all;
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "trivet/nonlinear/bristle_loop.h"
 #include "trivet/nonlinear/hysteretic_loop.h"
 #include "trivet/nonlinear/law_about.h"
 
@@ -24,7 +25,9 @@ class LawCourse {
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   /// One per hysteretic part that moves.
   [[nodiscard]] const std::vector<HystereticLoop>& loops() const { return loops_; }
-  /// `corners`, and the turning points and kinks of the loops, in no order.
+  /// One per law of bristles.
+  [[nodiscard]] const std::vector<BristleLoop>& bristles() const { return bristles_; }
+  /// `corners`, the turning points and kinks of the loops, and the panels of bristles, in no order.
   [[nodiscard]] std::vector<double> all_corners() const;
 
   [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
@@ -52,6 +55,7 @@ class LawCourse {
   elements::StiffnessOfAmplitude of_amplitude_;
   std::vector<double> corners_;
   std::vector<HystereticLoop> loops_;
+  std::vector<BristleLoop> bristles_;
 };
 
 }  // namespace trivet::nonlinear

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/nonlinear/bristle_harmonics.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/fourier_products.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"
@@ -92,6 +93,7 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
     add_loop(along, loop, sum);
     if (with_tangent) add_jumps(deflection, omega, loop, sum);
   }
+  if (!along.bristles().empty()) add_bristles(along, deflection, omega, sum);
   if (!law_.of_amplitude().empty()) add_of_amplitude(along, deflection, sum);
   sum.force(0) /= 2;
   sum.by_omega(0) /= 2;
@@ -231,6 +233,17 @@ void LawHarmonics::add_jumps(const VectorXd& deflection, double omega, const Hys
     const VectorXd later = jump.force / (two_pi / 2) * here.transpose();
     sum.by_memory -= later * moved;
     if (jump.by_log_omega != 0) sum.by_omega -= jump.by_log_omega / omega * later;
+  }
+}
+
+void LawHarmonics::add_bristles(const LawCourse& course, const VectorXd& deflection, double omega, Spectra& sum) const {
+  for (const BristleLoop& loop : course.bristles()) {
+    const BristleHarmonics found = bristle_harmonics(loop, deflection, omega, sum.with_tangent);
+    sum.force += found.force;
+    if (!sum.with_tangent) continue;
+    if (sum.by_memory.size() == 0) sum.by_memory = Eigen::MatrixXd::Zero(deflection.size(), deflection.size());
+    sum.by_memory += found.tangent;
+    sum.by_omega += found.by_omega;
   }
 }
 

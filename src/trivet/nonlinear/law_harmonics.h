@@ -48,7 +48,7 @@ class LawHarmonics {
     Eigen::VectorXd force;  ///< coefficients; the first one is twice the mean
     Eigen::VectorXd by_deflection, by_rate;
     Eigen::VectorXd by_omega;  ///< of the instants at which forces jump
-    /// What the force owes to past turning points and to the amplitude, by the coefficients.
+    /// What the force owes to past turning points, bristles and the amplitude, by the coefficients.
     Eigen::MatrixXd by_memory;
   };
   [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
@@ -56,6 +56,7 @@ class LawHarmonics {
   void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_between_corners(const LawCourse& course, Spectra& sum) const;
+  void add_bristles(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_of_amplitude(const LawCourse& course, const Eigen::VectorXd& deflection, Spectra& sum) const;
   void add_jumps(const Eigen::VectorXd& deflection, double omega, const HystereticLoop& loop, Spectra& sum) const;
   void add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const;

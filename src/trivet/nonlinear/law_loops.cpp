@@ -40,6 +40,10 @@ struct Extent {
     if (!(elements::initial_stiffness(law) > 0)) return without_spring;
     return of_its_slip * elements::force_limit(law) / elements::initial_stiffness(law);
   }
+  double operator()(const elements::LuGreFriction& law) const {
+    constexpr double of_its_limit = 5;
+    return of_its_limit * law.limit() / law.stiffness;
+  }
   double operator()(const elements::DampingForce&) const { return 0; }
   double operator()(const elements::PayneForce& law) const {
     constexpr double of_its_amplitude = 20;
@@ -62,6 +66,7 @@ LawLoop loop(const LawHarmonics& law, double at_rest, double force_at_rest, doub
     const double phase = two_pi * i / samples, deviation = course.deflection_at(phase);
     double force = force_at_rest + course.at(phase).force;
     for (const HystereticLoop& one : course.loops()) force += one.at(one.branch_at(phase), deviation).force;
+    for (const BristleLoop& one : course.bristles()) force += one.at(phase).force;
     found.deflections.push_back(at_rest + deviation);
     found.forces.push_back(force);
   }

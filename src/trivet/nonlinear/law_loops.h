@@ -8,7 +8,7 @@
 namespace trivet::nonlinear {
 
 /// The force of the laws of one nonlinear part under a slow sine of the deflection about rest, after the loop has
-/// closed: in addition to the linear element, without its dampers.
+/// closed: in addition to the linear element, without its dampers; bristles at rates far below their Stribeck velocity.
 struct LawLoop {
   double amplitude = 0;                     ///< of the deflection [m, rad]
   std::vector<double> deflections, forces;  ///< of one period from the largest deflection, whole ones [m, N; rad, N m]

@@ -79,12 +79,20 @@ struct PeriodicStability::Motion {
       for (const HystereticLoop& loop : courses[j].loops())
         (loop.sticks() ? sticking : loops)
             .push_back({to_index(j), &loop, loop.jumps(deflections.segment(to_index(j) * C, C))});
+    for (std::size_t j = 0; j < courses.size(); ++j)
+      for (const BristleLoop& loop : courses[j].bristles())
+        (loop.moves() ? bristles : stuck).push_back({to_index(j), &loop});
   }
   struct Loop {
     Index deflection;
     const HystereticLoop* loop;
     std::vector<HystereticLoop::Jump> jumps;
   };
+  struct Bristles {
+    Index deflection;
+    const BristleLoop* loop;
+  };
+  [[nodiscard]] Index memories() const { return 2 * to_index(loops.size()) + to_index(bristles.size()); }
   [[nodiscard]] bool is_damped() const {
     return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
         std::any_of(distances.begin(), distances.end(),
@@ -101,6 +109,7 @@ struct PeriodicStability::Motion {
   std::vector<LawCourse> courses;
   std::vector<Loop> loops;     ///< with memory
   std::vector<Loop> sticking;  ///< as springs
+  std::vector<Bristles> bristles, stuck;
   std::vector<Distance> distances;
 };
 
@@ -111,6 +120,7 @@ struct PeriodicStability::Tangents {
   VectorXd by_travel, by_start;  ///< one per loop
   Eigen::RowVectorXd row;        ///< of the Fourier basis
   std::vector<elements::SpatialForce> distances;
+  std::vector<BristleLoop::Here> bristles;
 
   [[nodiscard]] std::vector<double> list() const {
     std::vector<double> all;
@@ -132,6 +142,27 @@ struct PeriodicStability::Tangents {
     return rows;
   }
 };
+
+namespace {
+
+/// Bristles over a step h with constant tangents and a constant variation of the rate: of their variation ζ̇ = gain δ̇ −
+/// decay ζ, and the mean of their force.
+struct BristleKick {
+  BristleKick(const BristleLoop::Here& at, double h) {
+    const double x = at.decay * h;
+    constexpr double small = 1e-4;
+    const double mean = x > small ? -std::expm1(-x) / x : 1 - x / 2,      // of e^{−decay t}
+        mean_of_integral = x > small ? (1 - mean) / x : 1.0 / 2 - x / 6;  // of (1 − e^{−decay t})/decay, by h
+    kept = std::exp(-x);
+    grown = at.gain * mean * h;
+    by_start = at.by_bristle * mean;
+    by_rate = at.by_rate + at.by_bristle * at.gain * mean_of_integral * h;
+  }
+  double kept = 0, grown = 0;        ///< ζ at the end by that at the start, and by the rate
+  double by_start = 0, by_rate = 0;  ///< the mean force by ζ at the start, and by the rate
+};
+
+}  // namespace
 
 PeriodicStability::PeriodicStability(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections)
     : replaced_losses_(assembled.matrices.lossy()), flow_(MatrixXd()) {
@@ -184,6 +215,12 @@ void PeriodicStability::set_tangents(const Motion& motion, double phase, Tangent
     return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
   };
   for (const Motion::Loop& one : motion.sticking) found.by_deflection(one.deflection) += on_loop(one).by_travel;
+  found.bristles.clear();
+  for (const Motion::Bristles& one : motion.bristles) found.bristles.push_back(one.loop->at(phase));
+  for (const Motion::Bristles& one : motion.stuck) {
+    found.by_deflection(one.deflection) += one.loop->law().stiffness;
+    found.by_rate(one.deflection) += one.loop->law().damping + one.loop->law().viscous;
+  }
   for (Index h = 0; h < loops; ++h) {
     const elements::ForceOnTravel here = on_loop(motion.loops[to_size(h)]);
     found.by_travel(h) = here.by_travel;
@@ -206,7 +243,7 @@ MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double 
 
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, int steps) const {
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
-  const Index n = F_.rows(), m = force_.cols(), all = n + 2 * to_index(motion.loops.size());
+  const Index n = F_.rows(), m = force_.cols(), all = n + motion.memories();
   const bool in_modes = flow_.is_diagonalizable();
   const MatrixXd &kick = in_modes ? kick_ : force_, &seen = in_modes ? seen_ : values_,
                  &seen_rates = in_modes ? seen_rates_ : rates_;
@@ -232,6 +269,7 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
   const bool damped = motion.is_damped();
   Tangents tangent;
   RowMatrix moved(m, all), rates(m, all);
+  const Index first_bristles = 2 * to_index(motion.loops.size());
   for (int i = 0; i < steps; ++i) {
     set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
     moved.setZero();
@@ -252,9 +290,21 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
       MatrixXd by_rate = tangent.by_rate.asDiagonal();
       for (std::size_t d = 0; d < motion.distances.size(); ++d)
         by_rate.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += tangent.distances[d].by_rate;
+      for (std::size_t b = 0; b < motion.bristles.size(); ++b) {
+        const BristleKick of_bristles(tangent.bristles[b], step);
+        const Index j = motion.bristles[b].deflection;
+        by_rate(j, j) += of_bristles.by_rate;
+        moved.row(j) += of_bristles.by_start * memory.row(first_bristles + to_index(b));
+      }
       moved += by_rate * rates;
       const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (by_rate * rates_by_force);
       moved = numerics::PivotedLu<double>(left).solve(MatrixXd(moved));
+      for (std::size_t b = 0; b < motion.bristles.size(); ++b) {
+        const BristleKick of_bristles(tangent.bristles[b], step);
+        const Index j = motion.bristles[b].deflection, row = first_bristles + to_index(b);
+        memory.row(row) = of_bristles.kept * memory.row(row) +
+            of_bristles.grown * (rates.row(j) + step / 2 * rates_by_force.row(j) * moved);
+      }
     }
     moved *= step;
     add_product(kick, moved, machine);
@@ -339,7 +389,7 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
   for (const Motion::Distance& one : motion.distances)
     for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
   std::sort(corners.begin(), corners.end());
-  const Index all = F_.rows() + 2 * to_index(motion.loops.size());
+  const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];

@@ -197,9 +197,12 @@ Index more_harmonics(Index harmonics) { return 7 * harmonics / 5; }
 std::vector<std::string> lost_means(const std::vector<Deflection>& deflections) {
   std::vector<std::string> names;
   for (const Deflection& deflection : deflections)
-    if (std::any_of(deflection.law.hysteretic().begin(), deflection.law.hysteretic().end(), [](const auto& part) {
-          return part.at_state != 0 && !std::holds_alternative<elements::Slider>(part.law);
-        }))
+    if (std::any_of(deflection.law.hysteretic().begin(), deflection.law.hysteretic().end(),
+                    [](const auto& part) {
+                      return part.at_state != 0 && !std::holds_alternative<elements::Slider>(part.law);
+                    }) ||
+        std::any_of(deflection.law.bristles().begin(), deflection.law.bristles().end(),
+                    [](const auto& part) { return part.at_state != 0; }))
       names.push_back(deflection.name);
   return names;
 }

@@ -6,6 +6,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/nonlinear/bristle_harmonics.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/fourier_products.h"
@@ -46,6 +47,7 @@ class LawVariation {
     padded.head(deflection.size()) = deflection;
     tangents_ = wide.tangents_at(padded, omega);
     const LawCourse course = wide.course(padded, omega);
+    bristles_ = course.bristles();
     const double longest = two_pi / static_cast<double>(4 * harmonics);
     for (const HystereticLoop& loop : course.loops()) {
       if (loop.sticks()) continue;
@@ -71,6 +73,7 @@ class LawVariation {
   [[nodiscard]] MatrixXcd at(double mu) const {
     MatrixXcd found = variation(tangents_.by_deflection, tangents_.by_rate, mu, omega_, harmonics_);
     for (const Memory& memory : memories_) add_memory(memory, mu, found);
+    for (const BristleLoop& loop : bristles_) found += bristle_variation(loop, mu, omega_, harmonics_);
     return found;
   }
 
@@ -140,6 +143,7 @@ class LawVariation {
   double omega_;
   LawHarmonics::TangentHarmonics tangents_;
   std::vector<Memory> memories_;
+  std::vector<BristleLoop> bristles_;
 };
 
 /// D(iν).

@@ -42,7 +42,12 @@ elements::MatrixVerdict matrix_verdict(const project::Case& variant, const model
 
 namespace {
 
-bool has_dampers(const elements::ScalarLaws& laws) { return !elements::only<elements::DampingForce>(laws).empty(); }
+bool has_dampers(const elements::ScalarLaws& laws) {
+  const std::vector<elements::LuGreFriction> bristles = elements::only<elements::LuGreFriction>(laws);
+  return !elements::only<elements::DampingForce>(laws).empty() ||
+      std::any_of(bristles.begin(), bristles.end(),
+                  [](const elements::LuGreFriction& law) { return law.damping > 0 || law.viscous > 0; });
+}
 
 /// The force along the line of a strut, or across the axis of a ring, in both senses.
 ElementLaws over_distance(const model::DistancePart& part) {

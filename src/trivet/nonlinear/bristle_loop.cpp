@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/bristle_loop.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using foundation::two_pi;
+using numerics::RadauPanel;
+
+/// How far a panel may reach between two turning points. Lengths of travel are in units of that over which the bristles
+/// forget, F/σ_0.
+class BristleLoop::Grading {
+ public:
+  Grading(const BristleLoop& loop, double from, double to) : loop_(loop), first_(at(from)), last_(at(to)) {}
+
+  [[nodiscard]] bool is_fine(double from, double to) const {
+    const elements::LuGreFriction& law = loop_.part_.law;
+    const double here = at(from), there = at(to), shortest = law.slip / law.stiffness, since = std::abs(here - first_),
+                 left = std::abs(last_ - there), travel = std::abs(there - here);
+    // Until a layer has faded to round-off, its exponential function is resolved; then only places that double.
+    constexpr double faded = 40, resolved = 1.3, growth = 2;
+    if (travel > resolved * shortest) {
+      if (since < faded * law.limit() / law.stiffness) return false;
+      if (travel > growth * since || travel > growth * left) return false;
+    }
+    if (!law.has_stribeck_effect()) return true;
+    constexpr double of_change = 0.35, beyond = 8;
+    const double v = std::abs(rate(from)), w = std::abs(rate(to)), scale = law.stribeck_velocity;
+    return std::min(v, w) > beyond * scale || std::abs(v - w) <= of_change * std::max({v, w, scale});
+  }
+
+ private:
+  [[nodiscard]] static double value(double phase, const VectorXd& of) {
+    return numerics::motion_at((of.size() - 1) / 2, phase, of);
+  }
+  [[nodiscard]] double at(double phase) const { return value(phase, loop_.deflection_); }
+  [[nodiscard]] double rate(double phase) const { return loop_.omega_ * value(phase, loop_.slope_); }
+
+  const BristleLoop& loop_;
+  double first_, last_;
+};
+
+BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflection, double omega,
+                         const std::vector<double>& turns, double longest)
+    : part_(part), deflection_(deflection), slope_(numerics::phase_derivative(deflection)), omega_(omega) {
+  if (turns.empty()) return;
+  ends_ = {turns.front()};
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    add_branch(turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi, longest);
+  const Index count = RadauPanel::nodes * to_index(senses_.size());
+  for (VectorXd* of_nodes : {&phases_, &weights_, &slopes_, &by_rate_, &gains_, &fading_}) of_nodes->resize(count);
+  VectorXd decays(count);
+  double faded = 1;
+  for (std::size_t p = 0; p < senses_.size(); ++p) {
+    const Index first = RadauPanel::nodes * to_index(p);
+    const double from = ends_[p], length = ends_[p + 1] - from;
+    for (Index i = 0; i < RadauPanel::nodes; ++i) {
+      const double phase = from + length * numerics::radau_panel().places(i),
+                   slope = numerics::motion_at((slope_.size() - 1) / 2, phase, slope_);
+      const elements::BristleDecay decay = elements::bristle_decay(part_.law, omega_ * slope, senses_[p]);
+      phases_(first + i) = phase;
+      weights_(first + i) = length * numerics::radau_panel().weights(i);
+      slopes_(first + i) = slope;
+      by_rate_(first + i) = decay.by_rate;
+      gains_(first + i) = decay.per_travel;
+      decays(first + i) = decay.per_travel * slope;
+    }
+    panels_.emplace_back(length, decays.segment<RadauPanel::nodes>(first));
+    fading_.segment<RadauPanel::nodes>(first) = faded * panels_.back().of_start;
+    faded = fading_(first + RadauPanel::nodes - 1);
+  }
+  decayed_ = weights_.dot(decays);
+  bristles_ = closed<MatrixXd>(slopes_, -std::expm1(-decayed_));
+  // By dδ/dφ: 1 − z (p + v dp/dv).
+  gains_ = 1 - bristles_.array() * (gains_.array() + omega_ * slopes_.array() * by_rate_.array());
+}
+
+void BristleLoop::add_branch(double from, double to, double longest) {
+  const Grading grading(*this, from, to);
+  const double sense = numerics::motion_at((slope_.size() - 1) / 2, (from + to) / 2, slope_) < 0 ? -1 : 1;
+  constexpr double shortest = 1e-12, nearly = 1.01;
+  double at = from, step = longest;
+  while (at < to) {
+    step = std::min(2 * step, longest);
+    while (step > shortest && !grading.is_fine(at, std::min(at + step, to))) step /= 2;
+    at = at + nearly * step >= to ? to : at + step;
+    ends_.push_back(at);
+    senses_.push_back(sense);
+  }
+}
+
+template <typename Matrix>
+Matrix BristleLoop::closed(const Matrix& source, typename Matrix::Scalar missing) const {
+  using Row = Eigen::Matrix<typename Matrix::Scalar, 1, Eigen::Dynamic>;
+  constexpr Index count = RadauPanel::nodes;
+  Matrix found(source.rows(), source.cols());
+  Row start = Row::Zero(source.cols());
+  for (std::size_t p = 0; p < panels_.size(); ++p) {
+    const Index first = count * to_index(p);
+    found.middleRows(first, count).noalias() = panels_[p].of_source * source.middleRows(first, count);
+    found.middleRows(first, count).noalias() += panels_[p].of_start * start;
+    start = found.row(first + count - 1);
+  }
+  found.noalias() += fading_ * (start / missing);
+  return found;
+}
+
+MatrixXd BristleLoop::variation(const MatrixXd& slopes) const {
+  return closed<MatrixXd>(gains_.asDiagonal() * slopes, -std::expm1(-decayed_));
+}
+
+MatrixXcd BristleLoop::variation(const MatrixXcd& slopes, std::complex<double> period) const {
+  return closed<MatrixXcd>(gains_.asDiagonal() * slopes, period - std::exp(-decayed_));
+}
+
+VectorXd BristleLoop::variation_by_omega() const {
+  const MatrixXd source = -bristles_.array() * by_rate_.array() * slopes_.array().square();
+  return closed<MatrixXd>(source, -std::expm1(-decayed_));
+}
+
+BristleLoop::Here BristleLoop::at(double phase) const {
+  while (phase < ends_.front()) phase += two_pi;
+  while (phase >= ends_.back()) phase -= two_pi;
+  const auto after = std::upper_bound(ends_.begin() + 1, ends_.end() - 1, phase);
+  const auto p = static_cast<std::size_t>(after - ends_.begin()) - 1;
+  const Index first = RadauPanel::nodes * to_index(p);
+  Eigen::Matrix<double, RadauPanel::nodes + 1, 1> values;
+  values << bristles_(first > 0 ? first - 1 : bristles_.size() - 1), bristles_.segment<RadauPanel::nodes>(first);
+  const double z = numerics::radau_panel().interpolation((phase - ends_[p]) / (ends_[p + 1] - ends_[p])) * values,
+               v = omega_ * numerics::motion_at((slope_.size() - 1) / 2, phase, slope_);
+  const elements::LuGreFriction& law = part_.law;
+  const auto [per_travel, by_rate] = elements::bristle_decay(law, v, senses_[p]);
+  const double decay = per_travel * v, gain = 1 - z * (per_travel + v * by_rate);
+  return {law.stiffness * z + law.damping * (v - decay * z) + law.viscous * v - part_.at_state,
+          law.damping * gain + law.viscous, law.stiffness - law.damping * decay, gain, decay};
+}
+
+std::vector<double> BristleLoop::corners() const {
+  std::vector<double> found;
+  for (std::size_t p = 0; p + 1 < ends_.size(); ++p) found.push_back(std::fmod(ends_[p], two_pi));
+  return found;
+}
+
+}  // namespace trivet::nonlinear
