@@ -20,7 +20,7 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
   const bool is_rotation = axis >= 3;
   const std::size_t before = reader.errors();
   reader.also_known({"quadratic", "cubic", "polynomial", "gap_stop", "gas", "curve", "damping_curve", "friction",
-                     "bouc_wen", "payne"});
+                     "bouc_wen", "payne", "lugre"});
   if (const auto polynomial = read_polynomial(reader, is_rotation))
     part.laws.emplace_back(elements::ElasticForce(*polynomial));
   const auto inside = [&](const char* key, const auto& read) {
@@ -61,15 +61,19 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
   inside("payne", [&](TableReader& law) {
     if (const auto payne = read_payne(law, is_rotation)) part.laws.emplace_back(*payne);
   });
+  inside("lugre", [&](TableReader& law) {
+    if (const auto bristles = read_lugre(law, is_rotation)) part.laws.emplace_back(*bristles);
+  });
   inside("bouc_wen", [&](TableReader& law) {
     if (const auto smooth = read_bouc_wen(law, is_rotation)) part.laws.emplace_back(elements::HystereticForce(*smooth));
   });
   reader.finish();
   if (part.laws.empty() && reader.errors() == before)
-    reader.error("", "no law",
-                 "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, gas, damping_curve, friction, bouc_wen "
-                 "and payne",
-                 "give one, or remove it");
+    reader.error(
+        "", "no law",
+        "it is a sum of quadratic, cubic, polynomial, curve, gap_stop, gas, damping_curve, friction, bouc_wen, "
+        "lugre and payne",
+        "give one, or remove it");
   if (part.laws.empty()) return;
   for (model::NonlinearPart& other : element.nonlinear_parts)  // of the type of the element
     if (!other.is_inner() && other.axis == axis && other.centre == centre) {

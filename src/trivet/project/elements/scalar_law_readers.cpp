@@ -311,6 +311,38 @@ std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rota
   return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 
+std::optional<elements::LuGreFriction> read_lugre(TableReader& reader, bool is_rotation) {
+  const std::size_t before = reader.errors();
+  elements::LuGreFriction law;
+  law.stiffness = read_positive(reader, "stiffness", stiffness_quantity(is_rotation));
+  law.slip = read_positive(reader, "slip", force_quantity(is_rotation));
+  law.breakaway = reader.number("breakaway", force_quantity(is_rotation)).value_or(law.slip);
+  if (reader.errors() == before && law.breakaway < law.slip)
+    reader.error("breakaway", fmt::format("{:.6g}, below slip {:.6g}", law.breakaway, law.slip),
+                 "the force of slow slip is at least that of fast slip", "correct one of them");
+  reader.also_known({"stribeck_velocity"});
+  if (law.has_stribeck_effect() || reader.has("stribeck_velocity"))
+    law.stribeck_velocity =
+        read_positive(reader, "stribeck_velocity", is_rotation ? Quantity::angular_velocity : Quantity::velocity);
+  const Quantity damping = is_rotation ? Quantity::damping_moment_per_angle : Quantity::damping_force_per_length;
+  law.damping = reader.number("damping", damping).value_or(0);
+  law.viscous = reader.number("viscous", damping).value_or(0);
+  for (const auto& [key, value] : {std::pair{"damping", law.damping}, std::pair{"viscous", law.viscous}})
+    if (!(value >= 0))
+      reader.error(key, fmt::format("{:.6g} {}", value, printed_si_unit(damping)),
+                   "a damper does not feed energy: it is ≥ 0", "correct its sign");
+  const bool may_feed = reader.boolean("allow_active").value_or(false);
+  if (reader.errors() > before) return std::nullopt;
+  if (const double least = elements::least_passive_viscous(law); law.viscous < least && !may_feed)
+    reader.problems()
+        .warning(reader.path() + ".viscous", fmt::format("{:.6g} {}", law.viscous, printed_si_unit(damping)),
+                 fmt::format("below damping (breakaway/slip − 1) = {:.6g} {}, some motions feed energy", least,
+                             printed_si_unit(damping)),
+                 "reduce the damping, or set allow_active = true")
+        .origin = reader.content().origin;
+  return law;
+}
+
 std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation) {
   const std::size_t before = reader.errors();
   elements::BoucWen law;

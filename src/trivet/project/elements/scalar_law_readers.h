@@ -25,6 +25,8 @@ namespace trivet::project {
 [[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
 /// `stiffness`, `loss`, `amplitude`, `exponent`.
 [[nodiscard]] std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rotation);
+/// `stiffness`, `slip`, `breakaway`, `stribeck_velocity`, `damping`, `viscous`, `allow_active`.
+[[nodiscard]] std::optional<elements::LuGreFriction> read_lugre(TableReader& reader, bool is_rotation);
 /// `stiffness`, `force`, `exponent`, `beta`, `gamma`, `asymmetry`, `allow_active`.
 [[nodiscard]] std::optional<elements::BoucWen> read_bouc_wen(TableReader& reader, bool is_rotation);
 

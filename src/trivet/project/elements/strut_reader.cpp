@@ -21,7 +21,7 @@ void read_strut(TableReader& reader, Placement& ends, model::Element& element) {
     reader.error("free_length", fmt::format("{:.6g} m", part.law.length), "a length is ≥ 0", "correct it");
   reader.also_known(
       {"stiffness", "quadratic", "cubic", "polynomial", "curve", "gap_stop", "gas", "coefficient", "damping_curve"});
-  for (const char* key : {"friction", "bouc_wen", "payne", "laws"}) {
+  for (const char* key : {"friction", "bouc_wen", "lugre", "payne", "laws"}) {
     if (reader.has(key))
       reader.error(key, std::string(key) + " of a strut", "its force follows its extension and rate alone",
                    "give it to another element between the same points");
