@@ -73,24 +73,68 @@ BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& defl
   return found;
 }
 
-MatrixXcd bristle_variation(const BristleLoop& loop, double mu, double omega, Index harmonics) {
-  const elements::LuGreFriction& law = loop.law();
-  const Index count = 2 * harmonics + 1, nodes = loop.phases().size();
-  Eigen::VectorXcd orders(count);  // i (μ + k)
-  for (Index k = 0; k < count; ++k) orders(k) = Complex(0, mu + static_cast<double>(k - harmonics));
-  if (!loop.moves())
-    return (law.stiffness + omega * (law.damping + law.viscous) * orders.array()).matrix().asDiagonal();
-  MatrixXcd waves(nodes, count);
+namespace {
+
+// As waves turn by at most a period, so that μ turns them by at most π/2 from the middle, the error is below 1e-8.
+constexpr int chebyshev_places = 12;
+
+double chebyshev_angle(int place) { return two_pi / 4 * (2 * place + 1) / chebyshev_places; }
+
+/// Place of an interpolation between 0 and 1/2.
+double chebyshev_place(int place) { return (1 + std::cos(chebyshev_angle(place))) / 4; }
+
+/// Barycentric weights, whose sum is 1.
+Eigen::VectorXd chebyshev_weights(double mu) {
+  VectorXd weights(chebyshev_places);
+  for (int j = 0; j < chebyshev_places; ++j) {
+    const double distance = mu - chebyshev_place(j);
+    if (distance == 0) return VectorXd::Unit(chebyshev_places, j);
+    weights(j) = (j % 2 == 0 ? 1 : -1) * std::sin(chebyshev_angle(j)) / distance;
+  }
+  return weights / weights.sum();
+}
+
+}  // namespace
+
+BristleVariation::BristleVariation(const BristleLoop& loop, double omega, Index harmonics)
+    : law_(loop.law()), moves_(loop.moves()), omega_(omega), faded_(loop.faded()), harmonics_(harmonics) {
+  for (int j = 0; moves_ && j < chebyshev_places; ++j) at_places_.push_back(open(loop, chebyshev_place(j)));
+}
+
+/// In the wave e^{iμ(φ − φ_0)} from the first turning point on, which cancels in the amplitudes.
+BristleVariation::Open BristleVariation::open(const BristleLoop& loop, double mu) const {
+  const Index count = 2 * harmonics_ + 1, nodes = loop.phases().size();
+  MatrixXcd waves(nodes, count), slopes(nodes, count);
   for (Index i = 0; i < nodes; ++i) {
     const double phase = loop.phases()(i);
     const Complex turn = std::polar(1.0, phase);
-    Complex wave = std::polar(1.0, (mu - static_cast<double>(harmonics)) * phase);
-    for (Index k = 0; k < count; ++k, wave *= turn) waves(i, k) = wave;
+    Complex wave = std::polar(1.0, mu * (phase - loop.first_turn()) - static_cast<double>(harmonics_) * phase);
+    for (Index k = 0; k < count; ++k, wave *= turn) {
+      waves(i, k) = wave;
+      slopes(i, k) = Complex(0, mu + static_cast<double>(k - harmonics_)) * wave;
+    }
   }
-  const MatrixXcd bristles = loop.variation(MatrixXcd(waves * orders.asDiagonal()), std::polar(1.0, two_pi * mu));
-  const MatrixXcd amplitudes = waves.adjoint() * ((loop.weights() / two_pi).asDiagonal() * bristles);
-  MatrixXcd found = (law.stiffness + omega * law.damping * orders.array()).matrix().asDiagonal() * amplitudes;
-  found.diagonal() += omega * law.viscous * orders;
+  const MatrixXcd bristles = loop.variation_from_zero(slopes),
+                  integral = waves.adjoint() * (loop.weights() / two_pi).asDiagonal();
+  return {integral * bristles, integral * loop.fading(), bristles.bottomRows<1>()};
+}
+
+MatrixXcd BristleVariation::at(double mu) const {
+  const Index count = 2 * harmonics_ + 1;
+  Eigen::VectorXcd orders(count);  // i (μ + k)
+  for (Index k = 0; k < count; ++k) orders(k) = Complex(0, mu + static_cast<double>(k - harmonics_));
+  if (!moves_) return (law_.stiffness + omega_ * (law_.damping + law_.viscous) * orders.array()).matrix().asDiagonal();
+  const VectorXd weights = chebyshev_weights(mu);
+  Open sum{MatrixXcd::Zero(count, count), Eigen::VectorXcd::Zero(count), Eigen::RowVectorXcd::Zero(count)};
+  for (int j = 0; j < chebyshev_places; ++j) {
+    const Open& one = at_places_[static_cast<std::size_t>(j)];
+    sum.from_zero += weights(j) * one.from_zero;
+    sum.fading += weights(j) * one.fading;
+    sum.ends += weights(j) * one.ends;
+  }
+  sum.from_zero += sum.fading * (sum.ends / (std::polar(1.0, two_pi * mu) - faded_));
+  MatrixXcd found = (law_.stiffness + omega_ * law_.damping * orders.array()).matrix().asDiagonal() * sum.from_zero;
+  found.diagonal() += omega_ * law_.viscous * orders;
   return found;
 }
 

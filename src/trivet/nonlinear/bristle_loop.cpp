@@ -80,7 +80,7 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
     faded = fading_(first + RadauPanel::nodes - 1);
   }
   decayed_ = weights_.dot(decays);
-  bristles_ = closed<MatrixXd>(slopes_, -std::expm1(-decayed_));
+  bristles_ = closed(slopes_);
   // By dδ/dφ: 1 − z (p + v dp/dv).
   gains_ = 1 - bristles_.array() * (gains_.array() + omega_ * slopes_.array() * by_rate_.array());
 }
@@ -100,7 +100,7 @@ void BristleLoop::add_branch(double from, double to, double longest) {
 }
 
 template <typename Matrix>
-Matrix BristleLoop::closed(const Matrix& source, typename Matrix::Scalar missing) const {
+Matrix BristleLoop::from_zero(const Matrix& source) const {
   using Row = Eigen::Matrix<typename Matrix::Scalar, 1, Eigen::Dynamic>;
   constexpr Index count = RadauPanel::nodes;
   Matrix found(source.rows(), source.cols());
@@ -111,21 +111,26 @@ Matrix BristleLoop::closed(const Matrix& source, typename Matrix::Scalar missing
     found.middleRows(first, count).noalias() += panels_[p].of_start * start;
     start = found.row(first + count - 1);
   }
-  found.noalias() += fading_ * (start / missing);
   return found;
 }
 
-MatrixXd BristleLoop::variation(const MatrixXd& slopes) const {
-  return closed<MatrixXd>(gains_.asDiagonal() * slopes, -std::expm1(-decayed_));
+MatrixXd BristleLoop::closed(const MatrixXd& source) const {
+  MatrixXd found = from_zero(source);
+  const Eigen::RowVectorXd start = found.bottomRows<1>() / -std::expm1(-decayed_);
+  found.noalias() += fading_ * start;
+  return found;
 }
 
-MatrixXcd BristleLoop::variation(const MatrixXcd& slopes, std::complex<double> period) const {
-  return closed<MatrixXcd>(gains_.asDiagonal() * slopes, period - std::exp(-decayed_));
+MatrixXd BristleLoop::variation(const MatrixXd& slopes) const { return closed(gains_.asDiagonal() * slopes); }
+
+MatrixXcd BristleLoop::variation_from_zero(const MatrixXcd& slopes) const {
+  return from_zero<MatrixXcd>(gains_.asDiagonal() * slopes);
 }
+
+double BristleLoop::faded() const { return std::exp(-decayed_); }
 
 VectorXd BristleLoop::variation_by_omega() const {
-  const MatrixXd source = -bristles_.array() * by_rate_.array() * slopes_.array().square();
-  return closed<MatrixXd>(source, -std::expm1(-decayed_));
+  return closed(-bristles_.array() * by_rate_.array() * slopes_.array().square());
 }
 
 BristleLoop::Here BristleLoop::at(double phase) const {

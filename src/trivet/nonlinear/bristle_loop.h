@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <complex>
 #include <vector>
 
 #include "trivet/nonlinear/law_about.h"
@@ -43,17 +42,24 @@ class BristleLoop {
 
   /// Closed variations of z at the nodes, nodes × columns, for variations of dδ/dφ there.
   [[nodiscard]] Eigen::MatrixXd variation(const Eigen::MatrixXd& slopes) const;
-  /// The same for variations that are multiplied by `period` after each period.
-  [[nodiscard]] Eigen::MatrixXcd variation(const Eigen::MatrixXcd& slopes, std::complex<double> period) const;
+  /// The same of bristles that do not move at the first turning point. The last row is also that one period later. To
+  /// them belongs `fading` times the variation at the first turning point.
+  [[nodiscard]] Eigen::MatrixXcd variation_from_zero(const Eigen::MatrixXcd& slopes) const;
+  /// z from 1 at the first turning point on, without motion; and after a period.
+  [[nodiscard]] const Eigen::VectorXd& fading() const { return fading_; }
+  [[nodiscard]] double faded() const;
+  [[nodiscard]] double first_turn() const { return ends_.front(); }  ///< phase
   /// By ω at the same coefficients.
   [[nodiscard]] Eigen::VectorXd variation_by_omega() const;
 
  private:
   class Grading;
   void add_branch(double from, double to, double longest);
-  /// dz/dφ + p dδ/dφ z = source. @param missing  the factor of a period less that of the bristles
+  /// dz/dφ + p dδ/dφ z = source, from 0 at the first turning point on.
   template <typename Matrix>
-  [[nodiscard]] Matrix closed(const Matrix& source, typename Matrix::Scalar missing) const;
+  [[nodiscard]] Matrix from_zero(const Matrix& source) const;
+  /// With the same z after each period.
+  [[nodiscard]] Eigen::MatrixXd closed(const Eigen::MatrixXd& source) const;
 
   LawAbout::Bristles part_;
   Eigen::VectorXd deflection_, slope_;  ///< coefficients, of δ and dδ/dφ
@@ -63,8 +69,8 @@ class BristleLoop {
   std::vector<double> senses_;  ///< of the panels
   // At the nodes:
   Eigen::VectorXd phases_, weights_, slopes_, by_rate_, gains_, bristles_;
-  Eigen::VectorXd fading_;  ///< z from 1 at the first turning point on, without motion
-  double decayed_ = 0;      ///< ∫ p dδ over a period
+  Eigen::VectorXd fading_;
+  double decayed_ = 0;  ///< ∫ p dδ over a period
 };
 
 }  // namespace trivet::nonlinear

@@ -47,7 +47,7 @@ class LawVariation {
     padded.head(deflection.size()) = deflection;
     tangents_ = wide.tangents_at(padded, omega);
     const LawCourse course = wide.course(padded, omega);
-    bristles_ = course.bristles();
+    for (const BristleLoop& loop : course.bristles()) bristles_.emplace_back(loop, omega, harmonics);
     const double longest = two_pi / static_cast<double>(4 * harmonics);
     for (const HystereticLoop& loop : course.loops()) {
       if (loop.sticks()) continue;
@@ -73,7 +73,7 @@ class LawVariation {
   [[nodiscard]] MatrixXcd at(double mu) const {
     MatrixXcd found = variation(tangents_.by_deflection, tangents_.by_rate, mu, omega_, harmonics_);
     for (const Memory& memory : memories_) add_memory(memory, mu, found);
-    for (const BristleLoop& loop : bristles_) found += bristle_variation(loop, mu, omega_, harmonics_);
+    for (const BristleVariation& one : bristles_) found += one.at(mu);
     return found;
   }
 
@@ -143,7 +143,7 @@ class LawVariation {
   double omega_;
   LawHarmonics::TangentHarmonics tangents_;
   std::vector<Memory> memories_;
-  std::vector<BristleLoop> bristles_;
+  std::vector<BristleVariation> bristles_;
 };
 
 /// D(iν).

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -137,19 +138,40 @@ TEST(BristleLoop, HarmonicsHaveTheirDerivatives) {
 
 /// A variation that repeats is one by the coefficients.
 TEST(BristleLoop, VariationOfTheSamePeriodIsTheTangent) {
-  constexpr double round_off = 1e-9;
+  constexpr double of_interpolation = 1e-8;
   for (const LuGreFriction& law : laws()) {
     const VectorXd motion = motions().front();
     const BristleLoop loop = loop_of(law, motion);
     const MatrixXd tangent = nonlinear::bristle_harmonics(loop, motion, omega, true).tangent;
-    const Eigen::MatrixXcd variation = nonlinear::bristle_variation(loop, 0, omega, harmonics);
+    const Eigen::MatrixXcd variation = nonlinear::BristleVariation(loop, omega, harmonics).at(0);
     // cos kφ = (e^{ikφ} + e^{−ikφ})/2: the coefficient of cos nφ is the sum of those of e^{±inφ}.
     for (Index k = 1; k <= harmonics; ++k)
       for (Index n = 1; n <= harmonics; ++n) {
         const auto at = [&](Index of, Index by) { return variation(harmonics + of, harmonics + by); };
         const std::complex<double> cosine = (at(n, k) + at(n, -k) + at(-n, k) + at(-n, -k)) / 2.0;
-        EXPECT_NEAR(tangent(2 * n - 1, 2 * k - 1), cosine.real(), round_off * tangent.norm());
-        EXPECT_NEAR(0, cosine.imag(), round_off * tangent.norm());
+        EXPECT_NEAR(tangent(2 * n - 1, 2 * k - 1), cosine.real(), of_interpolation * tangent.norm());
+        EXPECT_NEAR(0, cosine.imag(), of_interpolation * tangent.norm());
+      }
+  }
+}
+
+/// Waves of half the frequency repeat after two periods: twice the motion with twice the harmonics has their tangent.
+TEST(BristleLoop, VariationOfTwiceThePeriodIsTheTangentOfTwoPeriods) {
+  constexpr double of_nodes = 1e-7;  // those of the longer period are others
+  for (const LuGreFriction& law : laws()) {
+    const VectorXd motion = motions().front();
+    VectorXd twice = VectorXd::Zero(numerics::coefficient_count(2 * harmonics));
+    twice(0) = motion(0);
+    for (Index k = 1; k <= harmonics; ++k) twice.segment<2>(4 * k - 1) = motion.segment<2>(2 * k - 1);
+    const nonlinear::LawHarmonics over_two(nonlinear::LawAbout(elements::ScalarLaws{law}), 2 * harmonics);
+    const MatrixXd tangent = over_two.at(twice, omega / 2).tangent;
+    const Eigen::MatrixXcd variation = nonlinear::BristleVariation(loop_of(law, motion), omega, harmonics).at(0.5);
+    // e^{i(1/2 + l)φ} = e^{inψ} with n = 2 l + 1 and ψ = φ/2.
+    for (Index l = 0; l < harmonics; ++l)
+      for (Index k = 0; k < harmonics; ++k) {
+        const auto at = [&](Index of, Index by) { return variation(harmonics + of, harmonics + by); };
+        const std::complex<double> cosine = (at(k, l) + at(k, -l - 1) + at(-k - 1, l) + at(-k - 1, -l - 1)) / 2.0;
+        EXPECT_NEAR(tangent(4 * k + 1, 4 * l + 1), cosine.real(), of_nodes * tangent.norm());
       }
   }
 }
