@@ -17,26 +17,29 @@ using Eigen::VectorXd;
 using foundation::two_pi;
 using numerics::RadauPanel;
 
-/// How far a panel may reach between two turning points. Lengths of travel are in units of that over which the bristles
-/// forget, F/σ_0.
+/// How far a panel may reach between two turning points.
 class BristleLoop::Grading {
  public:
   Grading(const BristleLoop& loop, double from, double to) : loop_(loop), first_(at(from)), last_(at(to)) {}
 
   [[nodiscard]] bool is_fine(double from, double to) const {
     const elements::LuGreFriction& law = loop_.part_.law;
-    const double here = at(from), there = at(to), shortest = law.slip / law.stiffness, since = std::abs(here - first_),
-                 left = std::abs(last_ - there), travel = std::abs(there - here);
+    const double here = at(from), there = at(to), since = std::abs(here - first_), left = std::abs(last_ - there),
+                 travel = std::abs(there - here), v = std::abs(rate(from)), w = std::abs(rate(to));
     // Until a layer has faded to round-off, its exponential function is resolved; then only places that double.
-    constexpr double faded = 40, resolved = 1.3, growth = 2;
-    if (travel > resolved * shortest) {
-      if (since < faded * law.limit() / law.stiffness) return false;
+    constexpr double to_round_off = 40, resolved = 1.3, growth = 2;
+    if (travel * decay(std::max(v, w)) > resolved) {
+      if (faded_ < to_round_off) return false;
       if (travel > growth * since || travel > growth * left) return false;
     }
     if (!law.has_stribeck_effect()) return true;
     constexpr double of_change = 0.35, beyond = 8;
-    const double v = std::abs(rate(from)), w = std::abs(rate(to)), scale = law.stribeck_velocity;
-    return std::min(v, w) > beyond * scale || std::abs(v - w) <= of_change * std::max({v, w, scale});
+    return std::min(v, w) > beyond * law.stribeck_velocity ||
+        std::abs(v - w) <= of_change * std::max({v, w, law.stribeck_velocity});
+  }
+  /// The layer has faded over a panel, at least by the decay of its smaller rate.
+  void pass(double from, double to) {
+    faded_ += std::abs(at(to) - at(from)) * decay(std::min(std::abs(rate(from)), std::abs(rate(to))));
   }
 
  private:
@@ -45,9 +48,10 @@ class BristleLoop::Grading {
   }
   [[nodiscard]] double at(double phase) const { return value(phase, loop_.deflection_); }
   [[nodiscard]] double rate(double phase) const { return loop_.omega_ * value(phase, loop_.slope_); }
+  [[nodiscard]] double decay(double rate) const { return elements::bristle_decay(loop_.part_.law, rate, 1).per_travel; }
 
   const BristleLoop& loop_;
-  double first_, last_;
+  double first_, last_, faded_ = 0;
 };
 
 BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflection, double omega,
@@ -86,14 +90,16 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
 }
 
 void BristleLoop::add_branch(double from, double to, double longest) {
-  const Grading grading(*this, from, to);
+  Grading grading(*this, from, to);
   const double sense = numerics::motion_at((slope_.size() - 1) / 2, (from + to) / 2, slope_) < 0 ? -1 : 1;
   constexpr double shortest = 1e-12, nearly = 1.01;
   double at = from, step = longest;
   while (at < to) {
     step = std::min(2 * step, longest);
     while (step > shortest && !grading.is_fine(at, std::min(at + step, to))) step /= 2;
-    at = at + nearly * step >= to ? to : at + step;
+    const double next = at + nearly * step >= to ? to : at + step;
+    grading.pass(at, next);
+    at = next;
     ends_.push_back(at);
     senses_.push_back(sense);
   }
