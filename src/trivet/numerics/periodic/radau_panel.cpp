@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/periodic/radau_panel.h"
 
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
+
+#include "trivet/numerics/linalg/pivoted_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -56,7 +57,8 @@ RadauPanel collocation() {
   }
   RadauPanel panel;
   panel.places = (zeros.array() + 1) / 2;
-  panel.integrals = integrals / 2 * values.inverse();
+  // In values at the nodes: times the inverse of those of the polynomials.
+  panel.integrals = PivotedLu<double>(values.transpose()).solve(Eigen::MatrixXd(integrals.transpose() / 2)).transpose();
   panel.weights = panel.integrals.row(RadauPanel::nodes - 1).transpose();
   return panel;
 }
@@ -82,10 +84,9 @@ Eigen::Matrix<double, 1, RadauPanel::nodes + 1> RadauPanel::interpolation(double
 DecayingPanel::DecayingPanel(double length, const RadauPanel::Vector& decay) {
   const RadauPanel& panel = radau_panel();
   const RadauPanel::Matrix integrals = length * panel.integrals;
-  const Eigen::PartialPivLU<RadauPanel::Matrix> factors(RadauPanel::Matrix::Identity() +
-                                                        integrals * decay.asDiagonal());
-  of_start = factors.solve(RadauPanel::Vector::Ones());
-  of_source = factors.solve(integrals);
+  const PivotedLu<double> factors(RadauPanel::Matrix::Identity() + integrals * decay.asDiagonal());
+  of_start = factors.solve(Eigen::VectorXd(RadauPanel::Vector::Ones()));
+  of_source = factors.solve(Eigen::MatrixXd(integrals));
 }
 
 }  // namespace trivet::numerics
