@@ -18,20 +18,20 @@ int periods_of(const StabilityChange& change) { return change.kind == StabilityC
 
 /// The place near a change of stability where the equations are singular. Both are the same, but for what the harmonics
 /// leave out.
-std::optional<SteadyPath::Place> crossing_near(const StabilityChange& change, const SteadyPath& connected,
-                                               const SteadyPath& seen, bool over_frequency) {
+std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& change, const SteadyPath& connected,
+                                                    const SteadyPath& seen, bool over_frequency) {
   const bool doubles = periods_of(change) == 2;
   const Index m = change.point.deflections.cols();
-  const auto place_of = [&](const Eigen::MatrixXd& motion, double parameter) -> SteadyPath::Place {
+  const auto place_of = [&](const Eigen::MatrixXd& motion, double parameter) -> SteadyEquations::Place {
     return {(doubles ? over_two_periods(motion) : motion).reshaped(), parameter};
   };
   const auto place_on_path = [&](const numerics::BranchPoint& point) {
     return place_of(point.unknowns.reshaped(point.unknowns.size() / m, m), point.parameter);
   };
-  const VectorXd direction = seen.weakest_direction(
+  const VectorXd direction = seen.equations().weakest_direction(
       place_of(change.point.deflections, over_frequency ? change.point.angular_frequency : change.point.load_factor));
   const auto singular = [&](const numerics::BranchPoint& point) {
-    return seen.change_along(place_on_path(point), direction);
+    return seen.equations().change_along(place_on_path(point), direction);
   };
   // Exactly there, Newton's method along the path has no unique step: as near as it converges.
   constexpr std::array<double, 4> near = {1e-6, 1e-4, 1e-2, 0.2};
@@ -78,7 +78,7 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
   };
   struct Crossing {
     std::size_t change;
-    SteadyPath::Place place;
+    SteadyEquations::Place place;
   };
   std::vector<BranchedPath> found;
   for (const int periods : {1, 2}) {
@@ -93,7 +93,7 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
       if (auto place = crossing_near(changes[i], connected, *path, options.over == Parameter::frequency))
         crossings.push_back({i, std::move(*place)});
     }
-    std::vector<SteadyPath::Place> ends;
+    std::vector<SteadyEquations::Place> ends;
     for (const Crossing& crossing : crossings) ends.push_back(crossing.place);
     std::vector<bool> reached(crossings.size());
     for (std::size_t i = 0; i < crossings.size(); ++i) {

@@ -7,11 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/nonlinear/raised_motions.h"
 
 namespace trivet::nonlinear {
 
@@ -53,139 +51,18 @@ std::vector<double> resonances(const Eigen::VectorXcd& poles, const PeriodicExci
 SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                        const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
     : options_(options),
-      first_harmonic_(excitation.first_harmonic),
       resonances_(resonances(machine.poles(), excitation, options)),
-      balance_(machine, deflections, harmonics),
+      equations_(machine, deflections, excitation, options, harmonics),
       known_(deflections),
-      branch_(
-          [this](const VectorXd& unknowns, double parameter, numerics::Equations& equations) {
-            balance_.evaluate(unknowns, driving(parameter), options_.over, equations);
-            if (options_.over == Parameter::frequency) equations.by_parameter *= first_harmonic_;
-          },
-          width(), scale()) {}
-
-Driving SteadyPath::driving(double parameter) const {
-  if (options_.over == Parameter::frequency) return {first_harmonic_ * parameter, 1};
-  return {first_harmonic_ * options_.angular_frequency, parameter};
-}
-
-std::string SteadyPath::place(double parameter) const {
-  return options_.over == Parameter::frequency ? fmt::format("{:.10g} rad/s", parameter)
-                                               : fmt::format("{:.10g} times the load", parameter);
-}
-
-/// Harmonics are compared with the largest one, means with the largest mean too: a mean that changes little must not
-/// hide a resonance. What stays near zero is compared with a thousandth of the linear motion.
-numerics::ScaleUnknowns SteadyPath::scale() const {
-  constexpr double share = 1e-3, of_mean = 1e-4;
-  const VectorXd motion = balance_.linear_motion(driving(options_.from));
-  const double linear = motion.size() > 0 ? motion.cwiseAbs().maxCoeff() : 0;
-  if (!(linear > 0))
-    throw foundation::NotComputable(
-        "steady: no excitation moves a nonlinear part, so that the motion is linear; take response");
-  return [C = balance_.coefficients(), smallest = share * linear](const VectorXd& unknowns) {
-    double mean = 0, harmonic = smallest;
-    for (Index i = 0; i < unknowns.size(); ++i)
-      (i % C == 0 ? mean : harmonic) = std::max(i % C == 0 ? mean : harmonic, std::abs(unknowns(i)));
-    harmonic = std::max(harmonic, of_mean * mean);
-    VectorXd result = VectorXd::Constant(unknowns.size(), harmonic);
-    for (Index i = 0; i < unknowns.size(); i += C) result(i) = std::max(mean, harmonic);
-    return result;
-  };
-}
-
-/// From the linear motion; where Newton's method does not converge from there, from a raised load or raised forces, or
-/// from larger motions: a force that jumps as friction breaks away cannot be raised.
-std::optional<BranchPoint> SteadyPath::first() const {
-  const VectorXd linear = balance_.linear_motion(driving(options_.from));
-  if (std::optional<BranchPoint> found = branch_.start(linear, options_.from)) return found;
-  if (const std::optional<BranchPoint> raised = raised_to_load())
-    if (std::optional<BranchPoint> found = branch_.start(raised->unknowns, options_.from)) return found;
-  if (const std::optional<BranchPoint> raised = raised_forces(linear))
-    if (std::optional<BranchPoint> found = branch_.start(raised->unknowns, options_.from)) return found;
-  for (const double larger : {1.5, 2.0, 3.0, 5.0})
-    if (std::optional<BranchPoint> found = branch_.start(larger * linear, options_.from)) return found;
-  return std::nullopt;
-}
-
-namespace {
-
-/// The solution at parameter 1 on the branch of a point.
-std::optional<BranchPoint> followed_to_one(const numerics::Branch& branch, std::optional<BranchPoint> now) {
-  double step = 0.01;
-  constexpr int most_points = 2000;
-  for (int i = 0; now && i < most_points; ++i) {
-    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
-    if (!advance) return std::nullopt;
-    if (advance->to.parameter > 1) return branch.at(1, *now, 0, advance->length);
-    now = advance->to;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-/// The motion at the lower end of the band, followed as the share of the nonlinear forces is raised.
-std::optional<BranchPoint> SteadyPath::raised_forces(const VectorXd& linear) const {
-  const numerics::Branch branch(
-      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
-        balance_.evaluate(unknowns, driving(options_.from), options_.over, equations);
-        const VectorXd without = unknowns - linear;
-        equations.by_parameter = equations.value - without;
-        equations.value = without + share * equations.by_parameter;
-        equations.by_unknowns *= share;
-        equations.by_unknowns.diagonal().array() += 1 - share;
-      },
-      1.0, scale());
-  return followed_to_one(branch, branch.start(linear, 0));
-}
-
-numerics::Branch SteadyPath::over_load(const Driving& whole) const {
-  return {[this, whole](const VectorXd& unknowns, double share, numerics::Equations& equations) {
-            balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
-            equations.by_parameter *= whole.factor;
-          },
-          1.0, scale()};
-}
-
-std::optional<BranchPoint> SteadyPath::at_small_load(const numerics::Branch& over_load, const Driving& whole) const {
-  constexpr double small = 1e-3;
-  return over_load.start(balance_.linear_motion({whole.omega, small * whole.factor}), small);
-}
-
-/// The motion at the lower end of the band, followed as its load is raised from a small one.
-std::optional<BranchPoint> SteadyPath::raised_to_load() const {
-  const Driving whole = driving(options_.from);
-  const numerics::Branch branch = over_load(whole);
-  return followed_to_one(branch, at_small_load(branch, whole));
-}
-
-std::vector<BranchPoint> SteadyPath::motions_over_load(double parameter, double most_load) const {
-  const Driving whole = driving(parameter);
-  const numerics::Branch branch = over_load(whole);
-  constexpr int most_points = 600;
-  std::vector<BranchPoint> found;
-  std::optional<BranchPoint> now = at_small_load(branch, whole);
-  double step = 0.02;
-  for (int i = 0; now && i < most_points && std::abs(now->parameter) < most_load; ++i) {
-    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, {.sharp_turns = 1e-4});
-    if (!advance) break;
-    if ((now->parameter < 1) != (advance->to.parameter < 1))
-      if (const std::optional<BranchPoint> there = branch.at(1, *now, 0, advance->length))
-        if (std::optional<BranchPoint> motion = branch_.start(there->unknowns, parameter))
-          found.push_back(std::move(*motion));
-    now = advance->to;
-  }
-  return found;
-}
+      branch_(equations_.branch()) {}
 
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
-  const std::optional<BranchPoint> start = first();
+  const std::optional<BranchPoint> start = first_motion(equations_, branch_);
   if (!start)
     throw foundation::NotComputable(fmt::format(
         "steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above the "
         "motions that were sought{}",
-        place(options_.from), known_.hint()));
+        equations_.place(options_.from), known_.hint()));
   if (const std::string reason = unknown_forces(*start); !reason.empty())
     throw foundation::NotComputable("steady: " + reason);
   return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
@@ -193,7 +70,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
 
 void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Progress& progress) {
   constexpr double any = std::numeric_limits<double>::infinity();
-  detached_ = true;
+  leaves_downwards_ = true;
   (void)add_point(start, any);
   (void)walk(any, {{start.unknowns, start.parameter}}, progress);
   closed_ = stopped_at_.has_value();
@@ -214,47 +91,15 @@ void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Pro
   if (!ended.empty()) ended_ = ended_.empty() ? ended : ended + "; " + ended_;
 }
 
-/// Of the equations by the unknowns, both divided by the scale of the unknowns.
-Eigen::MatrixXd SteadyPath::derivatives(const Place& place) const {
-  numerics::Equations equations;
-  balance_.evaluate(place.unknowns, driving(place.parameter), options_.over, equations);
-  const VectorXd scales = scale()(place.unknowns);
-  return scales.cwiseInverse().asDiagonal() * equations.by_unknowns * scales.asDiagonal();
-}
-
-/// By inverse iteration.
-VectorXd SteadyPath::weakest_direction(const Place& place) const {
-  const numerics::PivotedLu<double> factors(derivatives(place));
-  VectorXd direction = VectorXd::LinSpaced(place.unknowns.size(), 1, 2).normalized();
-  constexpr int iterations = 6;
-  for (int i = 0; i < iterations; ++i) {
-    const VectorXd next = factors.solve(direction);
-    if (!next.allFinite()) break;  // exactly singular: the last one is as good
-    direction = next.normalized();
-  }
-  Index largest = 0;
-  direction.cwiseAbs().maxCoeff(&largest);
-  return direction(largest) < 0 ? VectorXd(-direction) : direction;
-}
-
-/// The derivatives D bordered by the direction d: [D d; dᵀ 0] [x; change] = [0; 1].
-double SteadyPath::change_along(const Place& place, const VectorXd& direction) const {
-  const Index n = direction.size();
-  Eigen::MatrixXd bordered = Eigen::MatrixXd::Zero(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = derivatives(place);
-  bordered.topRightCorner(n, 1) = direction;
-  bordered.bottomLeftCorner(1, n) = direction.transpose();
-  return numerics::PivotedLu<double>(bordered).solve(VectorXd(VectorXd::Unit(n + 1, n)))(n);
-}
-
-bool SteadyPath::follow_branched(const Place& start, const VectorXd& along, const std::vector<Place>& ends,
+bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const VectorXd& along,
+                                 const std::vector<SteadyEquations::Place>& ends,
                                  const foundation::Progress& progress) {
   constexpr double any = std::numeric_limits<double>::infinity();
-  detached_ = true;
+  leaves_downwards_ = true;
   const Index n = start.unknowns.size();
   BranchPoint first{start.unknowns, start.parameter, VectorXd(n + 1), VectorXd::Zero(n + 1), 0};
-  first.scale << scale()(start.unknowns), width();
-  first.tangent.head(n) = weakest_direction(start);
+  first.scale << equations_.scale(start.unknowns), equations_.width();
+  first.tangent.head(n) = equations_.weakest_direction(start);
   if (along.size() > 0) first.tangent -= along.normalized().dot(first.tangent) * along.normalized();
   constexpr double least = 0.5;  // else the weakest direction is that of the other curve: at a fold
   if (first.tangent.norm() < least) return false;
@@ -266,7 +111,7 @@ bool SteadyPath::follow_branched(const Place& start, const VectorXd& along, cons
 }
 
 /// Does the step to the next point pass one of these places?
-std::optional<std::size_t> SteadyPath::passed(const std::vector<Place>& ends, const BranchPoint& next,
+std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations::Place>& ends, const BranchPoint& next,
                                               double length) const {
   constexpr std::size_t fewest = 4;  // before it can return to its start
   const BranchPoint& now = points_.back();
@@ -284,7 +129,8 @@ std::optional<std::size_t> SteadyPath::passed(const std::vector<Place>& ends, co
 }
 
 /// Goes on from the last point to an end of the band, or to one of the places.
-bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, const foundation::Progress& progress) {
+bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
+                      const foundation::Progress& progress) {
   constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
   constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
   double step = first_step;
@@ -296,8 +142,8 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
     }
     std::optional<numerics::Branch::Advance> advance = branch_.advance(now, step, control);
     if (!advance || !(advance->to.parameter > 0)) {
-      ended_ =
-          fmt::format("no further motion beyond {}: the step of the branch became too short", place(now.parameter));
+      ended_ = fmt::format("no further motion beyond {}: the step of the branch became too short",
+                           equations_.place(now.parameter));
       break;
     }
     BranchPoint next = std::move(advance->to);
@@ -315,7 +161,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
-    if (detached_ && next.parameter < options_.from && now.parameter > options_.from) {
+    if (leaves_downwards_ && next.parameter < options_.from && now.parameter > options_.from) {
       std::optional<BranchPoint> end = branch_.at(options_.from, now, 0, length);
       if (!end) {
         ended_ = "no motion was found at the lower end of the band";
@@ -326,7 +172,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
       next = std::move(*end);
     }
     if (stopped_at_ = passed(ends, next, length); stopped_at_) {
-      const Place& there = ends[*stopped_at_];
+      const SteadyEquations::Place& there = ends[*stopped_at_];
       BranchPoint end = there.unknowns == points_.front().unknowns ? points_.front() : now;
       end.unknowns = there.unknowns;
       end.parameter = there.parameter;
@@ -344,27 +190,29 @@ bool SteadyPath::walk(double most_left_out, const std::vector<Place>& ends, cons
       if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
     if (on_the_way && !on_the_way->empty()) length = numerics::Branch::length(points_.back(), next);
     if (!add_step(next, length, most_left_out)) return false;
-    if (detached_ && next.parameter <= options_.from) break;
+    if (leaves_downwards_ && next.parameter <= options_.from) break;
     if (next.parameter < options_.from) {
-      ended_ = "left the band downwards at " + place(next.parameter);
+      ended_ = "left the band downwards at " + equations_.place(next.parameter);
       break;
     }
-    if (progress) progress("steady motion", std::clamp((next.parameter - options_.from) / width(), 0.0, 1.0));
+    if (progress)
+      progress("steady motion", std::clamp((next.parameter - options_.from) / equations_.width(), 0.0, 1.0));
   }
   return true;
 }
 
 /// Of a motion over which the forces are not known, with its place.
 std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
-  const std::string reason = known_.reason_unknown(balance_, point.unknowns, driving(point.parameter).omega);
-  return reason.empty() ? reason : fmt::format("at {} {}", place(point.parameter), reason);
+  const std::string reason =
+      known_.reason_unknown(balance(), point.unknowns, equations_.driving(point.parameter).omega);
+  return reason.empty() ? reason : fmt::format("at {} {}", equations_.place(point.parameter), reason);
 }
 
 bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
   points_.push_back(point);
-  const double omega = driving(point.parameter).omega;
-  left_out_ = std::max(left_out_, balance_.left_out(point.unknowns, omega));
-  held_share_ = std::max(held_share_, balance_.held_share(point.unknowns, omega));
+  const double omega = equations_.driving(point.parameter).omega;
+  left_out_ = std::max(left_out_, balance().left_out(point.unknowns, omega));
+  held_share_ = std::max(held_share_, balance().held_share(point.unknowns, omega));
   return left_out_ <= most_left_out;
 }
 

@@ -9,7 +9,8 @@
 
 #include "trivet/foundation/interruption.h"
 #include "trivet/nonlinear/known_forces.h"
-#include "trivet/nonlinear/steady_options.h"
+#include "trivet/nonlinear/raised_motions.h"
+#include "trivet/nonlinear/steady_equations.h"
 #include "trivet/numerics/periodic/branch.h"
 
 namespace trivet::nonlinear {
@@ -30,18 +31,11 @@ class SteadyPath {
   void follow_detached(const numerics::BranchPoint& start, const foundation::Progress& progress);
   [[nodiscard]] bool closed() const { return closed_; }
 
-  struct Place {
-    Eigen::VectorXd unknowns;
-    double parameter = 0;
-  };
-  /// The direction of the unknowns in which the equations change least.
-  [[nodiscard]] Eigen::VectorXd weakest_direction(const Place& place) const;
-  /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
-  [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
   /// Or: the curve that crosses another one at such a place, until it comes to one of the ends or leaves the band.
   /// @param along  direction of the other curve (BranchPoint::tangent), if that lies in the same unknowns
   /// @return false if none was found
-  [[nodiscard]] bool follow_branched(const Place& start, const Eigen::VectorXd& along, const std::vector<Place>& ends,
+  [[nodiscard]] bool follow_branched(const SteadyEquations::Place& start, const Eigen::VectorXd& along,
+                                     const std::vector<SteadyEquations::Place>& ends,
                                      const foundation::Progress& progress);
   /// Adds the motion in the middle of the step after a point, in which the parameter must not turn.
   /// @return false if it is not found
@@ -56,8 +50,9 @@ class SteadyPath {
     std::optional<numerics::BranchPoint> found = branch_.start(guess, parameter);
     return found && unknown_forces(*found).empty() ? found : std::nullopt;
   }
-  /// Motions at a frequency on the path over the load, from a small one through its folds.
-  [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const;
+  [[nodiscard]] std::vector<numerics::BranchPoint> motions_over_load(double parameter, double most_load) const {
+    return nonlinear::motions_over_load(equations_, branch_, parameter, most_load);
+  }
 
   /// Where the parameter turns.
   struct Turn {
@@ -81,8 +76,9 @@ class SteadyPath {
   /// All motions of the path at a parameter.
   [[nodiscard]] std::vector<numerics::BranchPoint> all_at(double parameter) const;
 
-  [[nodiscard]] const HarmonicBalance& balance() const { return balance_; }
-  [[nodiscard]] Driving driving(double parameter) const;
+  [[nodiscard]] const SteadyEquations& equations() const { return equations_; }
+  [[nodiscard]] const HarmonicBalance& balance() const { return equations_.balance(); }
+  [[nodiscard]] Driving driving(double parameter) const { return equations_.driving(parameter); }
 
  private:
   /// A part in which the parameter rises or falls: lengths from a point, and their parameters.
@@ -92,22 +88,12 @@ class SteadyPath {
     double parameter_begin, parameter_end;
   };
   /// @param ends  places to stop at
-  [[nodiscard]] bool walk(double most_left_out, const std::vector<Place>& ends, const foundation::Progress& progress);
-  [[nodiscard]] std::optional<std::size_t> passed(const std::vector<Place>& ends, const numerics::BranchPoint& next,
-                                                  double length) const;
-  [[nodiscard]] Eigen::MatrixXd derivatives(const Place& place) const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> first() const;
-  /// Motions over a share of the whole load, at its frequency; and the one at a small share.
-  [[nodiscard]] numerics::Branch over_load(const Driving& whole) const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> at_small_load(const numerics::Branch& over_load,
-                                                                   const Driving& whole) const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> raised_to_load() const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> raised_forces(const Eigen::VectorXd& linear) const;
+  [[nodiscard]] bool walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
+                          const foundation::Progress& progress);
+  [[nodiscard]] std::optional<std::size_t> passed(const std::vector<SteadyEquations::Place>& ends,
+                                                  const numerics::BranchPoint& next, double length) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
   void add_pieces();
-  [[nodiscard]] double width() const { return options_.to - options_.from; }
-  [[nodiscard]] std::string place(double parameter) const;
-  [[nodiscard]] numerics::ScaleUnknowns scale() const;
   [[nodiscard]] std::optional<std::vector<numerics::BranchPoint>> between(const numerics::BranchPoint& now,
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
@@ -115,9 +101,8 @@ class SteadyPath {
   [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;
-  double first_harmonic_;           ///< its frequency over the one that is varied
   std::vector<double> resonances_;  ///< of the machine of references, ascending [rad/s]
-  HarmonicBalance balance_;
+  SteadyEquations equations_;
   KnownForces known_;
   numerics::Branch branch_;
   std::vector<numerics::BranchPoint> points_, asked_for_;
@@ -126,7 +111,8 @@ class SteadyPath {
   std::vector<Piece> pieces_;
   double left_out_ = 0, held_share_ = 0;
   std::string ended_;
-  bool detached_ = false, closed_ = false;
+  bool leaves_downwards_ = false;  ///< is the lower end of the band an end of the curve, not its start?
+  bool closed_ = false;
   std::optional<std::size_t> stopped_at_;
 };
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/steady_equations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "trivet/foundation/invalid_input.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
+                                 const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
+    : options_(options), first_harmonic_(excitation.first_harmonic), balance_(machine, deflections, harmonics) {
+  constexpr double share = 1e-3;
+  const VectorXd motion = balance_.linear_motion(driving(options_.from));
+  smallest_ = motion.size() > 0 ? share * motion.cwiseAbs().maxCoeff() : 0;
+  if (!(smallest_ > 0))
+    throw foundation::NotComputable(
+        "steady: no excitation moves a nonlinear part, so that the motion is linear; take response");
+}
+
+Driving SteadyEquations::driving(double parameter) const {
+  if (options_.over == Parameter::frequency) return {first_harmonic_ * parameter, 1};
+  return {first_harmonic_ * options_.angular_frequency, parameter};
+}
+
+std::string SteadyEquations::place(double parameter) const {
+  return options_.over == Parameter::frequency ? fmt::format("{:.10g} rad/s", parameter)
+                                               : fmt::format("{:.10g} times the load", parameter);
+}
+
+VectorXd SteadyEquations::scale(const VectorXd& unknowns) const {
+  constexpr double of_mean = 1e-4;
+  const Index C = balance_.coefficients();
+  double mean = 0, harmonic = smallest_;
+  for (Index i = 0; i < unknowns.size(); ++i) {
+    double& largest = i % C == 0 ? mean : harmonic;
+    largest = std::max(largest, std::abs(unknowns(i)));
+  }
+  harmonic = std::max(harmonic, of_mean * mean);
+  VectorXd result = VectorXd::Constant(unknowns.size(), harmonic);
+  for (Index i = 0; i < unknowns.size(); i += C) result(i) = std::max(mean, harmonic);
+  return result;
+}
+
+numerics::Branch SteadyEquations::branch(numerics::EvaluateEquations evaluate, double width) const {
+  return {std::move(evaluate), width, [this](const VectorXd& unknowns) { return scale(unknowns); }};
+}
+
+numerics::Branch SteadyEquations::branch() const {
+  return branch(
+      [this](const VectorXd& unknowns, double parameter, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, driving(parameter), options_.over, equations);
+        if (options_.over == Parameter::frequency) equations.by_parameter *= first_harmonic_;
+      },
+      width());
+}
+
+numerics::Branch SteadyEquations::over_load(double parameter) const {
+  return branch(
+      [this, whole = driving(parameter)](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+        balance_.evaluate(unknowns, {whole.omega, share * whole.factor}, Parameter::load_factor, equations);
+        equations.by_parameter *= whole.factor;
+      },
+      1);
+}
+
+numerics::Branch SteadyEquations::over_nonlinear_forces(double parameter) const {
+  const Driving there = driving(parameter);
+  return branch(
+      [this, there, linear = balance_.linear_motion(there)](const VectorXd& unknowns, double share,
+                                                            numerics::Equations& equations) {
+        balance_.evaluate(unknowns, there, options_.over, equations);
+        const VectorXd without = unknowns - linear;
+        equations.by_parameter = equations.value - without;
+        equations.value = without + share * equations.by_parameter;
+        equations.by_unknowns *= share;
+        equations.by_unknowns.diagonal().array() += 1 - share;
+      },
+      1);
+}
+
+/// Of the equations by the unknowns, both divided by the scale of the unknowns.
+MatrixXd SteadyEquations::derivatives(const Place& place) const {
+  numerics::Equations equations;
+  balance_.evaluate(place.unknowns, driving(place.parameter), options_.over, equations);
+  const VectorXd scales = scale(place.unknowns);
+  return scales.cwiseInverse().asDiagonal() * equations.by_unknowns * scales.asDiagonal();
+}
+
+/// By inverse iteration; of an exactly singular matrix from beside it.
+VectorXd SteadyEquations::weakest_direction(const Place& place) const {
+  constexpr int iterations = 6;
+  constexpr double beside = 1e-13;
+  MatrixXd matrix = derivatives(place);
+  for (const double shift : {0.0, beside}) {
+    matrix.diagonal().array() += shift;
+    const numerics::PivotedLu<double> factors(matrix);
+    VectorXd direction = VectorXd::LinSpaced(place.unknowns.size(), 1, 2).normalized();
+    for (int i = 0; i < iterations && direction.allFinite(); ++i) direction = factors.solve(direction).normalized();
+    if (!direction.allFinite()) continue;
+    Index largest = 0;
+    direction.cwiseAbs().maxCoeff(&largest);
+    return direction(largest) < 0 ? VectorXd(-direction) : direction;
+  }
+  throw foundation::NotComputable("steady: the direction in which two curves cross was not found at " +
+                                  this->place(place.parameter));
+}
+
+/// The derivatives D bordered by the direction d: [D d; dᵀ 0] [x; change] = [0; 1].
+double SteadyEquations::change_along(const Place& place, const VectorXd& direction) const {
+  const Index n = direction.size();
+  MatrixXd bordered = MatrixXd::Zero(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = derivatives(place);
+  bordered.topRightCorner(n, 1) = direction;
+  bordered.bottomLeftCorner(1, n) = direction.transpose();
+  return numerics::PivotedLu<double>(bordered).solve(VectorXd(VectorXd::Unit(n + 1, n)))(n);
+}
+
+}  // namespace trivet::nonlinear
