@@ -13,6 +13,7 @@
 #include "trivet/results/csv_field.h"
 #include "trivet/results/motion_numbers.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/steady_changes_text.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 #include "trivet/results/written_answers.h"
@@ -27,16 +28,6 @@ using nonlinear::SteadyPoint;
 
 namespace {
 
-std::string jump_of(const SteadyBranch& branch, const Fold& fold) {
-  return std::string(fold.upper ? "rising " : "falling ") + varied_word(branch);
-}
-
-/// Where a motion is, with digits.
-std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, const project::ShownUnits& display,
-                       int digits) {
-  return number_text(shown_varied(branch, branch.parameter(point), display), digits);
-}
-
 const SteadyBranch& branch_of(const study::Answers& answers) { return *answers.find<SteadyBranch>("steady"); }
 
 /// The connected curve, and the further ones.
@@ -47,23 +38,6 @@ std::vector<const SteadyBranch*> all_curves(const SteadyBranch& branch) {
 }
 
 using Found = SteadyBranch::Found;
-
-/// Ends of the parameter on a curve, with its folds.
-std::pair<double, double> ends_of(const SteadyBranch& curve) {
-  double low = foundation::infinity, high = 0;
-  const auto add = [&](const SteadyPoint& point) {
-    low = std::min(low, curve.parameter(point));
-    high = std::max(high, curve.parameter(point));
-  };
-  for (const SteadyPoint& point : curve.points) add(point);
-  for (const Fold& fold : curve.folds) add(fold.point);
-  return {low, high};
-}
-
-std::ptrdiff_t unstable_points(const SteadyBranch& curve) {
-  return std::count_if(curve.points.begin(), curve.points.end(),
-                       [](const SteadyPoint& point) { return !point.stable; });
-}
 
 /// Numbers of one result along the branch.
 template <typename Value>
@@ -194,127 +168,6 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
   return text;
 }
 
-/// The result that a jump is told of: of those that move at all, the one that changes most, relative to its range.
-std::optional<std::size_t> main_result(const SteadyBranch& branch, const Fold& fold) {
-  std::optional<std::size_t> found;
-  double most = -1;
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    double range = 0, of_unit = 0;
-    for (const SteadyPoint& point : branch.points) {
-      range = std::max(range, point.results[c].half_of_range());
-      for (std::size_t i = 0; i < branch.results.size(); ++i)
-        if (branch.units[i] == branch.units[c]) of_unit = std::max(of_unit, point.results[i].half_of_range());
-    }
-    constexpr double least = 0.1;  // of the largest of its unit
-    if (!(range > least * of_unit)) continue;
-    const double change = !fold.lands
-        ? 0
-        : std::abs(fold.lands->results[c].half_of_range() - fold.point.results[c].half_of_range()) / range;
-    if (change <= most) continue;
-    most = change;
-    found = c;
-  }
-  return found;
-}
-
-/// "machine.z from 4.12 mm to 0.31 mm"
-std::string jump_words(const Fold& fold, const SteadyBranch& branch, const project::ShownUnits& display) {
-  const std::optional<std::size_t> told = main_result(branch, fold);
-  if (!told) return "";
-  const DisplayUnit unit = display_unit(display, branch.units[*told]);
-  const std::string from =
-      fmt::format("{} from {}", branch.results[*told], value_text(fold.point.results[*told].half_of_range(), unit));
-  return from +
-      (fold.lands ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
-                  : "; no other stable motion is known there, or several are");
-}
-
-/// Is a motion beside the fold stable, so that it jumps there?
-bool jumps_at(const SteadyBranch& curve, const Fold& fold) {
-  return curve.points[fold.after].stable ||
-      (fold.after + 1 < curve.points.size() && curve.points[fold.after + 1].stable);
-}
-
-std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  TextTable table({"fold", "at [" + varied_unit(branch, display) + "]", "half of the range jumps"});
-  for (const Fold& fold : branch.folds)
-    table.add({jump_of(branch, fold), place_text(branch, fold.point, display, 9), jump_words(fold, branch, display)});
-  bool any = !branch.folds.empty();
-  for (std::size_t i = 0; i < branch.further.size(); ++i)
-    for (const Fold& fold : branch.further[i].folds) {
-      if (!jumps_at(branch.further[i], fold)) continue;
-      any = true;
-      table.add({fmt::format("{}, curve {}", jump_of(branch, fold), i + 1), place_text(branch, fold.point, display, 9),
-                 jump_words(fold, branch, display)});
-    }
-  if (any) return table.text();
-  return branch.changes.empty() && branch.further.empty()
-      ? "  no folds: one motion at each place of this branch, no jumps\n"
-      : "  no folds: one motion at each place of this branch\n";
-}
-
-std::string search_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (!branch.search) return "";
-  const std::vector<const SteadyBranch*> detached = branch.further_ones(Found::detached);
-  std::string text =
-      fmt::format("  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}\n",
-                  detached.size(), branch.search->starts, branch.search->places,
-                  branch.search->load_up_to > 0
-                      ? fmt::format(", and there with the load raised to {:g} times", branch.search->load_up_to)
-                      : "");
-  if (detached.empty()) return text;
-  TextTable table({"detached curve", "from [" + varied_unit(branch, display) + "]", "to", "points", "unstable",
-                   "largest half of the range"});
-  for (std::size_t i = 0; i < detached.size(); ++i) {
-    const SteadyBranch& curve = *detached[i];
-    const auto [low, high] = ends_of(curve);
-    std::string largest;
-    double share = 0;  // of the largest on the connected curve
-    for (std::size_t c = 0; c < branch.results.size(); ++c) {
-      const auto top = [c](const SteadyBranch& of) {
-        double value = 0;
-        for (const SteadyPoint& point : of.points) value = std::max(value, point.results[c].half_of_range());
-        return value;
-      };
-      if (!(top(branch) > 0) || !(top(curve) / top(branch) > share)) continue;
-      share = top(curve) / top(branch);
-      largest = branch.results[c] + " " + value_text(top(curve), display_unit(display, branch.units[c]));
-    }
-    table.add({fmt::format("{}{}", i + 1, curve.closed ? ", closed" : ""),
-               number_text(shown_varied(branch, low, display), 7), number_text(shown_varied(branch, high, display), 7),
-               std::to_string(curve.points.size()), std::to_string(unstable_points(curve)), largest});
-  }
-  return text + table.text();
-}
-
-/// "twice the period, 4.03 to 4.15 Hz: 31 points, 4 of them unstable"
-std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityChange& change,
-                         const project::ShownUnits& display) {
-  if (!change.curve)
-    return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic ? "not computed" : "none was found";
-  const SteadyBranch& curve = branch.further[*change.curve];
-  const auto [low, high] = ends_of(curve);
-  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}", *change.curve + 1,
-                     curve.periods == 2 ? "twice the period" : "less symmetric",
-                     number_text(shown_varied(branch, low, display), 6),
-                     number_text(shown_varied(branch, high, display), 6), curve.points.size(), unstable_points(curve),
-                     curve.ended.empty() ? "" : ", not whole");
-}
-
-std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (branch.changes.empty()) return "";
-  TextTable table({"stability changes", "at [" + varied_unit(branch, display) + "]", "motions that begin there"});
-  for (const nonlinear::StabilityChange& change : branch.changes)
-    table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9),
-               begins_there(branch, change, display)});
-  std::string text = table.text();
-  for (const auto& [from, to] : nonlinear::without_stable_motion(branch))
-    text += fmt::format("  between {} and {} {} no stable motion is known; the largest values leave it out\n",
-                        number_text(shown_varied(branch, from, display), 6),
-                        number_text(shown_varied(branch, to, display), 6), varied_unit(branch, display));
-  return text;
-}
-
 std::string stability_text(const SteadyBranch& branch) {
   const SteadyBranch::Winding& winding = branch.winding;
   std::string text;
@@ -384,7 +237,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
                   branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
   text += stability_text(branch) + phase_text(branch, display);
-  text += search_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
+  text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
   const std::vector<const SteadyPoint*> stable = nonlinear::stable_points(branch);
