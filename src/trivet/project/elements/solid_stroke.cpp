@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/project/elements/solid_stroke.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "trivet/project/elements/element_cache.h"
+
+namespace trivet::project {
+namespace {
+
+/// The 12×12 after a deflection z along e3 about points at the distance of the undeformed element: N' is at (0, 0, z)
+/// from N, rigidly, u_N = u_N' + θ_N × (0, 0, −z). The force turns with that arm.
+elements::Matrix12 with_undeformed_arm(const elements::Matrix12& stiffness, double force, double z) {
+  elements::Matrix12 moved = elements::Matrix12::Identity();  // u_N = u_N' + θ_N × (0, 0, −z)
+  moved(0, 4) = -z;
+  moved(1, 3) = z;
+  elements::Matrix12 found = moved.transpose() * stiffness * moved;
+  found(3, 3) -= force * z;
+  found(4, 4) -= force * z;
+  return found;
+}
+
+/// Does a cubic rise everywhere? Its slope is a parabola between two knots.
+bool rises(const elements::KnotCurve& curve) {
+  constexpr int per_interval = 16;
+  const std::vector<double>& x = curve.knots();
+  for (std::size_t i = 0; i + 1 < x.size(); ++i)
+    for (int s = 0; s <= per_interval; ++s)
+      if (!(curve.at(x[i] + (x[i + 1] - x[i]) * s / per_interval).slope > 0)) return false;
+  return true;
+}
+
+}  // namespace
+
+std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rubber) {
+  const bool wanted = reader.boolean("nonlinear").value_or(false);
+  const auto range = reader.numbers("range", Quantity::length);
+  if (range && !wanted) {
+    reader.error("range", "a range without nonlinear = true", "it is that of the computed force",
+                 "add it, or remove both");
+    return std::nullopt;
+  }
+  if (!wanted) return std::nullopt;
+  if (reader.has("preload"))
+    reader.error("preload", "a preload beside nonlinear = true", "a nonlinear mount finds its own compression at rest",
+                 "remove the preload, and give gravity");
+  if (reader.has("stiffness_factor"))
+    reader.error("stiffness_factor", "stiffness_factor beside nonlinear = true",
+                 "its large deformations are not scaled", "change the material");
+  if (reader.has("scale"))
+    reader.error("scale", "scale beside nonlinear = true", "its large deformations are not scaled",
+                 "change the material");
+  if (!range && !rubber) {
+    if (!reader.has("range"))
+      reader.missing("range", R"(give the deflections of K along e3 that occur: range = ["-8 mm", "3 mm"])");
+    return std::nullopt;
+  }
+  constexpr double compressed = 0.25, drawn = 0.1;
+  if (!range) return Stroke{-compressed * *rubber, drawn * *rubber};
+  if (range->size() == 2 && (*range)[0] < 0 && (*range)[1] > 0 && (!rubber || (*range)[0] > -*rubber))
+    return Stroke{(*range)[0], (*range)[1]};
+  reader.error("range",
+               range->size() == 2 ? fmt::format("{:.6g} to {:.6g} m", (*range)[0], (*range)[1])
+                                  : fmt::format("{} numbers", range->size()),
+               "two deflections of K along e3: in compression (negative, less than the thickness of the rubber) and in "
+               "tension (positive)",
+               R"(for instance range = ["-8 mm", "3 mm"])");
+  return std::nullopt;
+}
+
+void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& key, const MeshedSolid& meshed,
+                model::Element& element) {
+  constexpr Eigen::Index along_k = 8;
+  using State = elements::StiffnessOverDeflection::State;
+  std::vector<State> states = {{0, 0, element.law.nominal_stiffness}};
+  double arm = 0;
+  const auto add = [&](double deflection, int steps) {
+    fem::Preload load;
+    load.value(2) = deflection;
+    const std::variant<LoadedSolid, std::string> under =
+        solid_under(content_key(fmt::format("{} along {:.17g} {}", key, deflection, steps)), meshed, load, steps);
+    const auto* there = std::get_if<LoadedSolid>(&under);
+    if (!there || there->negative_eigenvalues > 0 || !(there->stiffness(along_k, along_k) > 0)) return false;
+    const double force = there->force(along_k);
+    arm = there->distance - deflection;
+    states.insert(deflection < 0 ? states.begin() : states.end(),
+                  State{deflection, force, with_undeformed_arm(there->stiffness, force, deflection)});
+    return true;
+  };
+  constexpr int in_compression = 5, in_tension = 3;
+  for (int i = 1; i <= in_compression && add(stroke.from * i / in_compression, i); ++i) {
+  }
+  for (int i = 1; i <= in_tension && add(stroke.to * i / in_tension, i); ++i) {
+  }
+  const State &first = states.front(), &last = states.back();
+  for (const auto& [reached, next] :
+       {std::pair{first.deflection, stroke.from / in_compression}, std::pair{last.deflection, stroke.to / in_tension}})
+    if (reached == 0) {
+      reader.error("nonlinear", fmt::format("no equilibrium at {:.6g} m", next),
+                   "the deformed solid must be in equilibrium", "give a smaller range, or check the material");
+      return;
+    }
+  std::vector<double> deflections, forces, slopes;
+  for (const State& state : states) {
+    deflections.push_back(state.deflection);
+    forces.push_back(state.force);
+    slopes.push_back(state.stiffness(along_k, along_k));
+  }
+  elements::ForceCurve curve;
+  curve.force = elements::KnotCurve(deflections, forces, slopes);
+  curve.rises = rises(curve.force);
+  curve.is_limited = true;
+  const double undeformed = element.law.nominal_stiffness(along_k, along_k);
+  element.facts.push_back(
+      {"large deformations",
+       fmt::format("finite elements from {:.4g} m, {:.5g} N to {:.4g} m, {:.5g} N along e3; {:.4g} and {:.4g} times as "
+                   "stiff there as undeformed",
+                   first.deflection, first.force, last.deflection, last.force, slopes.front() / undeformed,
+                   slopes.back() / undeformed)});
+  if (first.deflection > stroke.from || last.deflection < stroke.to)
+    reader.problems()
+        .warning(reader.path() + ".nonlinear",
+                 fmt::format("equilibrium from {:.6g} to {:.6g} m only", first.deflection, last.deflection),
+                 "beyond, the mesh finds none, or the solid buckles", "give a range within it")
+        .origin = reader.content().origin;
+  element.over_deflection.emplace(states, arm);
+  constexpr int along = 2;
+  constexpr double middle = 0.5;
+  element.nonlinear_parts.push_back(
+      {along, middle, {elements::ElasticForce(curve), elements::ElasticForce(elements::PolynomialForce{{-1}})}});
+  element.allow_residual = true;  // of the force on the way
+  model::set_linear_law_at(0, element);
+}
+
+}  // namespace trivet::project
