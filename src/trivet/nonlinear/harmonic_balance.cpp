@@ -42,34 +42,39 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   equations.by_parameter.setZero(size());
   const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
   const MatrixXd& at_rest = machine_.static_receptance();
-  for (Index i = 0; i < m; ++i) {
-    equations.value(i * C) += at_rest.row(i).dot(forces.force.row(0));
-    equations.by_parameter(i * C) += at_rest.row(i).dot(forces.by_omega.row(0));
-    for (const CoupledForces::Tangent& tangent : forces.tangents)
-      equations.by_unknowns.block(i * C, tangent.by * C, 1, C) += at_rest(i, tangent.of) * tangent.matrix.topRows<1>();
-  }
+  MatrixXd real(harmonics_, m * m), imaginary(harmonics_, m * m);  // of the receptance, harmonics × entries
   Receptance linear;
   for (Index k = 1; k <= harmonics_; ++k) {
     machine_.set_receptance(static_cast<double>(k) * omega, linear);
-    const Index cosine = 2 * k - 1, sine = 2 * k;
+    real.row(k - 1) = linear.receptance.reshaped().real().transpose();
+    imaginary.row(k - 1) = linear.receptance.reshaped().imag().transpose();
     // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
-    for (Index i = 0; i < m; ++i) {
-      const Index row = i * C + cosine;
+    const Index cosine = 2 * k - 1, sine = 2 * k;
+    for (Index i = 0; i < m; ++i)
       for (Index j = 0; j < m; ++j) {
         const std::complex<double> g = linear.receptance(i, j), slope = static_cast<double>(k) * linear.slope(i, j);
         const double fa = forces.force(cosine, j), fb = forces.force(sine, j), wa = forces.by_omega(cosine, j),
                      wb = forces.by_omega(sine, j);
+        const Index row = i * C + cosine;
         equations.value(row) += g.real() * fa + g.imag() * fb;
         equations.value(row + 1) += g.real() * fb - g.imag() * fa;
         equations.by_parameter(row) += slope.real() * fa + slope.imag() * fb + g.real() * wa + g.imag() * wb;
         equations.by_parameter(row + 1) += slope.real() * fb - slope.imag() * fa + g.real() * wb - g.imag() * wa;
       }
-      for (const CoupledForces::Tangent& tangent : forces.tangents) {
-        const std::complex<double> g = linear.receptance(i, tangent.of);
-        for (Index c = 0; c < C; ++c) {
-          const double ta = tangent.matrix(cosine, c), tb = tangent.matrix(sine, c);
-          equations.by_unknowns(row, tangent.by * C + c) += g.real() * ta + g.imag() * tb;
-          equations.by_unknowns(row + 1, tangent.by * C + c) += g.real() * tb - g.imag() * ta;
+  }
+  for (Index i = 0; i < m; ++i) {
+    equations.value(i * C) += at_rest.row(i).dot(forces.force.row(0));
+    equations.by_parameter(i * C) += at_rest.row(i).dot(forces.by_omega.row(0));
+    for (const CoupledForces::Tangent& tangent : forces.tangents) {
+      const double* const g_r = real.col(tangent.of * m + i).data();
+      const double* const g_i = imaginary.col(tangent.of * m + i).data();
+      for (Index c = 0; c < C; ++c) {
+        const double* __restrict const from = tangent.matrix.col(c).data();
+        double* __restrict const to = equations.by_unknowns.col(tangent.by * C + c).data() + i * C;
+        to[0] += at_rest(i, tangent.of) * from[0];
+        for (Index k = 0; k < harmonics_; ++k) {
+          to[2 * k + 1] += g_r[k] * from[2 * k + 1] + g_i[k] * from[2 * k + 2];
+          to[2 * k + 2] += g_r[k] * from[2 * k + 2] - g_i[k] * from[2 * k + 1];
         }
       }
     }

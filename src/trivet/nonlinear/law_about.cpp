@@ -90,6 +90,13 @@ LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
   return sum;
 }
 
+double LawAbout::elastic_tangent(double deviation) const {
+  double sum = -reference_.stiffness;
+  for (const elements::ElasticForce& law : elastic_)
+    sum += elements::force_and_tangent(law, state_ + deviation).tangent;
+  return sum;
+}
+
 elements::ForceAndTangent LawAbout::at_rest(double deviation) const {
   const elements::ForceAndTangent whole = elements::force_at_rest(laws_, state_ + deviation);
   return {whole.force - offset_ - reference_.stiffness * deviation, whole.tangent - reference_.stiffness};

@@ -100,6 +100,12 @@ LawAbout::Force LawCourse::at(double phase) const {
   return at(numerics::fourier_row((deflection_.size() - 1) / 2, phase));
 }
 
+VectorXd LawCourse::elastic_tangents(const Eigen::MatrixXd& rows) const {
+  VectorXd numbers = rows * deflection_;
+  for (double& number : numbers) number = law_.elastic_tangent(number);
+  return numbers;
+}
+
 LawAbout::Force LawCourse::at(const Eigen::RowVectorXd& row) const {
   const double deflection = row.dot(deflection_);
   LawAbout::Force found = law_.without_memory(deflection, is_damped() ? row.dot(rate_) : 0);

@@ -36,7 +36,9 @@ class LawCourse {
   /// Of the parts without memory, and of those that depend on the amplitude: k' over the deflection, k''/ω over the
   /// rate of the first harmonic, at the amplitude of the motion.
   [[nodiscard]] LawAbout::Force at(double phase) const;
-  /// The same, with the row of the basis at a phase (set_fourier_row).
+  /// Tangents of elastic parts at many phases: rows of the basis.
+  [[nodiscard]] Eigen::VectorXd elastic_tangents(const Eigen::MatrixXd& rows) const;
+  /// The force, with the row of the basis at a phase (set_fourier_row).
   [[nodiscard]] LawAbout::Force at(const Eigen::RowVectorXd& row) const;
 
   /// Of the motion about its mean: that of a harmonic motion of the same root mean square.

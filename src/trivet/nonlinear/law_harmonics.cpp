@@ -18,11 +18,11 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
-/// A quartic force of harmonics up to H has harmonics up to 4H, which samples must not fold onto those up to H.
-Index sample_count(Index harmonics) {
-  constexpr Index fewest = 16, per_harmonic = 6;
+/// A quartic force of a motion has harmonics up to four times its own, which samples must not fold onto those wanted.
+Index sample_count(Index of_motion, Index wanted) {
+  constexpr Index fewest = 16;
   Index count = fewest;
-  while (count < per_harmonic * harmonics + 2) count *= 2;
+  while (count < 4 * of_motion + 2 * wanted + 2) count *= 2;
   return count;
 }
 
@@ -40,7 +40,7 @@ std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
 
 LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> of_motion)
     : law_(std::move(law)), harmonics_(harmonics), of_motion_(of_motion.value_or(harmonics)) {
-  const Index samples = sample_count(harmonics);
+  const Index samples = sample_count(of_motion_, harmonics);
   values_.resize(samples, numerics::coefficient_count(2 * harmonics));
   for (Index n = 0; n < samples; ++n)
     values_.row(n) =

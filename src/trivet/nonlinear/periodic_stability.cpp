@@ -98,6 +98,9 @@ struct PeriodicStability::Motion {
         std::any_of(distances.begin(), distances.end(),
                     [](const Distance& one) { return one.law->law().has_dampers(); });
   }
+  [[nodiscard]] bool is_elastic() const {
+    return !is_damped() && loops.empty() && sticking.empty() && distances.empty();
+  }
   struct Distance {
     Index first;
     const DistanceHarmonics* law;
@@ -241,7 +244,27 @@ MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double 
   return flow_over(found->second, F, (to - from) / motion.omega);
 }
 
+/// Without dampers and memory: all tangents first, and then all steps at once.
+MatrixXd PeriodicStability::split_elastic(const Motion& motion, double from, double to, int steps) const {
+  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
+  MatrixXd of_piece;
+  const bool whole = from == 0 && to == two_pi;
+  MatrixXd& rows = whole ? rows_[{steps, motion.harmonics}] : of_piece;
+  if (rows.size() == 0) {
+    rows.resize(steps, numerics::coefficient_count(motion.harmonics));
+    for (int i = 0; i < steps; ++i)
+      rows.row(i) = numerics::fourier_row(motion.harmonics, from + (i + 0.5) * phase_step);
+  }
+  MatrixXd tangents(to_index(motion.courses.size()), steps);
+  for (Index j = 0; j < tangents.rows(); ++j)
+    tangents.row(j) = step * motion.courses[to_size(j)].elastic_tangents(rows).transpose();
+  numerics::RowMatrix machine = flow_.from_states();
+  flow_.apply_with_kicks(step, kick_, seen_, tangents, machine);
+  return flow_.to_states() * machine;
+}
+
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, int steps) const {
+  if (motion.is_elastic() && flow_.is_diagonalizable()) return split_elastic(motion, from, to, steps);
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
   const Index n = F_.rows(), m = force_.cols(), all = n + motion.memories();
   const bool in_modes = flow_.is_diagonalizable();

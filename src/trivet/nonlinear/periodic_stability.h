@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "trivet/assembly/assembled.h"
@@ -44,6 +45,7 @@ class PeriodicStability {
   [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
+  [[nodiscard]] Eigen::MatrixXd split_elastic(const Motion& motion, double from, double to, int steps) const;
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
   void jump(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
@@ -57,6 +59,8 @@ class PeriodicStability {
   Eigen::MatrixXd kick_, seen_, seen_rates_;  ///< `force_`, `values_` and `rates_` in the coordinates of the flow
   /// Flows with tangents that occurred: the states of contact.
   mutable std::map<std::vector<double>, numerics::LinearFlow> flows_;
+  /// Rows of the Fourier basis in the middle of each step of a whole period, by the numbers of steps and harmonics.
+  mutable std::map<std::pair<int, Eigen::Index>, Eigen::MatrixXd> rows_;
 };
 
 }  // namespace trivet::nonlinear

@@ -7,6 +7,9 @@
 
 namespace trivet::numerics {
 
+/// Numbers in the widest pack.
+inline constexpr std::ptrdiff_t longest_pack = 8;
+
 /// Uninitialised numbers aligned to a cache line: packs that cross a line are stored at half the speed.
 class LineMemory {
  public:

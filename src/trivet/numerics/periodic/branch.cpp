@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/lane_lu.h"
 
 namespace trivet::numerics {
 namespace {
@@ -51,7 +51,7 @@ namespace {
 
 /// The direction of the branch at a point, by the factors of its bordered matrix with columns times `scale`. They are
 /// those of the last Newton step, which changed the point by less than its tolerance.
-bool set_direction(BranchPoint& point, const PivotedLu<double>& factors, const VectorXd& scale) {
+bool set_direction(BranchPoint& point, const LaneLu& factors, const VectorXd& scale) {
   VectorXd right = VectorXd::Zero(scale.size());
   right(right.size() - 1) = 1;
   const VectorXd tangent = factors.solve(right).cwiseProduct(scale).cwiseQuotient(point.scale);
@@ -79,7 +79,7 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
   for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;
     evaluate_(point.unknowns, parameter, equations);
-    const VectorXd change = PivotedLu<double>(equations.by_unknowns).solve(equations.value);
+    const VectorXd change = LaneLu(equations.by_unknowns).solve(equations.value);
     if (!change.allFinite()) return std::nullopt;
     point.unknowns -= change;
     point.scale = scale(point.unknowns);
@@ -90,8 +90,7 @@ std::optional<BranchPoint> Branch::start(const VectorXd& guess, double parameter
   VectorXd along = VectorXd::Zero(guess.size() + 1);
   along(guess.size()) = downwards ? -1 : 1;
   evaluate_(point.unknowns, parameter, equations);
-  if (!set_direction(point, PivotedLu<double>(bordered(equations, point.scale, along)), point.scale))
-    return std::nullopt;
+  if (!set_direction(point, LaneLu(bordered(equations, point.scale, along)), point.scale)) return std::nullopt;
   return point;
 }
 
@@ -108,7 +107,7 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, b
   if (from.bend.size() > 0) place += step * step / 2 * from.bend.cwiseProduct(from.scale);
   Equations equations;
   BranchPoint point;
-  std::optional<PivotedLu<double>> factors;
+  std::optional<LaneLu> factors;
   bool done = false;
   for (double last = 1; !done; ++point.iterations) {
     if (point.iterations == options_.most_iterations) return std::nullopt;

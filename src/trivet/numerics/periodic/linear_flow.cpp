@@ -6,6 +6,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/linalg/general_eigen.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/kicked_flow.h"
 
 namespace trivet::numerics {
 
@@ -72,6 +73,31 @@ void LinearFlow::apply(const Step& step, RowMatrix& y) const {
       }
     }
   }
+}
+
+void LinearFlow::apply_with_kicks(double step, const MatrixXd& kick, const MatrixXd& seen, const MatrixXd& tangents,
+                                  RowMatrix& y) const {
+  const Index n = y.rows(), stride = (y.cols() + longest_pack - 1) / longest_pack * longest_pack;
+  const RowMatrix kick_rows = kick, seen_rows = seen;
+  const Step half = this->step(step / 2), whole = this->step(step);
+  std::vector<char> leads(to_size(n));
+  for (Index i = 0; i < n; ++i) leads[to_size(i)] = partner_[to_size(i)] > i;
+  LineMemory states;
+  states.resize(to_size(n * stride));
+  Eigen::Map<RowMatrix> padded(states.data(), n, stride);
+  padded.setZero();
+  padded.leftCols(y.cols()) = y;
+  take_kicked_steps({.states = n,
+                     .forces = tangents.rows(),
+                     .steps = tangents.cols(),
+                     .seen = seen_rows.data(),
+                     .kick = kick_rows.data(),
+                     .tangents = tangents.data(),
+                     .leads = leads.data(),
+                     .half = {half.diagonal.data(), half.beside.data()},
+                     .whole = {whole.diagonal.data(), whole.beside.data()}},
+                    states.data(), stride);
+  y = padded.leftCols(y.cols());
 }
 
 MatrixXd LinearFlow::at(double time) const {

@@ -29,6 +29,12 @@ class LinearFlow {
   [[nodiscard]] Step step(double time) const;
   /// y → flow y for all columns.
   void apply(const Step& step, RowMatrix& y) const;
+  /// Steps of equal length, with y → y + kick (tangents ∘ (seen y)) in the middle of each.
+  /// @param kick  states × forces
+  /// @param seen  forces × states
+  /// @param tangents  forces × steps
+  void apply_with_kicks(double step, const Eigen::MatrixXd& kick, const Eigen::MatrixXd& seen,
+                        const Eigen::MatrixXd& tangents, RowMatrix& y) const;
 
  private:
   Eigen::VectorXd growth_, turning_;   ///< real and imaginary parts, the latter with opposite signs in a block

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "trivet/numerics/lanes/line_memory.h"
+
+namespace trivet::numerics {
+
+/// Steps of a linear flow in 2×2 blocks with a kick in the middle of each: y changes by kick · (tangents ∘ (seen · y)).
+struct KickedFlow {
+  /// Row i becomes diagonal_i y_i + beside_i y_partner(i); the rows of a block follow each other.
+  struct Step {
+    const double *diagonal, *beside;
+  };
+  std::ptrdiff_t states = 0, forces = 0, steps = 0;
+  const double* seen = nullptr;      ///< forces × states, by rows
+  const double* kick = nullptr;      ///< states × forces, by rows
+  const double* tangents = nullptr;  ///< forces × steps, by columns
+  const char* leads = nullptr;       ///< is this row the first of a block of two?
+  Step half{}, whole{};
+};
+
+/// Takes them: half a step first and last, whole ones between the kicks.
+/// @param y       states × columns, by rows, aligned to a cache line
+/// @param stride  columns, a multiple of longest_pack
+void take_kicked_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride);
+
+}  // namespace trivet::numerics
