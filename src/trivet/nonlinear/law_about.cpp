@@ -110,6 +110,17 @@ double LawAbout::energy(double deviation) const {
   return sum;
 }
 
+std::optional<int> LawAbout::degree() const {
+  if (!dampers_.empty() || !hysteretic_.empty() || !of_amplitude_.empty() || !bristles_.empty()) return std::nullopt;
+  int highest = 1;  // the reference
+  for (const elements::ElasticForce& law : elastic_) {
+    const auto* polynomial = std::get_if<elements::PolynomialForce>(&law);
+    if (!polynomial) return std::nullopt;
+    highest = std::max(highest, static_cast<int>(polynomial->coefficients.size()));
+  }
+  return highest;
+}
+
 bool LawAbout::is_piecewise_linear() const {
   const auto straight = [](const auto& law) { return elements::is_piecewise_linear(law); };
   return std::all_of(elastic_.begin(), elastic_.end(), straight) &&

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -78,6 +79,8 @@ class LawAbout {
 
   /// Does the force at rest never fall as the deflection grows?
   [[nodiscard]] bool is_monotone() const { return elements::is_monotone(laws_); }
+  /// Of a force that is a polynomial of the deflection alone.
+  [[nodiscard]] std::optional<int> degree() const;
   /// Are all tangents constant between kinks?
   [[nodiscard]] bool is_piecewise_linear() const;
   [[nodiscard]] bool is_empty() const { return laws_.empty(); }

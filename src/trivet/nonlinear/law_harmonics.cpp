@@ -18,9 +18,13 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
-/// A quartic force of a motion has harmonics up to four times its own, which samples must not fold onto those wanted.
-Index sample_count(Index of_motion, Index wanted) {
+/// Samples must not fold the highest harmonics of the force onto those wanted, nor those of the tangent onto twice as
+/// many. A polynomial of degree d has d times the harmonics of the motion, its tangent d − 1 times as many; others are
+/// sampled as if of degree four.
+Index sample_count(std::optional<int> degree, Index of_motion, Index wanted) {
   constexpr Index fewest = 16;
+  if (degree)
+    return std::max(fewest, std::max(*degree * of_motion + wanted, (*degree - 1) * of_motion + 2 * wanted) + 1);
   Index count = fewest;
   while (count < 4 * of_motion + 2 * wanted + 2) count *= 2;
   return count;
@@ -40,7 +44,7 @@ std::vector<std::pair<double, double>> pieces(const LawCourse& course) {
 
 LawHarmonics::LawHarmonics(LawAbout law, Index harmonics, std::optional<Index> of_motion)
     : law_(std::move(law)), harmonics_(harmonics), of_motion_(of_motion.value_or(harmonics)) {
-  const Index samples = sample_count(of_motion_, harmonics);
+  const Index samples = sample_count(law_.degree(), of_motion_, harmonics);
   values_.resize(samples, numerics::coefficient_count(2 * harmonics));
   for (Index n = 0; n < samples; ++n)
     values_.row(n) =

@@ -29,20 +29,6 @@ MatrixXd flow_over(const numerics::LinearFlow& flow, const MatrixXd& F, double t
   return flow.is_diagonalizable() ? flow.at(time) : MatrixXd(response::ExponentialStep(F, time, 0).state(0));
 }
 
-/// Adds a product of a few rows: without the blocks of large matrices, and without entries that are zero.
-void add_product(const MatrixXd& left, const numerics::RowMatrix& right, numerics::RowMatrix& product) {
-  const Index columns = right.cols();
-  for (Index i = 0; i < left.rows(); ++i) {
-    double* __restrict const to = product.row(i).data();
-    for (Index k = 0; k < left.cols(); ++k) {
-      const double factor = left(i, k);
-      if (factor == 0) continue;
-      const double* __restrict const from = right.row(k).data();
-      for (Index j = 0; j < columns; ++j) to[j] += factor * from[j];
-    }
-  }
-}
-
 /// The nearest viscous machine: between modes i and j the damping φ_iᵀ K_loss φ_j / √(ω_i ω_j).
 numerics::DynamicMatrices without_losses(numerics::DynamicMatrices matrices) {
   if (!matrices.lossy()) return matrices;
@@ -244,8 +230,60 @@ MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double 
   return flow_over(found->second, F, (to - from) / motion.omega);
 }
 
-/// Without dampers and memory: all tangents first, and then all steps at once.
-MatrixXd PeriodicStability::split_elastic(const Motion& motion, double from, double to, int steps) const {
+/// What the laws answer in the middle of each step: forces, times the step, and below them the changes of bristles, by
+/// the values of all deflections, their rates if there are dampers, and the memory of loops and bristles.
+numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from, double to, int steps) const {
+  if (motion.is_elastic()) return elastic_answers(motion, from, to, steps);
+  const Index m = force_.cols(), loops = to_index(motion.loops.size()), bristles = to_index(motion.bristles.size());
+  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
+  const bool damped = motion.is_damped();
+  const Index first_memory = damped ? 2 * m : m, first_bristles = first_memory + 2 * loops;
+  const MatrixXd rates_by_force = rates_ * force_;
+  numerics::RowMatrix all((m + bristles) * steps, first_memory + motion.memories());
+  Tangents tangent;
+  MatrixXd forces(m, all.cols());
+  for (int i = 0; i < steps; ++i) {
+    set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
+    forces.setZero();
+    forces.leftCols(m).diagonal() = tangent.by_deflection;
+    if (damped) forces.middleCols(m, m).diagonal() = tangent.by_rate;
+    for (std::size_t d = 0; d < motion.distances.size(); ++d) {
+      const Index first = motion.distances[d].first;
+      forces.block<3, 3>(first, first) += tangent.distances[d].by_deflection;
+      if (damped) forces.block<3, 3>(first, m + first) += tangent.distances[d].by_rate;
+    }
+    for (Index h = 0; h < loops; ++h) {
+      const Index j = motion.loops[to_size(h)].deflection;
+      forces(j, j) += tangent.by_travel(h);
+      forces(j, first_memory + 2 * h) = -tangent.by_travel(h);
+      forces(j, first_memory + 2 * h + 1) = tangent.by_start(h);
+    }
+    std::vector<BristleKick> of_bristles;
+    for (Index b = 0; b < bristles; ++b) {
+      const Index j = motion.bristles[to_size(b)].deflection;
+      of_bristles.emplace_back(tangent.bristles[to_size(b)], step);
+      forces(j, m + j) += of_bristles.back().by_rate;
+      forces(j, first_bristles + b) = of_bristles.back().by_start;
+    }
+    if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
+      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (forces.middleCols(m, m) * rates_by_force);
+      forces = numerics::PivotedLu<double>(left).solve(forces);
+    }
+    const Index first = i * (m + bristles);
+    all.middleRows(first, m) = step * forces;
+    for (Index b = 0; b < bristles; ++b) {
+      const Index j = motion.bristles[to_size(b)].deflection;
+      auto change = all.row(first + m + b);
+      change = of_bristles[to_size(b)].grown * step / 2 * rates_by_force.row(j) * forces;
+      change(m + j) += of_bristles[to_size(b)].grown;
+      change(first_bristles + b) += of_bristles[to_size(b)].kept - 1;
+    }
+  }
+  return all;
+}
+
+/// The same without dampers and memory.
+numerics::RowMatrix PeriodicStability::elastic_answers(const Motion& motion, double from, double to, int steps) const {
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
   MatrixXd of_piece;
   const bool whole = from == 0 && to == two_pi;
@@ -255,87 +293,42 @@ MatrixXd PeriodicStability::split_elastic(const Motion& motion, double from, dou
     for (int i = 0; i < steps; ++i)
       rows.row(i) = numerics::fourier_row(motion.harmonics, from + (i + 0.5) * phase_step);
   }
-  MatrixXd tangents(to_index(motion.courses.size()), steps);
-  for (Index j = 0; j < tangents.rows(); ++j)
-    tangents.row(j) = step * motion.courses[to_size(j)].elastic_tangents(rows).transpose();
-  numerics::RowMatrix machine = flow_.from_states();
-  flow_.apply_with_kicks(step, kick_, seen_, tangents, machine);
-  return flow_.to_states() * machine;
+  const Index m = force_.cols();
+  numerics::RowMatrix all = numerics::RowMatrix::Zero(m * steps, m);
+  for (Index j = 0; j < m; ++j) {
+    const VectorXd tangents = step * motion.courses[to_size(j)].elastic_tangents(rows);
+    for (int i = 0; i < steps; ++i) all(i * m + j, j) = tangents(i);
+  }
+  return all;
 }
 
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, int steps) const {
-  if (motion.is_elastic() && flow_.is_diagonalizable()) return split_elastic(motion, from, to, steps);
-  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
-  const Index n = F_.rows(), m = force_.cols(), all = n + motion.memories();
+  const double step = (to - from) / steps / motion.omega;
+  const Index n = F_.rows(), m = force_.cols(), memory = motion.memories(), all = n + memory,
+              bristles = to_index(motion.bristles.size()), rates = motion.is_damped() ? m : 0;
   const bool in_modes = flow_.is_diagonalizable();
-  const MatrixXd &kick = in_modes ? kick_ : force_, &seen = in_modes ? seen_ : values_,
-                 &seen_rates = in_modes ? seen_rates_ : rates_;
-  numerics::LinearFlow::Step half, whole;
-  MatrixXd dense_half, dense_whole;
+  numerics::LinearFlow::Kicks kicks{numerics::RowMatrix::Zero(all, m + bristles),
+                                    numerics::RowMatrix::Zero(m + rates + memory, all),
+                                    answers(motion, from, to, steps)};
+  kicks.kick.topLeftCorner(n, m) = in_modes ? kick_ : force_;
+  kicks.kick.bottomRightCorner(bristles, bristles).setIdentity();
+  kicks.seen.topLeftCorner(m, n) = in_modes ? seen_ : values_;
+  if (rates > 0) kicks.seen.block(m, 0, m, n) = in_modes ? seen_rates_ : rates_;
+  kicks.seen.bottomRightCorner(memory, memory).setIdentity();
+  numerics::RowMatrix y = numerics::RowMatrix::Identity(all, all);
   if (in_modes) {
-    half = flow_.step(step / 2);
-    whole = flow_.step(step);
-  } else {
-    dense_half = response::ExponentialStep(F_, step / 2, 0).state(0);
-    dense_whole = dense_half * dense_half;
+    y.topLeftCorner(n, n) = flow_.from_states();
+    flow_.apply_with_kicks(step, kicks, y);
+    y.topRows(n) = (flow_.to_states() * y.topRows(n)).eval();
+    return y;
   }
-  using numerics::RowMatrix;
-  const auto flow = [&](bool by_whole, RowMatrix& y) {
-    if (in_modes) flow_.apply(by_whole ? whole : half, y);
-    else y = (by_whole ? dense_whole : dense_half) * y;
-  };
-  const MatrixXd rates_by_force = rates_ * force_;
-  RowMatrix machine = RowMatrix::Identity(n, all), memory = RowMatrix::Zero(all - n, all);
-  memory.rightCols(all - n).setIdentity();
-  if (in_modes) machine.leftCols(n) = flow_.from_states();
-  flow(false, machine);
-  const bool damped = motion.is_damped();
-  Tangents tangent;
-  RowMatrix moved(m, all), rates(m, all);
-  const Index first_bristles = 2 * to_index(motion.loops.size());
+  const MatrixXd half = response::ExponentialStep(F_, step / 2, 0).state(0);
   for (int i = 0; i < steps; ++i) {
-    set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
-    moved.setZero();
-    add_product(seen, machine, moved);
-    for (Index h = 0; h < to_index(motion.loops.size()); ++h)
-      tangent.by_deflection(motion.loops[to_size(h)].deflection) += tangent.by_travel(h);
-    const RowMatrix seen_now = motion.distances.empty() ? RowMatrix() : moved;
-    for (Index j = 0; j < m; ++j) moved.row(j) *= tangent.by_deflection(j);
-    for (std::size_t d = 0; d < motion.distances.size(); ++d)
-      moved.middleRows<3>(motion.distances[d].first) +=
-          tangent.distances[d].by_deflection * seen_now.middleRows<3>(motion.distances[d].first);
-    for (Index h = 0; h < to_index(motion.loops.size()); ++h)
-      moved.row(motion.loops[to_size(h)].deflection) +=
-          tangent.by_start(h) * memory.row(2 * h + 1) - tangent.by_travel(h) * memory.row(2 * h);
-    if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
-      rates.setZero();
-      add_product(seen_rates, machine, rates);
-      MatrixXd by_rate = tangent.by_rate.asDiagonal();
-      for (std::size_t d = 0; d < motion.distances.size(); ++d)
-        by_rate.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += tangent.distances[d].by_rate;
-      for (std::size_t b = 0; b < motion.bristles.size(); ++b) {
-        const BristleKick of_bristles(tangent.bristles[b], step);
-        const Index j = motion.bristles[b].deflection;
-        by_rate(j, j) += of_bristles.by_rate;
-        moved.row(j) += of_bristles.by_start * memory.row(first_bristles + to_index(b));
-      }
-      moved += by_rate * rates;
-      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (by_rate * rates_by_force);
-      moved = numerics::PivotedLu<double>(left).solve(MatrixXd(moved));
-      for (std::size_t b = 0; b < motion.bristles.size(); ++b) {
-        const BristleKick of_bristles(tangent.bristles[b], step);
-        const Index j = motion.bristles[b].deflection, row = first_bristles + to_index(b);
-        memory.row(row) = of_bristles.kept * memory.row(row) +
-            of_bristles.grown * (rates.row(j) + step / 2 * rates_by_force.row(j) * moved);
-      }
-    }
-    moved *= step;
-    add_product(kick, moved, machine);
-    flow(i + 1 < steps, machine);
+    y.topRows(n) = (half * y.topRows(n)).eval();
+    y += (kicks.kick * (kicks.answers.middleRows(i * (m + bristles), m + bristles) * (kicks.seen * y))).eval();
+    y.topRows(n) = (half * y.topRows(n)).eval();
   }
-  MatrixXd result(all, all);
-  result << (in_modes ? MatrixXd(flow_.to_states() * machine) : MatrixXd(machine)), MatrixXd(memory);
-  return result;
+  return y;
 }
 
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, double accurate) const {

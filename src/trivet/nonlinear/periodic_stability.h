@@ -45,7 +45,8 @@ class PeriodicStability {
   [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
-  [[nodiscard]] Eigen::MatrixXd split_elastic(const Motion& motion, double from, double to, int steps) const;
+  [[nodiscard]] numerics::RowMatrix answers(const Motion& motion, double from, double to, int steps) const;
+  [[nodiscard]] numerics::RowMatrix elastic_answers(const Motion& motion, double from, double to, int steps) const;
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
   void jump(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 

@@ -33,34 +33,34 @@ HWY_INLINE void flow_on(const KickedFlow& flow, KickedFlow::Step step, PackColum
   }
 }
 
-/// @param kicks  memory for a pack per force
-HWY_INLINE void kick_on(const KickedFlow& flow, const double* tangents, PackColumns kicks, PackColumns y) {
-  const std::ptrdiff_t n = flow.states, m = flow.forces;
-  for (std::ptrdiff_t j = 0; j < m; ++j) {
-    const double* const seen = flow.seen + j * n;
-    Pack even = hn::Zero(Lanes()), odd = even;
-    std::ptrdiff_t i = 0;
-    for (; i + 1 < n; i += 2) {
-      even = hn::MulAdd(all(seen[i]), y.load(i), even);
-      odd = hn::MulAdd(all(seen[i + 1]), y.load(i + 1), odd);
-    }
-    if (i < n) even = hn::MulAdd(all(seen[i]), y.load(i), even);
-    kicks.store(hn::Mul(all(tangents[j]), hn::Add(even, odd)), j);
+/// A row of a matrix times packs of rows.
+HWY_INLINE Pack product(const double* HWY_RESTRICT row, std::ptrdiff_t columns, PackColumns y) {
+  Pack even = hn::Zero(Lanes()), odd = even;
+  std::ptrdiff_t i = 0;
+  for (; i + 1 < columns; i += 2) {
+    even = hn::MulAdd(all(row[i]), y.load(i), even);
+    odd = hn::MulAdd(all(row[i + 1]), y.load(i + 1), odd);
   }
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    const double* const kick = flow.kick + i * m;
-    Pack sum = y.load(i);
-    for (std::ptrdiff_t j = 0; j < m; ++j) sum = hn::MulAdd(all(kick[j]), kicks.load(j), sum);
-    y.store(sum, i);
-  }
+  if (i < columns) even = hn::MulAdd(all(row[i]), y.load(i), even);
+  return hn::Add(even, odd);
 }
 
-void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* kicks) {
+/// @param seen, kicks  memory for a pack per value and per force
+HWY_INLINE void kick_on(const KickedFlow& flow, const double* answer, PackColumns seen, PackColumns kicks,
+                        PackColumns y) {
+  for (std::ptrdiff_t r = 0; r < flow.values; ++r) seen.store(product(flow.seen + r * flow.states, flow.states, y), r);
+  for (std::ptrdiff_t j = 0; j < flow.forces; ++j) kicks.store(product(answer + j * flow.values, flow.values, seen), j);
+  for (std::ptrdiff_t i = 0; i < flow.states; ++i)
+    y.store(hn::Add(y.load(i), product(flow.kick + i * flow.forces, flow.forces, kicks)), i);
+}
+
+void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
+  const PackColumns seen{memory, lane_count()}, kicks{memory + flow.values * lane_count(), lane_count()};
   for (std::ptrdiff_t column = 0; column < stride; column += lane_count()) {
-    const PackColumns pack{y + column, stride}, in_between{kicks, lane_count()};
+    const PackColumns pack{y + column, stride};
     flow_on(flow, flow.half, pack);
     for (std::ptrdiff_t s = 0; s < flow.steps; ++s) {
-      kick_on(flow, flow.tangents + s * flow.forces, in_between, pack);
+      kick_on(flow, flow.answers + s * flow.forces * flow.values, seen, kicks, pack);
       flow_on(flow, s + 1 < flow.steps ? flow.whole : flow.half, pack);
     }
   }
@@ -83,9 +83,9 @@ TRIVET_VARIANTS(take_steps);
 }  // namespace
 
 void take_kicked_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride) {
-  LineMemory kicks;
-  kicks.resize(to_size(flow.forces * longest_pack));
-  TRIVET_DISPATCH(take_steps)(flow, y, stride, kicks.data());
+  LineMemory memory;
+  memory.resize(to_size((flow.values + flow.forces) * longest_pack));
+  TRIVET_DISPATCH(take_steps)(flow, y, stride, memory.data());
 }
 
 }  // namespace trivet::numerics

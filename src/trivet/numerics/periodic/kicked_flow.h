@@ -7,17 +7,17 @@
 
 namespace trivet::numerics {
 
-/// Steps of a linear flow in 2×2 blocks with a kick in the middle of each: y changes by kick · (tangents ∘ (seen · y)).
+/// Steps of a linear flow in 2×2 blocks with a kick in the middle of each: y changes by kick · answer · seen · y.
 struct KickedFlow {
   /// Row i becomes diagonal_i y_i + beside_i y_partner(i); the rows of a block follow each other.
   struct Step {
     const double *diagonal, *beside;
   };
-  std::ptrdiff_t states = 0, forces = 0, steps = 0;
-  const double* seen = nullptr;      ///< forces × states, by rows
-  const double* kick = nullptr;      ///< states × forces, by rows
-  const double* tangents = nullptr;  ///< forces × steps, by columns
-  const char* leads = nullptr;       ///< is this row the first of a block of two?
+  std::ptrdiff_t states = 0, forces = 0, values = 0, steps = 0;
+  const double* seen = nullptr;     ///< values × states, by rows
+  const double* answers = nullptr;  ///< forces × values of one step after another, by rows
+  const double* kick = nullptr;     ///< states × forces, by rows
+  const char* leads = nullptr;      ///< is this row the first of a block of two?
   Step half{}, whole{};
 };
 

@@ -75,24 +75,30 @@ void LinearFlow::apply(const Step& step, RowMatrix& y) const {
   }
 }
 
-void LinearFlow::apply_with_kicks(double step, const MatrixXd& kick, const MatrixXd& seen, const MatrixXd& tangents,
-                                  RowMatrix& y) const {
-  const Index n = y.rows(), stride = (y.cols() + longest_pack - 1) / longest_pack * longest_pack;
-  const RowMatrix kick_rows = kick, seen_rows = seen;
-  const Step half = this->step(step / 2), whole = this->step(step);
+void LinearFlow::apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y) const {
+  const Index n = y.rows(), moving = growth_.size(),
+              stride = (y.cols() + longest_pack - 1) / longest_pack * longest_pack;
+  const auto with_rest = [&](Step of_flow) {
+    of_flow.diagonal.conservativeResize(n);
+    of_flow.diagonal.tail(n - moving).setOnes();
+    return of_flow;
+  };
+  const Step half = with_rest(this->step(step / 2)), whole = with_rest(this->step(step));
   std::vector<char> leads(to_size(n));
-  for (Index i = 0; i < n; ++i) leads[to_size(i)] = partner_[to_size(i)] > i;
+  for (Index i = 0; i < moving; ++i) leads[to_size(i)] = partner_[to_size(i)] > i;
   LineMemory states;
   states.resize(to_size(n * stride));
   Eigen::Map<RowMatrix> padded(states.data(), n, stride);
   padded.setZero();
   padded.leftCols(y.cols()) = y;
+  const Index forces = kicks.kick.cols();
   take_kicked_steps({.states = n,
-                     .forces = tangents.rows(),
-                     .steps = tangents.cols(),
-                     .seen = seen_rows.data(),
-                     .kick = kick_rows.data(),
-                     .tangents = tangents.data(),
+                     .forces = forces,
+                     .values = kicks.seen.rows(),
+                     .steps = forces > 0 ? kicks.answers.rows() / forces : 0,
+                     .seen = kicks.seen.data(),
+                     .answers = kicks.answers.data(),
+                     .kick = kicks.kick.data(),
                      .leads = leads.data(),
                      .half = {half.diagonal.data(), half.beside.data()},
                      .whole = {whole.diagonal.data(), whole.beside.data()}},

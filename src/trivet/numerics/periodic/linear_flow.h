@@ -29,12 +29,14 @@ class LinearFlow {
   [[nodiscard]] Step step(double time) const;
   /// y → flow y for all columns.
   void apply(const Step& step, RowMatrix& y) const;
-  /// Steps of equal length, with y → y + kick (tangents ∘ (seen y)) in the middle of each.
-  /// @param kick  states × forces
-  /// @param seen  forces × states
-  /// @param tangents  forces × steps
-  void apply_with_kicks(double step, const Eigen::MatrixXd& kick, const Eigen::MatrixXd& seen,
-                        const Eigen::MatrixXd& tangents, RowMatrix& y) const;
+  /// Steps of equal length, with y → y + kick answer seen y in the middle of each.
+  struct Kicks {
+    RowMatrix kick;     ///< rows of y × forces
+    RowMatrix seen;     ///< values × rows of y
+    RowMatrix answers;  ///< forces × values of one step below those of another
+  };
+  /// @param y  rows below those of the flow stay as they are between the kicks
+  void apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y) const;
 
  private:
   Eigen::VectorXd growth_, turning_;   ///< real and imaginary parts, the latter with opposite signs in a block

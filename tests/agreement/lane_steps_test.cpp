@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "trivet/numerics/lanes/instruction_set.h"
+#include "trivet/numerics/linalg/lane_lu.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/periodic/linear_flow.h"
+
+/// Kernels of steps along a curve in lanes against the plain ones, under every instruction set.
+namespace {
+
+using namespace trivet;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return MatrixXd::NullaryExpr(rows, columns, [&] { return normal(random); });
+}
+
+template <typename Check>
+void under_each_instruction_set(const Check& check) {
+  for (const std::string& name : numerics::instruction_sets()) {
+    numerics::use_instruction_set(name);
+    SCOPED_TRACE(name);
+    check();
+    numerics::use_instruction_set("");
+  }
+}
+
+TEST(LaneLu, SolvesAsThePivotedOne) {
+  under_each_instruction_set([] {
+    std::mt19937 random(7);
+    for (const Eigen::Index n : {1, 2, 3, 4, 5, 7, 8, 9, 12, 16, 17, 31, 64, 77, 103, 200}) {
+      const MatrixXd A = random_matrix(n, n, random);
+      const VectorXd b = random_matrix(n, 1, random), x = numerics::LaneLu(A).solve(b);
+      const double size = A.cwiseAbs().rowwise().sum().maxCoeff() * x.cwiseAbs().maxCoeff();
+      constexpr double backward = 1e-14;  // ε times the growth of pivoted elimination, which stays below 10
+      EXPECT_LE((A * x - b).cwiseAbs().maxCoeff(), backward * size) << n << " rows";
+      const VectorXd other = numerics::PivotedLu<double>(A).solve(b);
+      constexpr double round_off = 1e-10;  // ε times the condition of random matrices of 200 rows, up to 1e5
+      EXPECT_LE((x - other).norm(), round_off * other.norm()) << n << " rows";
+    }
+  });
+}
+
+TEST(LaneLu, ExchangesRowsAndHasNoFiniteSolutionOfSingularMatrices) {
+  under_each_instruction_set([] {
+    MatrixXd A{{0, 2, 1}, {1, 0, 0}, {0, 0, 4}};
+    const VectorXd x = numerics::LaneLu(A).solve(VectorXd{{3, 5, 8}});
+    EXPECT_EQ(x, (VectorXd{{5, 0.5, 2}}));
+    A.row(2) = A.row(0);
+    EXPECT_FALSE(numerics::LaneLu(A).solve(VectorXd{{3, 5, 8}}).allFinite());
+  });
+}
+
+TEST(LinearFlow, KicksInLanesAreThoseOneByOne) {
+  under_each_instruction_set([] {
+    std::mt19937 random(11);
+    for (const Eigen::Index n : {2, 5, 12, 17}) {
+      const numerics::LinearFlow flow(random_matrix(n, n, random));
+      ASSERT_TRUE(flow.is_diagonalizable());
+      const Eigen::Index forces = 1 + n / 3, values = 2 * forces, resting = 2, steps = 9;
+      const numerics::LinearFlow::Kicks kicks{random_matrix(n + resting, forces, random),
+                                              random_matrix(values, n + resting, random),
+                                              0.1 * random_matrix(forces * steps, values, random)};
+      constexpr double step = 0.07;
+      numerics::RowMatrix y = random_matrix(n + resting, n + resting, random), expected = y;
+      flow.apply_with_kicks(step, kicks, y);
+      const auto half_step = [&] {
+        numerics::RowMatrix moving = expected.topRows(n);
+        flow.apply(flow.step(step / 2), moving);
+        expected.topRows(n) = moving;
+      };
+      for (Eigen::Index s = 0; s < steps; ++s) {
+        half_step();
+        expected += (kicks.kick * kicks.answers.middleRows(s * forces, forces) * kicks.seen * expected).eval();
+        half_step();
+      }
+      constexpr double round_off = 1e-12;  // of a hundred operations per entry
+      EXPECT_LE((y - expected).norm(), round_off * expected.norm()) << n << " states";
+    }
+  });
+}
+
+}  // namespace
