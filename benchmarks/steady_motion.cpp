@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long does a curve of steady motion take, with its folds, stability and results? One hardening spring, and a body
-// on four hardening mounts; compared with condensed harmonic balance in NumPy without stability. Then machines with two
-// stops and with eight sliders, and the position of rest on stops, for which no program is at hand to compare with.
+// on four hardening mounts; compared with condensed harmonic balance in NumPy without stability, the spring also with
+// pyHarm if it is installed. Then machines with two stops and with eight sliders, and the position of rest on stops,
+// for which no program is at hand to compare with.
 #include "trivet/nonlinear/steady_branch.h"
 
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 
 #include "measure.h"
 #include "rival.h"
@@ -103,7 +105,24 @@ void write_problem(const model::System& system, const SteadyOptions& options, do
   write("scalars", scalars, 3);
 }
 
-void compare(const char* name, const char* text, SteadyOptions options, double cubic, double goal) {
+/// Largest error of the amplitudes that a rival has at the end of the band, relative to ours.
+double error_at_the_end(Rival& rival, const SteadyBranch& branch) {
+  const std::vector<std::complex<double>> theirs = rival.answers("curve");
+  double error = 0;
+  for (std::size_t j = 0; j < theirs.size(); ++j) {
+    const double ours = branch.points.back().deflections.col(to_index(j)).segment<2>(1).norm();
+    error = std::max(error, std::abs(ours - theirs[j].real()) / ours);
+  }
+  return error;
+}
+
+/// Required speed of Trivet relative to the rivals.
+struct Goals {
+  double numpy = 0;
+  double pyharm = 0;  ///< 0: pyHarm is not asked
+};
+
+void compare(const char* name, const char* text, SteadyOptions options, double cubic, Goals goals) {
   const model::System system = machine(text);
   const foundation::TemporaryFolder folder;
   write_problem(system, options, cubic, folder.path());
@@ -113,21 +132,24 @@ void compare(const char* name, const char* text, SteadyOptions options, double c
     std::fprintf(stderr, "%s: %zu folds; %s\n", name, branch.folds.size(), branch.ended.c_str());
     std::exit(1);
   }
-  const std::vector<std::complex<double>> theirs = python.answers("curve");
-  double error = 0;
-  for (std::size_t j = 0; j < theirs.size(); ++j) {
-    const double ours = branch.points.back().deflections.col(to_index(j)).segment<2>(1).norm();
-    error = std::max(error, std::abs(ours - theirs[j].real()) / ours);
-  }
-  compared(name, error, 1e-8);
+  double error = error_at_the_end(python, branch);
   SteadyOptions with_results = options;
   with_results.of = {"coordinates"};
-  measure(
-      {name, std::to_string(branch.points.size()) + " points", "curve", error},
-      {in_process("Trivet, with folds and stability", 1, [&] { (void)nonlinear::steady_branch(system, options); }),
-       in_process("Trivet, with all coordinates too", 1, [&] { (void)nonlinear::steady_branch(system, with_results); }),
-       python.method("curve", "NumPy, condensed, no stability", 1, goal)},
-      9);
+  std::vector<Method> methods = {
+      in_process("Trivet, with folds and stability", 1, [&] { (void)nonlinear::steady_branch(system, options); }),
+      in_process("Trivet, with all coordinates too", 1, [&] { (void)nonlinear::steady_branch(system, with_results); }),
+      python.method("curve", "NumPy, condensed, no stability", 1, goals.numpy),
+  };
+  std::optional<Rival> pyharm;
+  if (goals.pyharm > 0) pyharm.emplace("steady_pyharm.py", folder.path());
+  if (pyharm && pyharm->has("curve")) {
+    error = std::max(error, error_at_the_end(*pyharm, branch));
+    methods.push_back(pyharm->method("curve", "pyHarm, folds, no stability", 1, goals.pyharm));
+  } else if (pyharm) {
+    std::puts("pyHarm is absent");
+  }
+  compared(name, error, 1e-8);
+  measure({name, std::to_string(branch.points.size()) + " points", "curve", error}, methods, 9);
 }
 
 const char* const two_stops = R"(trivet = 1
@@ -197,9 +219,9 @@ void time_rest() {
 int main() {
   const OneCore one_core;
   SteadyOptions one{.from = 14, .to = 30, .harmonics = 7};
-  compare("curve of a hardening spring", one_mass, one, 2e5, 35);
+  compare("curve of a hardening spring", one_mass, one, 2e5, {.numpy = 35, .pyharm = 3000});
   SteadyOptions four{.from = 8 * two_pi, .to = 26 * two_pi, .harmonics = 9};
-  compare("curve of a body on four hardening mounts", four_mounts, four, 1.2e11, 10);
+  compare("curve of a body on four hardening mounts", four_mounts, four, 1.2e11, {.numpy = 10});
   time_curve("six coordinates with two stops, 25 harmonics", two_stops,
              {.from = 8 * two_pi, .to = 16 * two_pi, .harmonics = 25});
   time_curve("sixty coordinates with eight sliders, 9 harmonics", ten_bodies(),
