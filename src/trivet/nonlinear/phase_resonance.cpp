@@ -11,6 +11,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/enough_harmonics.h"
 #include "trivet/nonlinear/known_forces.h"
 #include "trivet/nonlinear/observed_point.h"
 
@@ -75,9 +76,8 @@ class AtPhase {
   void evaluate(const VectorXd& unknowns, double load, numerics::Equations& equations) const {
     const Index n = balance_.size();
     const double omega = std::exp(unknowns(n));
-    numerics::Equations over_frequency, over_load;
+    numerics::Equations over_frequency;
     balance_.evaluate(unknowns.head(n), {omega, load}, Parameter::frequency, over_frequency);
-    balance_.evaluate(unknowns.head(n), {omega, load}, Parameter::load_factor, over_load);
     equations.value.resize(n + 1);
     equations.value << over_frequency.value, phase_equation(unknowns);
     equations.by_unknowns.setZero(n + 1, n + 1);
@@ -86,7 +86,7 @@ class AtPhase {
     equations.by_unknowns(n, cosine_) = std::sin(lag_);
     equations.by_unknowns(n, cosine_ + 1) = -std::cos(lag_);
     equations.by_parameter.setZero(n + 1);
-    equations.by_parameter.head(n) = over_load.by_parameter;
+    equations.by_parameter.head(n) = -balance_.linear_motion({omega, 1});
   }
 
   [[nodiscard]] VectorXd scale(const VectorXd& unknowns) const {
@@ -171,9 +171,9 @@ SteadyBranch phase_resonances(const model::System& system, const SteadyOptions& 
   const ReferenceMachine machine(system, references, options.excitations, options.at_phase->of);
   const bool is_given = options.harmonics > 0;
   Index harmonics = is_given ? options.harmonics : std::max<Index>(5, machine.excitation.highest());
-  for (;; harmonics = std::min(most_steady_harmonics, 7 * harmonics / 5)) {
+  for (;; harmonics = more_harmonics(harmonics)) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
-    const double most = is_last ? std::numeric_limits<double>::infinity() : options.tolerance;
+    const double most = is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options);
     SteadyBranch found = followed(machine, options, AtPhase(machine, options, harmonics), most, progress);
     if (found.left_out <= most) return found;
   }

@@ -12,6 +12,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/branched_motions.h"
+#include "trivet/nonlinear/enough_harmonics.h"
 #include "trivet/nonlinear/observed_path.h"
 #include "trivet/nonlinear/phase_resonance.h"
 #include "trivet/nonlinear/reference_machine.h"
@@ -174,25 +175,6 @@ class Curves {
   DetachedPaths detached_;
 };
 
-/// Gas hardens without limit as it is compressed: stability depends on a small share of the motion.
-constexpr double share_for_gas = 0.1;
-bool has_gas(const model::System& system) {
-  const auto is_gas = [](const elements::ScalarLaw& law) {
-    const auto* elastic = std::get_if<elements::ElasticForce>(&law);
-    return elastic && std::holds_alternative<elements::GasForce>(*elastic);
-  };
-  const auto any = [&](const auto& laws) { return std::any_of(laws.begin(), laws.end(), is_gas); };
-  return std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& element) {
-    return std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
-                       [&](const auto& part) { return any(part.laws); }) ||
-        std::any_of(element.distance_parts.begin(), element.distance_parts.end(),
-                    [&](const auto& part) { return any(part.law.laws); });
-  });
-}
-
-/// 5, 7, 10, 14 …: a number that is too small is found out early.
-Index more_harmonics(Index harmonics) { return 7 * harmonics / 5; }
-
 /// Deflections whose smooth loops bear a force at rest, which they lose in motion.
 std::vector<std::string> lost_means(const std::vector<Deflection>& deflections) {
   std::vector<std::string> names;
@@ -279,12 +261,11 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
-  for (Index harmonics = is_given ? options.harmonics : fewest;;
-       harmonics = std::min(most_steady_harmonics, more_harmonics(harmonics))) {
+  for (Index harmonics = is_given ? options.harmonics : fewest;; harmonics = more_harmonics(harmonics)) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
-    const double most_left_out = options.tolerance * (has_gas(system) ? share_for_gas : 1);
-    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : most_left_out, progress)) continue;
+    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options), progress))
+      continue;
     SteadyBranch found = Curves(machine, path, options, progress).all();
     found.lost_means = lost_means(machine.deflections);
     if (holds && !found.results.empty()) add_linear(system, options, found);

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/enough_harmonics.h"
+
+#include <algorithm>
+
+#include "trivet/elements/scalar_law.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+bool has_gas(const model::System& system) {
+  const auto is_gas = [](const elements::ScalarLaw& law) {
+    const auto* elastic = std::get_if<elements::ElasticForce>(&law);
+    return elastic && std::holds_alternative<elements::GasForce>(*elastic);
+  };
+  const auto any = [&](const auto& laws) { return std::any_of(laws.begin(), laws.end(), is_gas); };
+  return std::any_of(system.elements().begin(), system.elements().end(), [&](const model::Element& element) {
+    return std::any_of(element.nonlinear_parts.begin(), element.nonlinear_parts.end(),
+                       [&](const auto& part) { return any(part.laws); }) ||
+        std::any_of(element.distance_parts.begin(), element.distance_parts.end(),
+                    [&](const auto& part) { return any(part.law.laws); });
+  });
+}
+
+}  // namespace
+
+Eigen::Index more_harmonics(Eigen::Index harmonics) { return std::min(most_steady_harmonics, 7 * harmonics / 5); }
+
+/// Gas hardens without limit as it is compressed: stability depends on a small share of the motion.
+double allowed_left_out(const model::System& system, const SteadyOptions& options) {
+  constexpr double share_for_gas = 0.1;
+  return has_gas(system) ? share_for_gas * options.tolerance : options.tolerance;
+}
+
+}  // namespace trivet::nonlinear

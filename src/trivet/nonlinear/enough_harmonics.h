@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "trivet/model/system.h"
+#include "trivet/nonlinear/steady_options.h"
+
+/// How many harmonics a curve of steady motion has if none are given.
+namespace trivet::nonlinear {
+
+/// The number tried next, 5, 7, 9, 12 …: one that is too small is found out early.
+[[nodiscard]] Eigen::Index more_harmonics(Eigen::Index harmonics);
+
+/// Share of the deflections that those beyond may add.
+[[nodiscard]] double allowed_left_out(const model::System& system, const SteadyOptions& options);
+
+}  // namespace trivet::nonlinear
