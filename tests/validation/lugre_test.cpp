@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string>
 
 #include "support/matchers.h"
 #include "support/projects.h"
@@ -102,34 +104,48 @@ TEST(LuGre, BothVerdictsAgree) {
   }
 }
 
-/// In a direction that nothing excites they stick: multipliers e^{2πs/ω} of m s² + (c + σ_1 + σ_2) s + k + σ_0 = 0.
-TEST(LuGre, BristlesThatDoNotMoveStick) {
-  constexpr double mass = 12, across = 8e3, damping = 40;
-  model::Description description =
-      test::project(
-          "trivet = 1\n[bodies.m]\nmass = 12\nfree = [\"x\", \"z\"]\n[elements.k]\ntype = "
-          "\"three_springs\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [8e3, 0, 1.5e4]\ndamping = "
-          "{translation = [40, 0, 40]}\n[excitations.F]\ntype = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce "
-          "= [0, 0, 90]\n")
-          .base()
-          .system.description();
-  const elements::LuGreFriction law{.stiffness = 5e4, .slip = 20, .damping = 60, .viscous = 30};
-  description.elements[0].nonlinear_parts = {{0, 0.5, {law}}, {2, 0.5, {law}}};
-  nonlinear::SteadyOptions options{.from = 30, .to = 60};
-  options.harmonics = 7;
-  options.deep = true;
-  const nonlinear::SteadyBranch found = nonlinear::steady_branch(model::System::checked(description).value(), options);
-  EXPECT_TRUE(found.winding.differs_at.empty());
-  const double sticking = across + law.stiffness, damped = damping + law.damping + law.viscous,
-               real = -damped / (2 * mass);
-  constexpr double of_splitting = 1e-6;
-  ASSERT_GT(found.points.size(), 5u);
-  for (const nonlinear::SteadyPoint& point : found.points) {
-    const double period = 2 * std::numbers::pi / point.angular_frequency,
-                 turned = std::sqrt(sticking / mass - real * real) * period;
-    const std::complex<double> expected = std::polar(std::exp(real * period), turned);
-    EXPECT_LT((point.multipliers.array() - expected).abs().minCoeff(), of_splitting);
-  }
+/// In a direction that nothing excites they stick: multipliers e^{2πs/ω} of m s² + (c + σ_1 + σ_2) s + k + σ_0 = 0. So
+/// do other frictions, without dampers.
+TEST(LuGre, FrictionThatDoesNotMoveSticks) {
+  constexpr double mass = 12, across = 8e3, damping = 40, sticking = 5e4;
+  const elements::LuGreFriction bristles{.stiffness = sticking, .slip = 20, .damping = 60, .viscous = 30};
+  using elements::HystereticForce;
+  const elements::ScalarLaw laws[] = {bristles, HystereticForce(elements::Slider{sticking, 20}),
+                                      HystereticForce(elements::BergFriction{20, 20 / sticking}),
+                                      HystereticForce(elements::BoucWen{.stiffness = sticking, .force = 20})};
+  for (const elements::ScalarLaw& law : laws)
+    for (const double angle : {0.0, 0.5}) {  // turned, it moves by round-off
+      SCOPED_TRACE(std::to_string(law.index()) + " turned by " + std::to_string(angle));
+      const std::string force = fmt::format("{:.17g}, 0, {:.17g}", 90 * std::sin(angle), 90 * std::cos(angle));
+      model::Description description =
+          test::project(
+              "trivet = 1\n[bodies.m]\nmass = 12\nfree = [\"x\", \"z\"]\n[elements.k]\ntype = "
+              "\"three_springs\"\non = \"m\"\nat = [0, 0, 0]\norientation = {axis = \"y\", angle = " +
+              std::to_string(angle) +
+              "}\ntranslation = [8e3, 0, 1.5e4]\ndamping = {translation = [40, 0, 40]}\n[excitations.F]\n"
+              "type = \"harmonic\"\non = \"m\"\nat = [0, 0, 0]\nforce = [" +
+              force + "]\n")
+              .base()
+              .system.description();
+      description.elements[0].nonlinear_parts = {{0, 0.5, {law}}, {2, 0.5, {law}}};
+      nonlinear::SteadyOptions options{.from = 30, .to = 60};
+      options.harmonics = 7;
+      options.deep = true;
+      const nonlinear::SteadyBranch found =
+          nonlinear::steady_branch(model::System::checked(description).value(), options);
+      EXPECT_TRUE(found.winding.differs_at.empty());
+      const bool has_dampers = std::holds_alternative<elements::LuGreFriction>(law);
+      const double damped = damping + (has_dampers ? bristles.damping + bristles.viscous : 0),
+                   real = -damped / (2 * mass);
+      constexpr double of_splitting = 1e-6;
+      ASSERT_GT(found.points.size(), 5u);
+      for (const nonlinear::SteadyPoint& point : found.points) {
+        const double period = 2 * std::numbers::pi / point.angular_frequency,
+                     phase = std::sqrt((across + sticking) / mass - real * real) * period;
+        const std::complex<double> expected = std::polar(std::exp(real * period), phase);
+        EXPECT_LT((point.multipliers.array() - expected).abs().minCoeff(), of_splitting);
+      }
+    }
 }
 
 /// A slow loop under ±X with u = σ_0 X/F: the turning force is F tanh u, the energy lost 4 F X (1 − tanh u/u).

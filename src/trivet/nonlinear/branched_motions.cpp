@@ -28,10 +28,11 @@ std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& chang
   const auto place_on_path = [&](const numerics::BranchPoint& point) {
     return place_of(point.unknowns.reshaped(point.unknowns.size() / m, m), point.parameter);
   };
-  const VectorXd direction = seen.equations().weakest_direction(
+  const std::optional<VectorXd> direction = seen.equations().weakest_direction(
       place_of(change.point.deflections, over_frequency ? change.point.angular_frequency : change.point.load_factor));
+  if (!direction) return std::nullopt;
   const auto singular = [&](const numerics::BranchPoint& point) {
-    return seen.equations().change_along(place_on_path(point), direction);
+    return seen.equations().change_along(place_on_path(point), *direction);
   };
   // Exactly there, Newton's method along the path has no unique step: as near as it converges.
   constexpr std::array<double, 4> near = {1e-6, 1e-4, 1e-2, 0.2};

@@ -25,22 +25,21 @@ class BristleLoop::Grading {
   [[nodiscard]] bool is_fine(double from, double to) const {
     const elements::LuGreFriction& law = loop_.part_.law;
     const double here = at(from), there = at(to), since = std::abs(here - first_), left = std::abs(last_ - there),
-                 travel = std::abs(there - here), v = std::abs(rate(from)), w = std::abs(rate(to));
+                 travel = std::abs(there - here), fastest = std::max(std::abs(rate(from)), std::abs(rate(to)));
     // Until a layer has faded to round-off, its exponential function is resolved; then only places that double.
     constexpr double to_round_off = 40, resolved = 1.3, growth = 2;
-    if (travel * decay(std::max(v, w)) > resolved) {
+    if (travel * decay(fastest) > resolved) {
       if (faded_ < to_round_off) return false;
       if (travel > growth * since || travel > growth * left) return false;
     }
     if (!law.has_stribeck_effect()) return true;
     constexpr double of_change = 0.35, beyond = 8;
-    return std::min(v, w) > beyond * law.stribeck_velocity ||
-        std::abs(v - w) <= of_change * std::max({v, w, law.stribeck_velocity});
+    const double slowest = this->slowest(from, to);
+    return slowest > beyond * law.stribeck_velocity ||
+        fastest - slowest <= of_change * std::max(fastest, law.stribeck_velocity);
   }
   /// The layer has faded over a panel, at least by the decay of its smaller rate.
-  void pass(double from, double to) {
-    faded_ += std::abs(at(to) - at(from)) * decay(std::min(std::abs(rate(from)), std::abs(rate(to))));
-  }
+  void pass(double from, double to) { faded_ += std::abs(at(to) - at(from)) * decay(slowest(from, to)); }
 
  private:
   [[nodiscard]] static double value(double phase, const VectorXd& of) {
@@ -48,6 +47,15 @@ class BristleLoop::Grading {
   }
   [[nodiscard]] double at(double phase) const { return value(phase, loop_.deflection_); }
   [[nodiscard]] double rate(double phase) const { return loop_.omega_ * value(phase, loop_.slope_); }
+  /// Rate of a panel that is short against the waves of the motion: by a parabola, which has a minimum if the motion
+  /// almost stops within.
+  [[nodiscard]] double slowest(double from, double to) const {
+    const double a = std::abs(rate(from)), m = std::abs(rate((from + to) / 2)), b = std::abs(rate(to));
+    const double slope = 4 * m - 3 * a - b, bend = 2 * (a + b - 2 * m), place = -slope / (2 * bend);
+    const double lowest = std::min({a, m, b});
+    if (!(bend > 0 && place > 0 && place < 1)) return lowest;
+    return std::clamp(a + place * slope / 2, 0.0, lowest);
+  }
   [[nodiscard]] double decay(double rate) const { return elements::bristle_decay(loop_.part_.law, rate, 1).per_travel; }
 
   const BristleLoop& loop_;
@@ -57,7 +65,7 @@ class BristleLoop::Grading {
 BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflection, double omega,
                          const std::vector<double>& turns, double longest)
     : part_(part), deflection_(deflection), slope_(numerics::phase_derivative(deflection)), omega_(omega) {
-  if (turns.empty()) return;
+  if (turns.empty() || !is_above_round_off(turns)) return;
   ends_ = {turns.front()};
   for (std::size_t i = 0; i < turns.size(); ++i)
     add_branch(turns[i], i + 1 < turns.size() ? turns[i + 1] : turns.front() + two_pi, longest);
@@ -87,6 +95,15 @@ BristleLoop::BristleLoop(const LawAbout::Bristles& part, const VectorXd& deflect
   bristles_ = closed(slopes_);
   // By dδ/dφ: 1 − z (p + v dp/dv).
   gains_ = 1 - bristles_.array() * (gains_.array() + omega_ * slopes_.array() * by_rate_.array());
+}
+
+/// Of a smaller travel, what the bristles forget in a period is round-off.
+bool BristleLoop::is_above_round_off(const std::vector<double>& turns) const {
+  constexpr double least = 1e-9;  // of the travel over which they forget
+  std::vector<double> places;
+  for (const double turn : turns) places.push_back(numerics::motion_at((slope_.size() - 1) / 2, turn, deflection_));
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  return *high - *low > least * part_.law.slip / part_.law.stiffness;
 }
 
 void BristleLoop::add_branch(double from, double to, double longest) {

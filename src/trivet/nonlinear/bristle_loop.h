@@ -21,10 +21,10 @@ class BristleLoop {
   BristleLoop(const LawAbout::Bristles& part, const Eigen::VectorXd& deflection, double omega,
               const std::vector<double>& turns, double longest);
 
-  /// False if the deflection does not move: the bristles then bear no more force than at the state.
+  /// False if the deflection does not move, but for round-off: the bristles then bear no more force than at the state.
   [[nodiscard]] bool moves() const { return !panels_.empty(); }
 
-  /// At a phase, with derivatives by time: dz/dt = v (1 − p z) has the variation `gain` δ̇ − `decay` ζ.
+  /// At a phase, if it moves, with derivatives by time: dz/dt = v (1 − p z) has the variation `gain` δ̇ − `decay` ζ.
   struct Here {
     double force = 0;                    ///< beyond that at the state
     double by_rate = 0, by_bristle = 0;  ///< of the variation of the force
@@ -42,10 +42,10 @@ class BristleLoop {
 
   /// Closed variations of z at the nodes, nodes × columns, for variations of dδ/dφ there.
   [[nodiscard]] Eigen::MatrixXd variation(const Eigen::MatrixXd& slopes) const;
-  /// The same of bristles that do not move at the first turning point. The last row is also that one period later. To
-  /// them belongs `fading` times the variation at the first turning point.
+  /// The same of bristles whose variation is zero at the first turning point. The last row is also that one period
+  /// later. To them belongs `fading` times the variation at the first turning point.
   [[nodiscard]] Eigen::MatrixXcd variation_from_zero(const Eigen::MatrixXcd& slopes) const;
-  /// z from 1 at the first turning point on, without motion; and after a period.
+  /// A variation of 1 at the first turning point, as it fades; and after a period.
   [[nodiscard]] const Eigen::VectorXd& fading() const { return fading_; }
   [[nodiscard]] double faded() const;
   [[nodiscard]] double first_turn() const { return ends_.front(); }  ///< phase
@@ -54,6 +54,7 @@ class BristleLoop {
 
  private:
   class Grading;
+  [[nodiscard]] bool is_above_round_off(const std::vector<double>& turns) const;
   void add_branch(double from, double to, double longest);
   /// dz/dφ + p dδ/dφ z = source, from 0 at the first turning point on.
   template <typename Matrix>

@@ -23,7 +23,7 @@ class LawAbout {
   /// Of the parts without memory: elastic ones and dampers, with both references.
   [[nodiscard]] Force without_memory(double deviation, double rate) const;
 
-  /// The tangents of elastic parts alone, without kinks in the rate, with the reference.
+  /// Their tangent if none depends on the rate.
   [[nodiscard]] double elastic_tangent(double deviation) const;
 
   /// Parts of that force, by how they are integrated over a motion.

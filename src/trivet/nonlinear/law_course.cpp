@@ -53,6 +53,7 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
     const double of_part = elements::jumps_at_turns(part.law) ? turning_slope : 0;
     if (HystereticLoop loop(part, deflection_, turns(of_part), of_part); !loop.branches().empty())
       loops_.push_back(std::move(loop));
+    else resting_stiffness_ += elements::initial_stiffness(part.law);
   }
   if (law.bristles().empty()) return;
   constexpr double per_wave = 4;  // panels per wave of the highest harmonic
@@ -102,13 +103,15 @@ LawAbout::Force LawCourse::at(double phase) const {
 
 VectorXd LawCourse::elastic_tangents(const Eigen::MatrixXd& rows) const {
   VectorXd numbers = rows * deflection_;
-  for (double& number : numbers) number = law_.elastic_tangent(number);
+  for (double& number : numbers) number = law_.elastic_tangent(number) + resting_stiffness_;
   return numbers;
 }
 
 LawAbout::Force LawCourse::at(const Eigen::RowVectorXd& row) const {
   const double deflection = row.dot(deflection_);
   LawAbout::Force found = law_.without_memory(deflection, is_damped() ? row.dot(rate_) : 0);
+  found.force += resting_stiffness_ * deflection;
+  found.by_deviation += resting_stiffness_;
   if (law_.of_amplitude().empty()) return found;
   found.force += of_amplitude_.storage * deflection + of_amplitude_.loss * row.dot(ahead_);
   found.by_deviation += of_amplitude_.storage;

@@ -25,6 +25,8 @@ class LawCourse {
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   /// One per hysteretic part that moves.
   [[nodiscard]] const std::vector<HystereticLoop>& loops() const { return loops_; }
+  /// Of those that do not, which stick.
+  [[nodiscard]] double resting_stiffness() const { return resting_stiffness_; }
   /// One per law of bristles.
   [[nodiscard]] const std::vector<BristleLoop>& bristles() const { return bristles_; }
   /// `corners`, the turning points and kinks of the loops, and the panels of bristles, in no order.
@@ -33,10 +35,10 @@ class LawCourse {
   [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
   [[nodiscard]] double deflection_at(double phase) const;
   [[nodiscard]] double rate_at(double phase) const;  ///< by time
-  /// Of the parts without memory, and of those that depend on the amplitude: k' over the deflection, k''/ω over the
-  /// rate of the first harmonic, at the amplitude of the motion.
+  /// Of the parts without memory, of those that rest, and of those that depend on the amplitude: k' over the
+  /// deflection, k''/ω over the rate of the first harmonic, at the amplitude of the motion.
   [[nodiscard]] LawAbout::Force at(double phase) const;
-  /// Tangents of elastic parts at many phases: rows of the basis.
+  /// The tangents alone at many phases, rows of the basis, if no part depends on the rate.
   [[nodiscard]] Eigen::VectorXd elastic_tangents(const Eigen::MatrixXd& rows) const;
   /// The force, with the row of the basis at a phase (set_fourier_row).
   [[nodiscard]] LawAbout::Force at(const Eigen::RowVectorXd& row) const;
@@ -57,6 +59,7 @@ class LawCourse {
   elements::StiffnessOfAmplitude of_amplitude_;
   std::vector<double> corners_;
   std::vector<HystereticLoop> loops_;
+  double resting_stiffness_ = 0;
   std::vector<BristleLoop> bristles_;
 };
 

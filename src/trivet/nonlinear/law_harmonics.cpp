@@ -20,13 +20,13 @@ using foundation::two_pi;
 
 /// Samples must not fold the highest harmonics of the force onto those wanted, nor those of the tangent onto twice as
 /// many. A polynomial of degree d has d times the harmonics of the motion, its tangent d − 1 times as many; others are
-/// sampled as if of degree four.
+/// sampled by powers of two, six times as often as the highest harmonic wanted.
 Index sample_count(std::optional<int> degree, Index of_motion, Index wanted) {
   constexpr Index fewest = 16;
   if (degree)
     return std::max(fewest, std::max(*degree * of_motion + wanted, (*degree - 1) * of_motion + 2 * wanted) + 1);
   Index count = fewest;
-  while (count < 4 * of_motion + 2 * wanted + 2) count *= 2;
+  while (count < 6 * wanted + 2) count *= 2;
   return count;
 }
 
@@ -86,7 +86,7 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
               VectorXd::Zero(deflection.size()),
               {}};
   const LawCourse along = course(deflection, omega);
-  add_line(deflection, omega, sum);
+  add_line(along, deflection, omega, sum);
   if (!law_.smooth().is_empty()) add_sampled(law_.smooth(), deflection, omega, sum);
   if (!law_.quadratic().is_empty()) add_quadratic(along, deflection, omega, sum);
   if (!law_.others().is_empty()) {
@@ -105,8 +105,9 @@ LawHarmonics::Spectra LawHarmonics::spectra(const VectorXd& deflection, double o
   return sum;
 }
 
-void LawHarmonics::add_line(const VectorXd& deflection, double omega, Spectra& sum) const {
-  const LawAbout::Line line = law_.line();
+void LawHarmonics::add_line(const LawCourse& course, const VectorXd& deflection, double omega, Spectra& sum) const {
+  LawAbout::Line line = law_.line();
+  line.stiffness += course.resting_stiffness();
   sum.force += line.stiffness * deflection;
   if (law_.has_dampers()) sum.force += line.damping * omega * numerics::phase_derivative(deflection);
   sum.force(0) = 2 * (sum.force(0) + line.constant);

@@ -52,7 +52,7 @@ class LawHarmonics {
     Eigen::MatrixXd by_memory;
   };
   [[nodiscard]] Spectra spectra(const Eigen::VectorXd& deflection, double omega, bool with_tangent) const;
-  void add_line(const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
+  void add_line(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_sampled(const LawAbout::Parts& parts, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_quadratic(const LawCourse& course, const Eigen::VectorXd& deflection, double omega, Spectra& sum) const;
   void add_between_corners(const LawCourse& course, Spectra& sum) const;

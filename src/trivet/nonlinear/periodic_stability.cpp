@@ -103,7 +103,7 @@ struct PeriodicStability::Motion {
 };
 
 /// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
-/// f_turn) of its loops.
+/// f_turn) of its loops, and of bristles and distances beside.
 struct PeriodicStability::Tangents {
   VectorXd by_deflection, by_rate;
   VectorXd by_travel, by_start;  ///< one per loop
@@ -117,7 +117,7 @@ struct PeriodicStability::Tangents {
       all.insert(all.end(), part->begin(), part->end());
     return all;
   }
-  /// Deflections × states: values, rates and memory to forces.
+  /// Deflections × states: values, rates and memory to forces, of laws without bristles and distances.
   [[nodiscard]] MatrixXd forces(const Motion& motion, const MatrixXd& values, const MatrixXd& rates) const {
     const Index n = values.cols();
     MatrixXd rows = MatrixXd::Zero(values.rows(), n + 2 * by_travel.size());
@@ -287,6 +287,8 @@ numerics::RowMatrix PeriodicStability::elastic_answers(const Motion& motion, dou
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
   MatrixXd of_piece;
   const bool whole = from == 0 && to == two_pi;
+  constexpr std::size_t most_kept = 32;
+  if (rows_.size() > most_kept) rows_.clear();
   MatrixXd& rows = whole ? rows_[{steps, motion.harmonics}] : of_piece;
   if (rows.size() == 0) {
     rows.resize(steps, numerics::coefficient_count(motion.harmonics));
@@ -336,7 +338,12 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
   // The coarsest steps turn the mass that a law holds by its tangent alone by about a fifth of its period.
   Tangents middle;
   set_tangents(motion, (from + to) / 2, middle);
-  const double squared = middle.by_deflection.cwiseProduct(accelerations_).cwiseAbs().maxCoeff(),
+  VectorXd stiffness = middle.by_deflection;
+  for (std::size_t h = 0; h < motion.loops.size(); ++h)
+    stiffness(motion.loops[h].deflection) += middle.by_travel(to_index(h));
+  for (std::size_t b = 0; b < motion.bristles.size(); ++b)
+    stiffness(motion.bristles[b].deflection) += middle.bristles[b].by_bristle * middle.bristles[b].gain;
+  const double squared = stiffness.cwiseProduct(accelerations_).cwiseAbs().maxCoeff(),
                turned = std::sqrt(squared) * (to - from) / motion.omega;
   constexpr double turned_in_step = 1.2;
   const int fewest = std::max({2, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)),

@@ -20,7 +20,8 @@ namespace trivet::nonlinear {
 /// that of the motion, and as viscous damping their loss at the first harmonic. If all tangents are constant between
 /// the corners, each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear
 /// machine around a kick by the tangents (splitting), extrapolated from smaller and smaller steps. [Strang 1968;
-/// Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4]
+/// Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4] It keeps flows for the next motion: not for several
+/// threads at once.
 class PeriodicStability {
  public:
   /// Loss factors, which define no motion in time, are replaced by viscous damping that is the same in every mode at

@@ -96,12 +96,12 @@ MatrixXd SteadyEquations::derivatives(const Place& place) const {
   return scales.cwiseInverse().asDiagonal() * equations.by_unknowns * scales.asDiagonal();
 }
 
-/// By inverse iteration; of an exactly singular matrix from beside it.
-VectorXd SteadyEquations::weakest_direction(const Place& place) const {
+/// By inverse iteration; of an exactly singular matrix with its diagonal shifted.
+std::optional<VectorXd> SteadyEquations::weakest_direction(const Place& place) const {
   constexpr int iterations = 6;
-  constexpr double beside = 1e-13;
+  constexpr double small = 1e-13;
   MatrixXd matrix = derivatives(place);
-  for (const double shift : {0.0, beside}) {
+  for (const double shift : {0.0, small}) {
     matrix.diagonal().array() += shift;
     const numerics::PivotedLu<double> factors(matrix);
     VectorXd direction = VectorXd::LinSpaced(place.unknowns.size(), 1, 2).normalized();
@@ -111,8 +111,7 @@ VectorXd SteadyEquations::weakest_direction(const Place& place) const {
     direction.cwiseAbs().maxCoeff(&largest);
     return direction(largest) < 0 ? VectorXd(-direction) : direction;
   }
-  throw foundation::NotComputable("steady: the direction in which two curves cross was not found at " +
-                                  this->place(place.parameter));
+  return std::nullopt;
 }
 
 /// The derivatives D bordered by the direction d: [D d; dᵀ 0] [x; change] = [0; 1].

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "trivet/nonlinear/steady_options.h"
@@ -42,8 +43,8 @@ class SteadyEquations {
     Eigen::VectorXd unknowns;
     double parameter = 0;
   };
-  /// The direction of the unknowns in which the equations change least.
-  [[nodiscard]] Eigen::VectorXd weakest_direction(const Place& place) const;
+  /// The direction of the unknowns in which the equations change least; empty if they are not finite.
+  [[nodiscard]] std::optional<Eigen::VectorXd> weakest_direction(const Place& place) const;
   /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
   [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
 

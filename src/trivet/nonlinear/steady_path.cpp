@@ -9,7 +9,6 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/nonlinear/raised_motions.h"
 
 namespace trivet::nonlinear {
 
@@ -97,9 +96,11 @@ bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const Vect
   constexpr double any = std::numeric_limits<double>::infinity();
   leaves_downwards_ = true;
   const Index n = start.unknowns.size();
+  const std::optional<VectorXd> weakest = equations_.weakest_direction(start);
+  if (!weakest) return false;
   BranchPoint first{start.unknowns, start.parameter, VectorXd(n + 1), VectorXd::Zero(n + 1), 0};
   first.scale << equations_.scale(start.unknowns), equations_.width();
-  first.tangent.head(n) = equations_.weakest_direction(start);
+  first.tangent.head(n) = *weakest;
   if (along.size() > 0) first.tangent -= along.normalized().dot(first.tangent) * along.normalized();
   constexpr double least = 0.5;  // else the weakest direction is that of the other curve: at a fold
   if (first.tangent.norm() < least) return false;

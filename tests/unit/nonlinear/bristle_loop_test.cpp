@@ -45,6 +45,14 @@ std::vector<VectorXd> motions() {
   return {twice, six_times};
 }
 
+/// Twice per period it almost stops, without turning.
+VectorXd almost_stopping() {
+  VectorXd motion = VectorXd::Zero(numerics::coefficient_count(harmonics));
+  motion(1) = -1e-3;
+  motion(5) = -0.99e-3 / 3;
+  return motion;
+}
+
 BristleLoop loop_of(const LuGreFriction& law, const VectorXd& motion, double panels_per_wave = 4) {
   MatrixXd samples(256, motion.size());
   for (Index n = 0; n < samples.rows(); ++n)
@@ -102,8 +110,10 @@ TEST(BristleLoop, IsKnownBetweenItsNodes) {
 /// Half as long panels, and quarters, change nothing.
 TEST(BristleLoop, HarmonicsAreThoseOfFinerPanels) {
   constexpr double of_force = 1e-10, of_tangent = 1e-7;
+  std::vector<VectorXd> all = motions();
+  all.push_back(almost_stopping());
   for (const LuGreFriction& law : laws())
-    for (const VectorXd& motion : motions()) {
+    for (const VectorXd& motion : all) {
       const auto found = [&](double panels_per_wave) {
         return nonlinear::bristle_harmonics(loop_of(law, motion, panels_per_wave), motion, omega, true);
       };

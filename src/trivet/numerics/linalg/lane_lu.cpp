@@ -10,10 +10,13 @@
 #include <utility>
 
 #include "trivet/numerics/lanes/lanes-inl.h"
+#include "trivet/numerics/lanes/line_memory.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 namespace {
+
+static_assert(hn::MaxLanes(Lanes()) <= longest_pack);
 
 constexpr std::ptrdiff_t panel = 4;
 

@@ -9,8 +9,8 @@
 
 namespace trivet::numerics {
 
-/// Solver of A x = b by LU with partial pivoting, with the best instructions of this processor: about twice as quick as
-/// PivotedLu between 16 and 200 rows. Solutions of a singular A are not finite.
+/// Solver of A x = b by LU with partial pivoting, with the best instructions of this processor, for matrices
+/// of up to a few hundred rows. Solutions of a singular A are not finite or, by round-off, huge.
 class LaneLu {
  public:
   explicit LaneLu(const Eigen::MatrixXd& A);

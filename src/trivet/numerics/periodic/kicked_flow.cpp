@@ -11,6 +11,8 @@ HWY_BEFORE_NAMESPACE();
 namespace trivet::numerics::HWY_NAMESPACE {
 namespace {
 
+static_assert(hn::MaxLanes(Lanes()) <= longest_pack);
+
 /// A pack of columns, whose rows are `stride` numbers apart.
 struct PackColumns {
   double* first;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/numerics/periodic/linear_flow.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/index.h"
@@ -92,10 +93,11 @@ void LinearFlow::apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y)
   padded.setZero();
   padded.leftCols(y.cols()) = y;
   const Index forces = kicks.kick.cols();
+  assert(forces > 0 && kicks.answers.rows() % forces == 0);
   take_kicked_steps({.states = n,
                      .forces = forces,
                      .values = kicks.seen.rows(),
-                     .steps = forces > 0 ? kicks.answers.rows() / forces : 0,
+                     .steps = kicks.answers.rows() / forces,
                      .seen = kicks.seen.data(),
                      .answers = kicks.answers.data(),
                      .kick = kicks.kick.data(),

@@ -79,10 +79,15 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
   const auto add = [&](double deflection, int steps) {
     fem::Preload load;
     load.value(2) = deflection;
-    const std::variant<LoadedSolid, std::string> under =
-        solid_under(content_key(fmt::format("{} along {:.17g} {}", key, deflection, steps)), meshed, load, steps);
+    const std::string place = content_key(fmt::format("{} along {:.17g} {}", key, deflection, steps)),
+                      not_found = place + "-none";  // is found out once, because it takes as long
+    if (cached_numbers(not_found)) return false;
+    const std::variant<LoadedSolid, std::string> under = solid_under(place, meshed, load, steps);
     const auto* there = std::get_if<LoadedSolid>(&under);
-    if (!there || there->negative_eigenvalues > 0 || !(there->stiffness(along_k, along_k) > 0)) return false;
+    if (!there || there->negative_eigenvalues > 0 || !(there->stiffness(along_k, along_k) > 0)) {
+      keep_numbers(not_found, {0});
+      return false;
+    }
     const double force = there->force(along_k);
     arm = there->distance - deflection;
     states.insert(deflection < 0 ? states.begin() : states.end(),
