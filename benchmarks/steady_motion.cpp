@@ -2,7 +2,8 @@
 // How long does a curve of steady motion take, with its folds, stability and results? One hardening spring, and a body
 // on four hardening mounts; compared with condensed harmonic balance in NumPy without stability, the spring also with
 // pyHarm if it is installed. Then machines with two stops and with eight sliders, and the position of rest on stops,
-// for which no program is at hand to compare with.
+// for which no program is at hand to compare with. Last the LU of a step along a curve, compared with Eigen's (which
+// PivotedLu has) and LAPACK's.
 #include "trivet/nonlinear/steady_branch.h"
 
 #include <cmath>
@@ -12,10 +13,13 @@
 
 #include "measure.h"
 #include "rival.h"
+#include "rivals/lapack.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/rest_position.h"
+#include "trivet/numerics/linalg/lane_lu.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/project/project.h"
 
 namespace {
@@ -214,6 +218,34 @@ void time_rest() {
           {in_process("Trivet", 1, [&] { (void)nonlinear::rest_position(system); })}, 9);
 }
 
+void compare_lu(Eigen::Index rows) {
+  Eigen::MatrixXd A(rows, rows);
+  for (Eigen::Index i = 0; i < rows; ++i)
+    for (Eigen::Index j = 0; j < rows; ++j) A(i, j) = std::sin(static_cast<double>(1 + 3 * i + 7 * j + i * j));
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, 1, 2);
+  const Eigen::VectorXd ours = numerics::LaneLu(A).solve(b), eigens = numerics::PivotedLu<double>(A).solve(b);
+  Eigen::MatrixXd factors;
+  std::vector<lapack_int> pivots(to_size(rows));
+  Eigen::VectorXd lapacks = b;
+  const auto by_lapack = [&](Eigen::VectorXd& x) {
+    factors = A;
+    const auto n = static_cast<lapack_int>(rows);
+    lapack_int info = 0;
+    const lapack_int one = 1;
+    LAPACK_dgesv(&n, &one, factors.data(), &n, pivots.data(), x.data(), &n, &info);
+  };
+  by_lapack(lapacks);
+  const double error = std::max((ours - eigens).norm(), (ours - lapacks).norm()) / ours.norm();
+  compared("LU", error, 1e-9);
+  measure({"LU of a step along a curve and one solution", std::to_string(rows) + " unknowns", "matrix", error},
+          {in_process("Trivet, in lanes", 1, [&] { (void)numerics::LaneLu(A).solve(b); }),
+           in_process("Eigen, PartialPivLU", 1, [&] { (void)numerics::PivotedLu<double>(A).solve(b); }),
+           in_process("LAPACK dgesv", 1, [&] {
+             lapacks = b;
+             by_lapack(lapacks);
+           })});
+}
+
 }  // namespace
 
 int main() {
@@ -227,4 +259,5 @@ int main() {
   time_curve("sixty coordinates with eight sliders, 9 harmonics", ten_bodies(),
              {.from = 5 * two_pi, .to = 12 * two_pi, .harmonics = 9});
   time_rest();
+  for (const Eigen::Index unknowns : {16, 77, 103}) compare_lu(unknowns);  // the first three curves
 }
