@@ -57,6 +57,11 @@ class SteadyRequirements(unittest.TestCase):
         self.assertEqual(of["no_jump"]["value"], 0)
         self.assertAlmostEqual(of["no_contact"]["margin"], 0.2 / (60 / (48 * 30)), delta=0.02)
 
+    def test_limits_are_those_of_displacements_whatever_the_curves_show(self):
+        shown = MACHINE.replace("harmonics = 15", 'harmonics = 15, quantity = "acceleration"')
+        values = [verdict(STOP, 'steady = {"m.x" = 0.02}', machine=one)[1][0]["value"] for one in (MACHINE, shown)]
+        self.assertEqual(*values)
+
     def test_without_a_stable_motion_nothing_is_met(self):
         run, found = verdict("{polynomial = [-80000, 0, 1e9]}", 'steady = {"m.x" = 1}')
         self.assertEqual(run.returncode, 1)

@@ -148,6 +148,27 @@ TEST(LuGre, FrictionThatDoesNotMoveSticks) {
     }
 }
 
+/// Bristles that hardly deflect are Coulomb's friction: the slip takes all of the way, whatever their stiffness.
+TEST(LuGre, StiffBristlesLeaveTheMultipliersOfSlip) {
+  const auto largest = [](double bristles) {
+    model::Description description =
+        test::project(test::chain({12}, {1.5e4, 0}, {30, 0}) +
+                      "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [90, 0, 0]\n")
+            .base()
+            .system.description();
+    description.elements[0].nonlinear_parts = {{0, 0.5, {elements::LuGreFriction{.stiffness = bristles, .slip = 20}}}};
+    nonlinear::SteadyOptions options{.from = 37.5, .to = 38};
+    options.harmonics = 15;
+    const nonlinear::SteadyBranch found =
+        nonlinear::steady_branch(model::System::checked(description).value(), options);
+    return found.points.back().largest_multiplier();
+  };
+  constexpr double of_compliance = 1e-3;  // 20 N bend bristles of 2e7 N/m by 1 µm, the motion has 60 mm
+  const double of_slip = largest(2e7);
+  EXPECT_LT(of_slip, 0.9);
+  for (const double bristles : {1e9, 4e9, 2e10}) EXPECT_NEAR(largest(bristles), of_slip, of_compliance) << bristles;
+}
+
 /// A slow loop under ±X with u = σ_0 X/F: the turning force is F tanh u, the energy lost 4 F X (1 − tanh u/u).
 TEST(LuGre, SlowLoopsAreThoseOfDahl) {
   model::NonlinearPart part;

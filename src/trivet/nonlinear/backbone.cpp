@@ -195,6 +195,14 @@ class FreeMotion {
   double ratio_scale_ = 1;
 };
 
+/// Deflections with friction that sticks in undamped motion.
+std::vector<std::string> with_friction(const std::vector<Deflection>& deflections) {
+  std::vector<std::string> names;
+  for (const Deflection& one : deflections)
+    if (!one.law.bristles().empty() || !one.law.hysteretic().empty()) names.push_back(one.name);
+  return names;
+}
+
 class FreeCourse {
  public:
   FreeCourse(const model::System& given, const BackboneOptions& options)
@@ -220,6 +228,8 @@ class FreeCourse {
 
   Backbone follow(const foundation::Progress& progress) {
     Backbone found{.mode = options_.mode, .angular_frequency = omega_, .harmonics = options_.harmonics};
+    if (!options_.damped)
+      found.held = with_friction(nonlinear_deflections(system_, assembled_, tangents_at_rest(system_)));
     for (const assembly::Channel& channel : observer_.channels()) {
       found.results.push_back(channel.name);
       found.units.push_back(channel.unit);

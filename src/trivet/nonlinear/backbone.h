@@ -44,12 +44,13 @@ struct Backbone {
   std::vector<BackbonePoint> points;     ///< along the branch, from small motions
   std::vector<BackbonePoint> at_energy;  ///< at the energies asked for, in the order of the branch
   Eigen::Index harmonics = 0;
-  double left_out = 0;  ///< largest share of the motion beyond the harmonics, at any point
-  std::string ended;    ///< why it ends before the end asked for; empty: it does not
+  double left_out = 0;            ///< largest share of the motion beyond the harmonics, at any point
+  std::string ended;              ///< why it ends before the end asked for; empty: it does not
+  std::vector<std::string> held;  ///< undamped: deflections in which friction sticks to the end
 };
 
 /// The nonlinear mode that a mode about rest becomes as its energy grows: free periodic motions in which all
-/// coordinates pass through their extremes together. Undamped: dampers are left out and sliders stick. Damped: with a
+/// coordinates pass through their extremes together. Undamped: dampers are left out and friction sticks. Damped: with a
 /// damping of −2 ζ ω A that feeds what all dampers and loops lose [extended periodic motion, Krack 2015]; ζ is the
 /// damping ratio.
 /// @throws foundation::NotComputable if there is no such mode, or with elements that depend on frequency

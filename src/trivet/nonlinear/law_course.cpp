@@ -57,7 +57,8 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
   }
   if (law.bristles().empty()) return;
   constexpr double per_wave = 4;  // panels per wave of the highest harmonic
-  const double highest = std::max(2.0, static_cast<double>((deflection_.size() - 1) / 2));
+  const Eigen::Index harmonics_kept = (deflection_.size() - 1) / 2;
+  const double highest = std::max(2.0, static_cast<double>(harmonics_kept));
   const std::vector<double> of_bristles = turns(0);
   for (const LawAbout::Bristles& part : law.bristles())
     bristles_.emplace_back(part, deflection_, omega, of_bristles, foundation::two_pi / (per_wave * highest));

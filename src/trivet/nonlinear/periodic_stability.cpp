@@ -240,6 +240,14 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
   const Index first_memory = damped ? 2 * m : m, first_bristles = first_memory + 2 * loops;
   const MatrixXd rates_by_force = rates_ * force_;
   numerics::RowMatrix all((m + bristles) * steps, first_memory + motion.memories());
+  // Bristles are multiplied by the frequency at which they hold their mass: the transition then has entries of one
+  // size, and its error is not that of stiff bristles alone.
+  VectorXd scale = VectorXd::Ones(bristles);
+  for (Index b = 0; b < bristles; ++b) {
+    const Motion::Bristles& one = motion.bristles[to_size(b)];
+    if (const double squared = one.loop->law().stiffness * std::abs(accelerations_(one.deflection)); squared > 0)
+      scale(b) = std::sqrt(squared);
+  }
   Tangents tangent;
   MatrixXd forces(m, all.cols());
   for (int i = 0; i < steps; ++i) {
@@ -263,7 +271,7 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
       const Index j = motion.bristles[to_size(b)].deflection;
       of_bristles.emplace_back(tangent.bristles[to_size(b)], step);
       forces(j, m + j) += of_bristles.back().by_rate;
-      forces(j, first_bristles + b) = of_bristles.back().by_start;
+      forces(j, first_bristles + b) = of_bristles.back().by_start / scale(b);
     }
     if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
       const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (forces.middleCols(m, m) * rates_by_force);
@@ -274,8 +282,9 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
     for (Index b = 0; b < bristles; ++b) {
       const Index j = motion.bristles[to_size(b)].deflection;
       auto change = all.row(first + m + b);
-      change = of_bristles[to_size(b)].grown * step / 2 * rates_by_force.row(j) * forces;
-      change(m + j) += of_bristles[to_size(b)].grown;
+      const double grown = scale(b) * of_bristles[to_size(b)].grown;
+      change = grown * step / 2 * rates_by_force.row(j) * forces;
+      change(m + j) += grown;
       change(first_bristles + b) += of_bristles[to_size(b)].kept - 1;
     }
   }

@@ -109,6 +109,8 @@ std::string backbone_text(const project::Case& variant, const study::Answers& an
         mode.mode + 1, number_text(shown_frequency(display, mode.angular_frequency), 6), unit, mode.points.size(),
         mode.harmonics, mode.left_out);
     if (!mode.ended.empty()) text += "  " + mode.ended + "\n";
+    for (const std::string& name : mode.held)
+      text += fmt::format("  friction of {} sticks at every amplitude; with damped = true it slips\n", name);
     std::vector<std::string> headings = {"at [" + unit + "]", "energy [J]", "damping ratio"};
     constexpr std::size_t most_results = 6;
     const std::size_t results = std::min(most_results, mode.results.size());

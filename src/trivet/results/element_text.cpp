@@ -184,6 +184,12 @@ std::string law_of_damping(const elements::Law& law) {
 std::string frequency_text(const model::Element& element) {
   const elements::Law& law = element.law;
   std::string text = "Damping: " + law_of_damping(law) + "\n";
+  for (const model::NonlinearPart& part : element.nonlinear_parts) {
+    const double damping = elements::small_motion(part.laws, part.at_rest).damping;
+    if (damping == 0 || part.is_inner()) continue;
+    text += fmt::format("  its laws add {:.6g} {} {} at rest\n", damping,
+                        part.is_rotation() ? "N m s/rad about" : "N s/m along", "xyz"[part.axis % 3]);
+  }
   if (const auto& given = law.frequency_dependence) {
     text += "Frequency dependence: the stiffness above is static; " +
         std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");

@@ -32,6 +32,8 @@ elements::Law simplified_law(const elements::Law& full, const model::Span& span)
 std::vector<std::string> left_out(const model::Element& element) {
   std::vector<std::string> words;
   if (element.law.inertia) words.push_back("the mass of \"" + element.name + "\"");
+  if (!element.nonlinear_parts.empty() || !element.distance_parts.empty())
+    words.push_back("the laws of \"" + element.name + "\"");
   if (element.law.preload) words.push_back("the preload of \"" + element.name + "\"");
   if (const auto& given = element.law.frequency_dependence)
     words.push_back(

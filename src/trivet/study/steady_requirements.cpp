@@ -100,6 +100,7 @@ project::SteadyQuestion question_of(const project::Analyses& analyses) {
   if (has_band) asked.band = required.band;
   if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
   asked.selection.of.clear();
+  asked.selection.quantity = assembly::MotionQuantity::displacement;  // that of the limits, whatever the curves show
   return asked;
 }
 
