@@ -70,7 +70,7 @@ std::variant<LoadedSolid, std::string> solid_under(const std::string& key, const
   const fem::PreloadedStiffness found =
       fem::preloaded_stiffness(it.mesh, it.materials, it.frame, load, {.steps = steps});
   if (!found.converged) return found.failure_reason;
-  const LoadedSolid state{found.stiffness, found.preload, found.arm(2), found.motion(2), found.negative_eigenvalues};
+  LoadedSolid state{found.stiffness, found.preload, found.arm(2), found.motion(2), found.negative_eigenvalues};
   keep_numbers(key, numbers_of(state));
   return state;
 }
