@@ -195,11 +195,14 @@ class FreeMotion {
   double ratio_scale_ = 1;
 };
 
-/// Deflections with friction that sticks in undamped motion.
+/// Deflections with friction that sticks in undamped motion; without a spring it is left out.
 std::vector<std::string> with_friction(const std::vector<Deflection>& deflections) {
   std::vector<std::string> names;
   for (const Deflection& one : deflections)
-    if (!one.law.bristles().empty() || !one.law.hysteretic().empty()) names.push_back(one.name);
+    if (!one.law.bristles().empty() ||
+        std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
+                    [](const LawAbout::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
+      names.push_back(one.name);
   return names;
 }
 
