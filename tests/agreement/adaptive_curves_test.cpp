@@ -13,7 +13,7 @@
 #include "trivet/response/steady/curve_model.h"
 #include "trivet/response/steady/frequency_grid.h"
 
-namespace {
+namespace adaptive_curves_test {
 
 using namespace trivet;
 
@@ -252,4 +252,4 @@ TEST(AdaptiveCurves, RowsBetweenSolvesOfAFrequencyDependentLawStateTheirError) {
   EXPECT_LE(answer.curves.interpolation_error, between_solves);
 }
 
-}  // namespace
+}  // namespace adaptive_curves_test

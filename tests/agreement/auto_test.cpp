@@ -17,7 +17,7 @@
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 
-namespace {
+namespace auto_test {
 
 using namespace trivet;
 using nonlinear::StabilityChange;
@@ -236,4 +236,4 @@ TEST_F(Auto, QuasiPeriodicMotionsOfANonlinearAbsorber) {
   expect_same(changes(branch, StabilityChange::Kind::quasi_periodic), theirs["TR"]);
 }
 
-}  // namespace
+}  // namespace auto_test

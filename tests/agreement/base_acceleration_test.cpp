@@ -11,7 +11,7 @@
 #include "trivet/response/steady/peaks.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace base_acceleration_test {
 
 using namespace trivet;
 
@@ -170,4 +170,4 @@ TEST(BaseAcceleration, GivesMarginsAtTheStartOfTheBandToAFloat) {
     EXPECT_NEAR(a.outcomes[k].margin, b.outcomes[k].margin, of_a_float * b.outcomes[k].margin) << "design " << k;
 }
 
-}  // namespace
+}  // namespace base_acceleration_test

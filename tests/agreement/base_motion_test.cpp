@@ -17,7 +17,7 @@
 #include "trivet/response/steady/peaks.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace base_motion_test {
 
 using namespace trivet;
 using test::RandomDamping;
@@ -250,4 +250,4 @@ TEST(PeaksOfUnbalance, AreThoseOfAFineScan) {
   expect_peaks_of_a_scan(test::checked(d), 400);
 }
 
-}  // namespace
+}  // namespace base_motion_test

@@ -11,7 +11,7 @@
 #include "support/coupled_bodies.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace block_elimination_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -82,4 +82,4 @@ TEST(BlockElimination, BodiesWithZerosInTheirCouplingsAreNotCutIntoSmallBlocks) 
   EXPECT_EQ(found.count(), 10);
 }
 
-}  // namespace
+}  // namespace block_elimination_test

@@ -19,7 +19,7 @@
 #include "trivet/numerics/sweep/block_sweep.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
-namespace {
+namespace block_sweep_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -300,4 +300,4 @@ TEST(BlockSweep, SixteenThreadsGiveTheBytesOfOne) {
   EXPECT_EQ(one.backward_error, sixteen.backward_error);
 }
 
-}  // namespace
+}  // namespace block_sweep_test

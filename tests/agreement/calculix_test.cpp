@@ -19,7 +19,7 @@
 #include "trivet/exchange/matrix_file.h"
 
 namespace trivet::test {
-namespace {
+namespace calculix_test {
 
 using exchange::Matrix12;
 using exchange::NodeEnd;
@@ -215,5 +215,5 @@ TEST_F(CalculiX, SubstructureIsWrongWithoutAMessageAndTheRigidMotionTestFindsIt)
   EXPECT_GT(ends->values(8, 8), 10 * timoshenko()(8, 8));
 }
 
-}  // namespace
+}  // namespace calculix_test
 }  // namespace trivet::test

@@ -12,7 +12,7 @@
 #include "support/coil_springs.h"
 #include "trivet/elements/coil_preload.h"
 
-namespace {
+namespace coil_exact_rod_test {
 
 using namespace trivet;
 using Eigen::Matrix3d;
@@ -179,4 +179,4 @@ TEST(CompressedCoilAgainstTheExactRod, FewerCoilsHaveAWarningAndTheStatedErrors)
   EXPECT_TRUE(check_compression(enough, 0.1 * enough.active_length).list().empty());
 }
 
-}  // namespace
+}  // namespace coil_exact_rod_test

@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace coil_preload_test {
 
 using namespace trivet;
 using elements::CoilSpring;
@@ -146,4 +146,4 @@ TEST(CompressedCoil, ItsReductionKeepsTheTangentAndTheMass) {
   EXPECT_THAT(along.dot(r.mass * along), test::RelativelyNear(mass, round_off));
 }
 
-}  // namespace
+}  // namespace coil_preload_test

@@ -13,7 +13,7 @@
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace coil_spring_test {
 
 using namespace trivet;
 using elements::CoilSpring;
@@ -308,4 +308,4 @@ TEST(ReducedCoil, FrequenciesThatNearlyCoincideKeepTheirOwnCouplings) {
         << omega / first;
 }
 
-}  // namespace
+}  // namespace coil_spring_test

@@ -18,7 +18,7 @@
 
 /// Slopes of the margins of every kind of requirement against differences of the fourth order of models that are solved
 /// again in quadruple precision, on random skew machines with all kinds of damping.
-namespace {
+namespace design_gradients_test {
 
 using namespace trivet;
 using study::RequirementKind;
@@ -378,4 +378,4 @@ TEST(DesignGradients, AgreeWithQuadruplePrecisionUnderModalDamping) {
             most_of_the_candidates);
 }
 
-}  // namespace
+}  // namespace design_gradients_test

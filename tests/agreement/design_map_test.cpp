@@ -9,7 +9,7 @@
 #include "support/projects.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace design_map_test {
 
 using namespace trivet;
 
@@ -166,4 +166,4 @@ TEST(DesignMap, JudgesACaseLikeTheDesignInItsPlace) {
   EXPECT_NEAR(figure->judged->governing.margin, map.outcomes[2].margin, of_a_float);
 }
 
-}  // namespace
+}  // namespace design_map_test

@@ -12,7 +12,7 @@
 #include "trivet/numerics/lanes/instruction_set.h"
 #include "trivet/numerics/roots/design_modes.h"
 
-namespace {
+namespace design_modes_test {
 
 using namespace trivet;
 using numerics::DesignModes;
@@ -176,4 +176,4 @@ TEST(DesignModes, NeedMatricesOfOneShape) {
   EXPECT_THROW(static_cast<void>(numerics::design_modes(designs)), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace design_modes_test

@@ -17,7 +17,7 @@
 #include "trivet/numerics/peaks/peak_count.h"
 
 namespace trivet {
-namespace {
+namespace design_peaks_test {
 
 /// Error of the solutions in the search on discs: ε/ζ of the height, ζ ≥ 1e-6, and a margin.
 constexpr double lightly_damped = 2e-8;
@@ -228,5 +228,5 @@ TEST(DesignPeaks, AreThoseOfEveryInstructionSet) {
   }
 }
 
-}  // namespace
+}  // namespace design_peaks_test
 }  // namespace trivet

@@ -9,7 +9,7 @@
 
 /// Slopes of the margins of requirements: from derivatives of the assembled model, and from differences of the margins
 /// of models that are read and solved again.
-namespace {
+namespace design_slopes_test {
 
 using namespace trivet;
 
@@ -113,4 +113,4 @@ TEST(DesignSlopes, OfAMassOnASpring) {
   EXPECT_NEAR(slopes(least, 0), std::log(4.0), round_off);
 }
 
-}  // namespace
+}  // namespace design_slopes_test

@@ -18,7 +18,7 @@
 
 /// All curves that are followed, with the detached ones, against motions that Newton's method finds from dense starts
 /// at fixed frequencies. Both solve the same equations; the search is what is compared.
-namespace {
+namespace detached_motions_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -208,4 +208,4 @@ force = [)" +
   EXPECT_GT(largest(merged), 3 * largest(beside));
 }
 
-}  // namespace
+}  // namespace detached_motions_test

@@ -12,7 +12,7 @@
 #include "trivet/study/design_map.h"
 
 namespace trivet {
-namespace {
+namespace driven_maps_test {
 
 /// Amplitudes have nine digits in both ways, and margins single precision.
 constexpr double single_precision = 2e-7;
@@ -157,5 +157,5 @@ TEST(DrivenMaps, OnAMovingGroundAgreeWithDesignsOneByOne) {
   }
 }
 
-}  // namespace
+}  // namespace driven_maps_test
 }  // namespace trivet

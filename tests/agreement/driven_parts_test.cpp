@@ -13,7 +13,7 @@
 
 /// Steady motion under orders and waves, and with elements whose stiffness is a function of frequency: against the
 /// linear machine while all stops are open, the balance of forces, and marching in time.
-namespace {
+namespace driven_parts_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -234,4 +234,4 @@ TEST(DrivenParts, TwoVerdictsOnStabilityAgree) {
   }
 }
 
-}  // namespace
+}  // namespace driven_parts_test

@@ -24,7 +24,7 @@
 #include "trivet/numerics/peaks/peak_count.h"
 
 namespace trivet {
-namespace {
+namespace driven_peaks_test {
 
 using Complex = std::complex<double>;
 
@@ -314,5 +314,5 @@ TEST(DrivenPeaks, RejectPowersThatGrowWithoutBound) {
   }
 }
 
-}  // namespace
+}  // namespace driven_peaks_test
 }  // namespace trivet

@@ -19,7 +19,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace element_dynamics_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -284,4 +284,4 @@ TEST(Preload, ABodyHungOnALinkSwingsAsADoublePendulum) {
   EXPECT_THAT(modes.list[1].eigenvalue_squared, RelativelyNear(mean + root, extension));
 }
 
-}  // namespace
+}  // namespace element_dynamics_test

@@ -17,7 +17,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace explain_test {
 
 using namespace trivet;
 using test::drive;
@@ -277,4 +277,4 @@ TEST(PeakSensitivities, ReportWhereThereIsNoMaximum) {
                foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace explain_test

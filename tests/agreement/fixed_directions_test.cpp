@@ -26,7 +26,7 @@
 #include "trivet/study/transient_answer.h"
 #include "trivet/study/transmissibility_answer.h"
 
-namespace {
+namespace fixed_directions_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -299,4 +299,4 @@ TEST(FixedDirections, AreFoundByTheSecondSolverIfTheFastAssemblyLosesThem) {
   EXPECT_FALSE(response::deep_check(system, lost, assembly::harmonic_loading(system, lost), frequencies).passed);
 }
 
-}  // namespace
+}  // namespace fixed_directions_test

@@ -11,7 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 
-namespace {
+namespace foundation_test {
 
 using namespace trivet;
 
@@ -224,4 +224,4 @@ TEST(Foundation, MeasuredMobilityHasThePeaksOfItsImpedance) {
   EXPECT_GE(compared, 4);  // two resonances in the motion and two in the force
 }
 
-}  // namespace
+}  // namespace foundation_test

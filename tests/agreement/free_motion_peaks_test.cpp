@@ -10,7 +10,7 @@
 #include "trivet/modal/roots.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace free_motion_peaks_test {
 
 using namespace trivet;
 
@@ -99,4 +99,4 @@ TEST(PeaksWithARigidBodyMode, CoupledOnesAreThoseOfTheSameMachineHeldThere) {
   }
 }
 
-}  // namespace
+}  // namespace free_motion_peaks_test

@@ -12,7 +12,7 @@
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
-namespace {
+namespace frequency_part_test {
 
 using namespace trivet;
 using namespace trivet::numerics;
@@ -177,4 +177,4 @@ TEST(FrequencyPart, SixteenThreadsGiveTheBytesOfOne) {
   EXPECT_EQ(a.backward_error, b.backward_error);
 }
 
-}  // namespace
+}  // namespace frequency_part_test

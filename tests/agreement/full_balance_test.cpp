@@ -13,7 +13,7 @@
 
 /// Condensed harmonic balance against the whole machine: all coordinates with the exact dynamic stiffness, forces of
 /// the laws by dense sampling; power; and machines that are turned and moved.
-namespace {
+namespace full_balance_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -194,4 +194,4 @@ TEST(FullBalance, TurnedAndMovedMachinesAgree) {
     EXPECT_LT((here.results[c].harmonics - there.results[c].harmonics).norm(), 1e-8 * largest) << c;
 }
 
-}  // namespace
+}  // namespace full_balance_test

@@ -14,7 +14,7 @@
 #include "trivet/numerics/sweep/frequency_sweep.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace hard_cases_test {
 
 using namespace trivet;
 using numerics::DynamicMatrices;
@@ -103,4 +103,4 @@ TEST(HardCases, AnIndefiniteMassIsNeverTakenForADefiniteOne) {
   EXPECT_EQ(modes.norm(0), -1);
 }
 
-}  // namespace
+}  // namespace hard_cases_test

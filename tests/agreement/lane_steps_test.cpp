@@ -12,7 +12,7 @@
 #include "trivet/numerics/periodic/linear_flow.h"
 
 /// Kernels of steps along a curve in lanes against the plain ones, under every instruction set.
-namespace {
+namespace lane_steps_test {
 
 using namespace trivet;
 using Eigen::MatrixXd;
@@ -90,4 +90,4 @@ TEST(LinearFlow, KicksInLanesAreThoseOneByOne) {
   });
 }
 
-}  // namespace
+}  // namespace lane_steps_test

@@ -22,7 +22,7 @@
 #include "trivet/numerics/peaks/peak_refinement.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
-namespace {
+namespace many_bodies_test {
 
 using namespace trivet;
 using numerics::DynamicMatrices, numerics::SparseSystem;
@@ -274,4 +274,4 @@ TEST(PeaksOfManyBodies, AreAllThatAScanAroundEveryPoleFinds) {
   EXPECT_GT(seen, 100) << "the test means nothing without peaks";
 }
 
-}  // namespace
+}  // namespace many_bodies_test

@@ -12,7 +12,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 
 /// Steady motion and its multipliers against marching in time, which shares nothing with them.
-namespace {
+namespace marched_motion_test {
 
 using namespace trivet;
 using Eigen::Matrix3d;
@@ -228,4 +228,4 @@ TEST(MarchedMotion, SliderThatBreaksAway) {
       law.limit(), slips_from);
 }
 
-}  // namespace
+}  // namespace marched_motion_test

@@ -16,7 +16,7 @@
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/answers.h"
 
-namespace {
+namespace matrix_table_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -118,4 +118,4 @@ TEST(MatrixTable, AgreesWithItsDirectionsInTheirOwnAxes) {
   }
 }
 
-}  // namespace
+}  // namespace matrix_table_test

@@ -14,7 +14,7 @@
 
 /// The branch that is followed against all motions that exist: with one harmonic a Duffing oscillator has those whose
 /// squared amplitude is a root of a cubic.
-namespace {
+namespace missed_folds_test {
 
 using namespace trivet;
 
@@ -102,4 +102,4 @@ TEST(SteadyBranch, HasEveryMotionOfRandomHardeningSprings) {
   EXPECT_GT(with_three, machines / 2);
 }
 
-}  // namespace
+}  // namespace missed_folds_test

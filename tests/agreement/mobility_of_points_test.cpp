@@ -17,7 +17,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/response/machinery/power.h"
 
-namespace {
+namespace mobility_of_points_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -311,4 +311,4 @@ TEST(MobilityOfPoints, MovesWithTheGround) {
   expect_same(on_measured_points(shake, file), machine(shake) + mounts(on_node) + nodes);
 }
 
-}  // namespace
+}  // namespace mobility_of_points_test

@@ -13,7 +13,7 @@
 #include "trivet/project/text/names_in_file.h"
 #include "trivet/response/sensitivity/model_parameters.h"
 
-namespace {
+namespace model_number_test {
 
 using namespace trivet;
 
@@ -184,4 +184,4 @@ TEST(KnownModel, SharesUnchangedPartsAndHasNoAdjustments) {
   EXPECT_FALSE(known.unchanged("elements", "between", *elements->find("foot")));
 }
 
-}  // namespace
+}  // namespace model_number_test

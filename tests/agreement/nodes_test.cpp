@@ -16,7 +16,7 @@
 #include "trivet/study/random_answer.h"
 #include "trivet/study/transient_answer.h"
 
-namespace {
+namespace nodes_test {
 
 using namespace trivet;
 using test::NearVector;
@@ -279,4 +279,4 @@ TEST(Nodes, SuspensionSeesThroughThem) {
                 RelativelyNear(*one_element.modes[i].angular_frequency, round_off));
 }
 
-}  // namespace
+}  // namespace nodes_test

@@ -10,7 +10,7 @@
 #include "trivet/response/steady/static_response.h"
 
 /// A rubber mount that finds its own compression under its machine against the same mount with that preload.
-namespace {
+namespace nonlinear_mount_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -65,4 +65,4 @@ TEST(NonlinearMount, AtRestIsTheOnePreloadedByItsLoad) {
     EXPECT_THAT(*ours.list[i].angular_frequency, RelativelyNear(*theirs.list[i].angular_frequency, lever)) << i;
 }
 
-}  // namespace
+}  // namespace nonlinear_mount_test

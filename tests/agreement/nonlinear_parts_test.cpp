@@ -10,7 +10,7 @@
 #include "trivet/response/steady/static_response.h"
 
 /// Nonlinear parts against linear models of the same machine.
-namespace {
+namespace nonlinear_parts_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -188,4 +188,4 @@ force = [0, 0, 10]
   EXPECT_THAT(largest, RelativelyNear(3.693, 3e-3));  // by Runge and Kutta's method in time
 }
 
-}  // namespace
+}  // namespace nonlinear_parts_test

@@ -17,7 +17,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace peak_shares_test {
 
 using namespace trivet;
 using test::drive;
@@ -161,4 +161,4 @@ force = [5, 0, 0]
   EXPECT_THAT(shares.dissipated_power, RelativelyNear(0.5 * 30 * 115 * (5.0 / 115) * (5.0 / 115), round_off));
 }
 
-}  // namespace
+}  // namespace peak_shares_test

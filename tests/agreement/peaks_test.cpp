@@ -14,7 +14,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/resonant_mode.h"
 
-namespace {
+namespace peaks_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -219,4 +219,4 @@ TEST(PeaksOfRandomSystems, AreThoseOfADenseScan) {
   EXPECT_GT(compared, 300);
 }
 
-}  // namespace
+}  // namespace peaks_test

@@ -17,7 +17,7 @@
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace physics_test {
 
 using namespace trivet;
 using test::RandomDamping;
@@ -284,4 +284,4 @@ TEST(Physics, DampedResponseIsTheSumOverItsRoots) {
   }
 }
 
-}  // namespace
+}  // namespace physics_test

@@ -15,7 +15,7 @@
 #include "trivet/response/random/random_response.h"
 #include "trivet/response/steady/frequency_response.h"
 
-namespace {
+namespace random_response_test {
 
 using namespace trivet;
 using response::RandomMethod;
@@ -376,4 +376,4 @@ TEST(RandomResponse, TheSpectralDensitiesAddUpToTheVariance) {
   }
 }
 
-}  // namespace
+}  // namespace random_response_test

@@ -16,7 +16,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/modal/modes.h"
 
-namespace {
+namespace real_elements_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -247,4 +247,4 @@ TEST(SolidMount, IsReadFromTheCacheTheSecondTime) {
   fs::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace real_elements_test

@@ -11,7 +11,7 @@
 #include "trivet/numerics/recurrence/pair_steps.h"
 #include "trivet/numerics/recurrence/rows_over_time.h"
 
-namespace {
+namespace recurrence_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -82,4 +82,4 @@ TEST_P(Recurrence, RowsOverTimeAgreeWithProductsAndTheirExtremes) {
 INSTANTIATE_TEST_SUITE_P(InstructionSets, Recurrence, testing::ValuesIn(numerics::instruction_sets()),
                          [](const auto& info) { return info.param; });
 
-}  // namespace
+}  // namespace recurrence_test

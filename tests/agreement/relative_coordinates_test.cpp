@@ -15,7 +15,7 @@
 #include "trivet/response/steady/vanishing_ends.h"
 #include "trivet/response/transient/transient.h"
 
-namespace {
+namespace relative_coordinates_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -324,4 +324,4 @@ TEST(RelativeCoordinates, DoNotVanishAtRest) {
     EXPECT_FALSE(vanishes);
 }
 
-}  // namespace
+}  // namespace relative_coordinates_test

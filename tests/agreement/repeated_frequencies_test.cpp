@@ -11,7 +11,7 @@
 
 /// A body on four equal corner springs, with equal natural frequencies along x and y: its one-sided slopes in a
 /// direction of the parameters against models solved again in quadruple precision, and searches that start there.
-namespace {
+namespace repeated_frequencies_test {
 
 using namespace trivet;
 using test::Quad;
@@ -107,4 +107,4 @@ TEST(RepeatedFrequencies, ArePartedBySearch) {
   EXPECT_NEAR(slopes(least, 0), 1e4 / 2.5e5, exact);
 }
 
-}  // namespace
+}  // namespace repeated_frequencies_test

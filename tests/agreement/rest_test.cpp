@@ -10,7 +10,7 @@
 #include "trivet/modal/roots.h"
 #include "trivet/response/steady/static_response.h"
 
-namespace {
+namespace rest_test {
 
 using namespace trivet;
 
@@ -89,4 +89,4 @@ TEST(Limits, AreJudgedInABandNearTheEndOfATable) {
   EXPECT_TRUE(answer.failures.empty());
 }
 
-}  // namespace
+}  // namespace rest_test

@@ -14,7 +14,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/solids/rigid_solid.h"
 
-namespace {
+namespace rigid_solids_test {
 
 using namespace trivet;
 using namespace trivet::solids;
@@ -102,4 +102,4 @@ TEST(StepSolid, AgreesWithTheTrianglesThatGmshMakesOfIt) {
       << "skew enough to test products of inertia";
 }
 
-}  // namespace
+}  // namespace rigid_solids_test

@@ -9,7 +9,7 @@
 #include "trivet/elements/rubber_layer.h"
 #include "trivet/fem/shapes.h"
 
-namespace {
+namespace rubber_formulas_test {
 
 using namespace trivet;
 
@@ -90,4 +90,4 @@ TEST(RubberFormulas, BushesAgreeWithFiniteElements) {
     }
 }
 
-}  // namespace
+}  // namespace rubber_formulas_test

@@ -10,7 +10,7 @@
 #include "trivet/excitation/pulses.h"
 #include "trivet/excitation/sampled_signal.h"
 
-namespace {
+namespace shock_spectrum_test {
 
 using namespace trivet::excitation;
 
@@ -67,4 +67,4 @@ TEST(ShockSpectrum, AgreesWithSmallStepsInEveryColumn) {
       }
 }
 
-}  // namespace
+}  // namespace shock_spectrum_test

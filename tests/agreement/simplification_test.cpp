@@ -8,7 +8,7 @@
 #include "support/projects.h"
 #include "trivet/elements/stiffness_properties.h"
 
-namespace {
+namespace simplification_test {
 
 using trivet::study::ModeComparison;
 using trivet::study::Simplification;
@@ -134,4 +134,4 @@ TEST(RelativeDifference, IsMissingIfANumberIsMissing) {
   EXPECT_EQ(trivet::study::relative_difference(1.0, INFINITY), std::nullopt);
 }
 
-}  // namespace
+}  // namespace simplification_test

@@ -17,7 +17,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace solid_mount_agreement_test {
 
 using namespace trivet;
 
@@ -166,4 +166,4 @@ TEST(SolidMount, AgreesWithCalculiX) {
   EXPECT_THAT(theirs, test::NearInUnits(ours, scale, meshes));
 }
 
-}  // namespace
+}  // namespace solid_mount_agreement_test

@@ -17,7 +17,7 @@
 #include "trivet/response/machinery/transmissibility.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace steady_answers_test {
 
 using namespace trivet;
 using test::RandomDamping;
@@ -315,4 +315,4 @@ TEST(LimitLine, IsExceededWhereADenseScanExceedsIt) {
   }
 }
 
-}  // namespace
+}  // namespace steady_answers_test

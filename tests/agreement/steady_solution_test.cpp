@@ -10,7 +10,7 @@
 
 #include "support/projects.h"
 
-namespace {
+namespace steady_solution_test {
 
 using namespace trivet;
 
@@ -41,4 +41,4 @@ TEST_P(LawsOnThreads, SixteenGiveTheBytesOfOne) {
 
 INSTANTIATE_TEST_SUITE_P(Samples, LawsOnThreads, testing::Values("coil_spring.toml", "air_spring.toml"));
 
-}  // namespace
+}  // namespace steady_solution_test

@@ -10,7 +10,7 @@
 #include "trivet/fem/step_mesh.h"
 #include "trivet/foundation/temporary_folder.h"
 
-namespace {
+namespace step_mesh_test {
 
 using namespace trivet;
 using namespace trivet::fem;
@@ -35,4 +35,4 @@ TEST(StepMount, BondedCylinderAgreesWithHexahedra) {
   EXPECT_THAT(tetrahedra.stiffness(6, 6), test::RelativelyNear(tetrahedra.stiffness(7, 7), uneven_mesh));
 }
 
-}  // namespace
+}  // namespace step_mesh_test

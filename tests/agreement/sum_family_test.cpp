@@ -11,7 +11,7 @@
 #include "trivet/study/packed_margins.h"
 
 /// Designs of a family over twenty numbers, against models that are read and solved again.
-namespace {
+namespace sum_family_test {
 
 using namespace trivet;
 
@@ -70,4 +70,4 @@ TEST(SumFamilyOfAMachine, IsRejectedForCoordinatesWithoutMass) {
   EXPECT_FALSE(objective.families().front().covers(0));
 }
 
-}  // namespace
+}  // namespace sum_family_test

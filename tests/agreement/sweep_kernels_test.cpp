@@ -14,7 +14,7 @@
 #include "trivet/numerics/sweep/sweep_kernels.h"
 #include "trivet/numerics/sweep/sweep_plan.h"
 
-namespace {
+namespace sweep_kernels_test {
 
 using namespace trivet;
 using namespace trivet::numerics;
@@ -237,4 +237,4 @@ TEST(Sweep, APartThatDependsOnFrequencyActsLikeTheSameMatrix) {
   }
 }
 
-}  // namespace
+}  // namespace sweep_kernels_test

@@ -10,7 +10,7 @@
 #include "trivet/assembly/loads.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
-namespace {
+namespace time_domain_test {
 
 using namespace trivet;
 
@@ -59,4 +59,4 @@ TEST(TimeDomain, TheSteadyStateIsRealPartOfAmplitudeTimesExpIOmegaT) {
   EXPECT_LE((state.tail(6) - (std::complex<double>(0, omega) * q).real()).norm(), truncation * omega * q.norm());
 }
 
-}  // namespace
+}  // namespace time_domain_test

@@ -19,7 +19,7 @@
 #include "trivet/response/transient/time_stepper.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace transient_test {
 
 using namespace trivet;
 using test::along;
@@ -345,4 +345,4 @@ TEST(Transient, FindsTheExtremesOfAFineCurveFromACoarseOne) {
   }
 }
 
-}  // namespace
+}  // namespace transient_test

@@ -9,7 +9,7 @@
 
 #include "trivet/numerics/batch/design_peaks.h"
 
-namespace {
+namespace weak_coupling_test {
 
 using namespace trivet::numerics;
 
@@ -197,4 +197,4 @@ TEST(WeakCoupling, AStiffnessThatIsRoundOffMakesNoPeak) {
   }
 }
 
-}  // namespace
+}  // namespace weak_coupling_test

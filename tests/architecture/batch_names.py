@@ -3,7 +3,7 @@
 a header from all files after it: they use another constant or call another function, and the compiler does not warn.
 So no such name may be one that a header of the floor declares, and no constant or type may have the name of one in
 another file. Aliases may, if they are equal. Functions of two files may share a name: overloads are chosen by their
-arguments, and equal ones do not compile."""
+arguments, and equal ones do not compile. Tests are in batches too, and each file *_test.cpp has a namespace with its name."""
 import collections
 import pathlib
 import re
@@ -70,6 +70,14 @@ def problems_of_floor(files):
             yield f"{name} is in the anonymous namespaces of {', '.join(path for _, path in found)}"
 
 
+def problems_of_tests(files):
+    """@param files  {path: lines}"""
+    for path, lines in files.items():
+        name = pathlib.Path(path).stem
+        if name.endswith("_test") and f"namespace {name} {{" not in lines:
+            yield f"{path}: its tests are not in namespace {name}"
+
+
 def check_itself():
     """One sample of each kind of declaration to be found, and some lines that are not declarations."""
     seen = declared(
@@ -99,6 +107,8 @@ return l(1);
         "d.cpp": ["namespace {", "using T = int;", "void g(int x) {"],
     }
     assert len(list(problems_of_floor(files))) == 3, list(problems_of_floor(files))
+    tests = {"a_test.cpp": ["namespace a_test {"], "b_test.cpp": ["namespace {"], "c.cpp": ["namespace {"]}
+    assert len(list(problems_of_tests(tests))) == 1, list(problems_of_tests(tests))
 
 
 check_itself()
@@ -111,6 +121,6 @@ for folder in sys.argv[1:]:
             if path.suffix in (".h", ".cpp")
         }
         count += sum(len(declared(anonymous(lines))) for path, lines in files.items() if path.endswith(".cpp"))
-        wrong += problems_of_floor(files)
+        wrong += [*problems_of_floor(files), *problems_of_tests(files)]
 print("\n".join(wrong) or f"{count} names of anonymous namespaces hide no other")
 sys.exit(1 if wrong or count == 0 else 0)

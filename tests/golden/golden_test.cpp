@@ -7,7 +7,7 @@
 
 #include "trivet/study/answers.h"
 
-namespace {
+namespace golden_test {
 
 using namespace trivet;
 
@@ -44,4 +44,4 @@ TEST(Golden, PeaksOfThePaperInAllCases) {
   EXPECT_EQ(i, found.size());
 }
 
-}  // namespace
+}  // namespace golden_test

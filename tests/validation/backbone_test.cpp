@@ -10,7 +10,7 @@
 #include "support/projects.h"
 
 /// Nonlinear modes against shooting and closed forms.
-namespace {
+namespace backbone_test {
 
 using namespace trivet;
 using nonlinear::Backbone;
@@ -136,4 +136,4 @@ TEST(Backbone, SliderDampsMostBeyondItsSlip) {
   }
 }
 
-}  // namespace
+}  // namespace backbone_test

@@ -9,7 +9,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/beam.h"
 
-namespace {
+namespace beam_reference_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -126,4 +126,4 @@ TEST(Beam, AClampedSlenderBeamHasTheEulerFrequencies) {
     }
 }
 
-}  // namespace
+}  // namespace beam_reference_test

@@ -13,7 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/identification/levenberg_marquardt.h"
 
-namespace {
+namespace certified_least_squares_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -107,4 +107,4 @@ TEST_P(CertifiedLeastSquares, AreMetFromBothStarts) {
 INSTANTIATE_TEST_SUITE_P(NistStrd, CertifiedLeastSquares, testing::Values(misra1a(), thurber(), mgh09()),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
+}  // namespace certified_least_squares_test

@@ -7,7 +7,7 @@
 #include "trivet/elements/coil_preload.h"
 #include "trivet/elements/coil_stress.h"
 
-namespace {
+namespace coil_preload_test {
 
 using namespace trivet;
 using elements::CoilSpring;
@@ -116,4 +116,4 @@ TEST(CoilStress, RectangularWireTwistsAsInTheTables) {
   }
 }
 
-}  // namespace
+}  // namespace coil_preload_test

@@ -8,7 +8,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/coil_dynamics.h"
 
-namespace {
+namespace coil_spring_test {
 
 using namespace trivet;
 using elements::Matrix12;
@@ -120,4 +120,4 @@ TEST(CoilSpring, DynamicStiffnessWithLossAtAComplexFrequency) {
             digits_of_reference);
 }
 
-}  // namespace
+}  // namespace coil_spring_test

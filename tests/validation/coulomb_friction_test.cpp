@@ -11,7 +11,7 @@
 
 /// A mass on a spring with Coulomb friction under a harmonic force: the closed form of Den Hartog, Trans. ASME 53
 /// (1931) for motion that does not rest, and the product of its multipliers.
-namespace {
+namespace coulomb_friction_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -126,4 +126,4 @@ TEST(CoulombFriction, BothVerdictsAgree) {
   EXPECT_TRUE(branch.winding.differs_at.empty());
 }
 
-}  // namespace
+}  // namespace coulomb_friction_test

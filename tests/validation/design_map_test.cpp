@@ -9,7 +9,7 @@
 #include "support/projects.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace design_map_test {
 
 using namespace trivet;
 
@@ -97,4 +97,4 @@ TEST(DesignMap, HasTheMarginsOfOneMassInClosedForm) {
   }
 }
 
-}  // namespace
+}  // namespace design_map_test

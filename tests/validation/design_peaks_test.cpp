@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet {
-namespace {
+namespace design_peaks_test {
 
 using numerics::DesignStatus;
 
@@ -217,5 +217,5 @@ TEST(DesignPeaks, RejectAnEmptyBand) {
   EXPECT_THROW((void)numerics::design_peaks(single_masses({0.1}), options), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace design_peaks_test
 }  // namespace trivet

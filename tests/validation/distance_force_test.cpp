@@ -11,7 +11,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 
 /// Struts that follow finite motion, and a pin within a ring: closed forms.
-namespace {
+namespace distance_force_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -165,4 +165,4 @@ free_length = "18 mm"
   EXPECT_THAT(branch.winding.differs_at, testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace distance_force_test

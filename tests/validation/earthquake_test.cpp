@@ -16,7 +16,7 @@
 #include "trivet/response/transient/earthquake.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace earthquake_test {
 
 using namespace trivet;
 using test::along;
@@ -113,4 +113,4 @@ TEST(Earthquake, WarnsOfModesAndDampingBeyondItsSpectrum) {
                foundation::NotComputable);
 }
 
-}  // namespace
+}  // namespace earthquake_test

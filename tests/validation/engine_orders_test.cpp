@@ -14,7 +14,7 @@
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace engine_orders_test {
 
 using namespace trivet;
 using namespace trivet::excitation;
@@ -295,4 +295,4 @@ TEST(EngineLayout, RejectsImpossibleLayouts) {
   EXPECT_THROW((void)evenly_firing_cylinders({.cylinders = 4, .firing_order = {1, 3, 3, 2}}), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace engine_orders_test

@@ -17,7 +17,7 @@
 #include "trivet/excitation/shock_spectrum.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace excitation_test {
 
 using namespace trivet;
 using namespace trivet::excitation;
@@ -190,4 +190,4 @@ TEST(ResponseSpectrum, FindingsNameTheError) {
   EXPECT_THAT(first({{1, 2}, {1, 1}, 1.5}), HasSubstr("damping ratio 1.5"));
 }
 
-}  // namespace
+}  // namespace excitation_test

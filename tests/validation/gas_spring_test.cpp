@@ -11,7 +11,7 @@
 #include "trivet/nonlinear/rest_position.h"
 
 /// A mass on an air spring with a polytropic gas: closed forms, and periods by quadrature of the energy integral.
-namespace {
+namespace gas_spring_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -86,4 +86,4 @@ TEST(GasSpring, PeriodOverAmplitude) {
   }
 }
 
-}  // namespace
+}  // namespace gas_spring_test

@@ -13,7 +13,7 @@
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace human_weighting_test {
 
 using namespace trivet::excitation;
 using trivet::test::RelativelyNear;
@@ -117,4 +117,4 @@ TEST(HumanWeighting, AxesHaveTheFactorsOfTheStandard) {
   EXPECT_EQ(health_axes()[0].k, 1.4);
 }
 
-}  // namespace
+}  // namespace human_weighting_test

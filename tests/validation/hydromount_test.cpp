@@ -15,7 +15,7 @@
 
 /// A hydromount against the closed forms of its lumped model (the form of Singh, Kim, Ravindra, J. Sound Vib. 158
 /// (1992)), with the decoupler closed and open, and against marching in time between them.
-namespace {
+namespace hydromount_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -213,4 +213,4 @@ TEST(Hydromount, StiffnessOverFrequencyAndAmplitude) {
   }
 }
 
-}  // namespace
+}  // namespace hydromount_test

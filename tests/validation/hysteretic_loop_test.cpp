@@ -11,7 +11,7 @@
 #include "trivet/numerics/periodic/gauss_nodes.h"
 
 /// Closed loops under x = X sin t against closed forms.
-namespace {
+namespace hysteretic_loop_test {
 
 using namespace trivet;
 using nonlinear::HystereticLoop;
@@ -87,4 +87,4 @@ TEST(HystereticLoop, SliderLosesItsRectangle) {
   EXPECT_THAT(loop.energy(4e-3), RelativelyNear(4 * 30 * (4e-3 - 30 / 2e4), 1e-10));
 }
 
-}  // namespace
+}  // namespace hysteretic_loop_test

@@ -15,7 +15,7 @@
 #include "trivet/response/machinery/limit_line.h"
 #include "trivet/response/machinery/load_sharing.h"
 
-namespace {
+namespace limit_line_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -143,4 +143,4 @@ TEST(LoadSharing, FollowsTheLever) {
   EXPECT_THROW((void)response::load_sharing(weightless, assembly::assemble(weightless)), foundation::NotComputable);
 }
 
-}  // namespace
+}  // namespace limit_line_test

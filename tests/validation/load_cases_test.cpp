@@ -10,7 +10,7 @@
 #include "trivet/identification/student_distribution.h"
 
 /// Synthetic rigs with a known matrix.
-namespace {
+namespace load_cases_test {
 
 using namespace trivet;
 using namespace trivet::identification;
@@ -118,4 +118,4 @@ TEST(IdentifiedStiffness, IntervalsContainTheTruthAsOftenAsStated) {
   }
 }
 
-}  // namespace
+}  // namespace load_cases_test

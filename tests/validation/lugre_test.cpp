@@ -17,7 +17,7 @@
 
 /// LuGre friction with one limit and without dampers is Dahl's friction, which is a Bouc–Wen loop with β = 1, γ = 0, n
 /// = 1: from collocation over time, and from closed forms over the travel.
-namespace {
+namespace lugre_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -188,4 +188,4 @@ TEST(LuGre, SlowLoopsAreThoseOfDahl) {
   }
 }
 
-}  // namespace
+}  // namespace lugre_test

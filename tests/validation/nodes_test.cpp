@@ -12,7 +12,7 @@
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace nodes_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -274,4 +274,4 @@ TEST(Nodes, PortalFrameHasTheSwayStiffnessOfTheTextbook) {
   }
 }
 
-}  // namespace
+}  // namespace nodes_test

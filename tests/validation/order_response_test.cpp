@@ -15,7 +15,7 @@
 #include "trivet/response/machinery/campbell.h"
 #include "trivet/response/machinery/run_up.h"
 
-namespace {
+namespace order_response_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -236,4 +236,4 @@ TEST(CampbellDiagram, ShowsWhichModeAnOrderDoesNotExcite) {
                foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace order_response_test

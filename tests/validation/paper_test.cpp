@@ -13,7 +13,7 @@
 #include "trivet/project/project.h"
 #include "trivet/response/steady/frequency_response.h"
 
-namespace {
+namespace paper_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -155,4 +155,4 @@ TEST(Paper, ATranslationKeepsItsFrequencyForAnyInertia) {
   }
 }
 
-}  // namespace
+}  // namespace paper_test

@@ -10,7 +10,7 @@
 
 /// A mass on rubber whose stiffness and loss follow its amplitude: one harmonic is the exact motion, and its amplitude
 /// A that of |k' + i k'' + k + i c ω − m ω²| A = F.
-namespace {
+namespace payne_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -62,4 +62,4 @@ TEST(Payne, MotionsBehindAFoldAreUnstable) {
   EXPECT_GT(unstable, 0u);
 }
 
-}  // namespace
+}  // namespace payne_test

@@ -9,7 +9,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 
 /// Motions that lag their force by 90°, over the force.
-namespace {
+namespace phase_resonance_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -75,4 +75,4 @@ TEST(PhaseResonance, IsThePeakOverFrequency) {
   EXPECT_THAT(std::abs(whole->results[0].harmonics(0)), RelativelyNear(largest, 1e-2));
 }
 
-}  // namespace
+}  // namespace phase_resonance_test

@@ -10,7 +10,7 @@
 #include "trivet/excitation/road.h"
 #include "trivet/response/random/random_response.h"
 
-namespace {
+namespace random_reference_test {
 
 using namespace trivet;
 
@@ -243,4 +243,4 @@ TEST(InfiniteVariance, IsAMissingNumberWithItsReason) {
   EXPECT_TRUE(damped.answer("m.z", assembly::MotionQuantity::acceleration, floor).rms);
 }
 
-}  // namespace
+}  // namespace random_reference_test

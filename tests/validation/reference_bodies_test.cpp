@@ -11,7 +11,7 @@
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace reference_bodies_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -114,4 +114,4 @@ TEST(Inertia, ImpossibleOnesAreRejectedAndTheCorrectedOneIsAccepted) {
   }
 }
 
-}  // namespace
+}  // namespace reference_bodies_test

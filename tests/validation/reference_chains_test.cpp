@@ -12,7 +12,7 @@
 #include "support/projects.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace reference_chains_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -211,4 +211,4 @@ TEST(LongCantilever, HasNoRigidBodyModeHoweverSlow) {
     EXPECT_THAT(*modes.list[i].angular_frequency, RelativelyNear(roots[i] * roots[i] * bending, continuous));
 }
 
-}  // namespace
+}  // namespace reference_chains_test

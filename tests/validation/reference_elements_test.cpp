@@ -9,7 +9,7 @@
 #include "trivet/elements/law.h"
 #include "trivet/elements/matrix_checks.h"
 
-namespace {
+namespace reference_elements_test {
 
 using namespace trivet;
 using elements::Matrix12;
@@ -100,4 +100,4 @@ TEST(ThreeEqualElements, TogetherAreTheStiffnessOfThePaper) {
               test::NearInUnits((0.05 * expected).eval(), scale, all_digits));
 }
 
-}  // namespace
+}  // namespace reference_elements_test

@@ -16,7 +16,7 @@
 #include "trivet/response/steady/peaks.h"
 #include "trivet/response/transient/transient.h"
 
-namespace {
+namespace relative_motion_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -183,4 +183,4 @@ TEST(TransientRelativeMotion, KeepsItsDigitsHoweverFarTheGroundDrifts) {
     for (const double value : curve.values) ASSERT_NEAR(value, rest, stepped_round_off * std::abs(rest)) << curve.name;
 }
 
-}  // namespace
+}  // namespace relative_motion_test

@@ -13,7 +13,7 @@
 #include "trivet/response/steady/static_response.h"
 
 /// Machines with nonlinear parts under their weight: closed forms, and full harmonic balance confirmed by shooting.
-namespace {
+namespace rest_position_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -245,4 +245,4 @@ laws.x = {polynomial = [-150, 0, 1e6]}
   EXPECT_EQ(std::count_if(states.begin(), states.end(), [](const auto& state) { return state.stable; }), 4);
 }
 
-}  // namespace
+}  // namespace rest_position_test

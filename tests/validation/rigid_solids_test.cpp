@@ -15,7 +15,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/solids/rigid_solid.h"
 
-namespace {
+namespace rigid_solids_test {
 
 using namespace trivet;
 using namespace trivet::solids;
@@ -178,4 +178,4 @@ TEST(StepSolid, UsesTheLengthUnitOfItsFile) {
               test::RelativelyNear(6.0, step_accuracy));
 }
 
-}  // namespace
+}  // namespace rigid_solids_test

@@ -9,7 +9,7 @@
 #include "trivet/elements/rubber_bush.h"
 #include "trivet/elements/rubber_layer.h"
 
-namespace {
+namespace rubber_reference_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -209,4 +209,4 @@ TEST(Hardness, FollowsGentAndLindley) {
     EXPECT_THAT(young_modulus_from_hardness(hardness) / 3, RelativelyNear(shear_modulus_from_irhd(hardness), scatter));
 }
 
-}  // namespace
+}  // namespace rubber_reference_test

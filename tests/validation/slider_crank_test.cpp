@@ -16,7 +16,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace slider_crank_test {
 
 using namespace trivet;
 using namespace trivet::excitation;
@@ -171,4 +171,4 @@ TEST(GasTorque, FindingsNameTheError) {
   EXPECT_THROW((void)gas_harmonics(made_trace(one_cylinder(), 90), one_cylinder(), 0, 4), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace slider_crank_test

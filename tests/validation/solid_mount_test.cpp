@@ -12,7 +12,7 @@
 #include "trivet/fem/shapes.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace solid_mount_test {
 
 using namespace trivet;
 using std::numbers::pi;
@@ -218,4 +218,4 @@ TEST(Preload, AnImpossibleOneIsRejectedWithTheLastEquilibrium) {
   EXPECT_THAT(solid.failure_reason, testing::HasSubstr("no equilibrium beyond"));
 }
 
-}  // namespace
+}  // namespace solid_mount_test

@@ -11,7 +11,7 @@
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
-namespace {
+namespace steady_motion_test {
 
 using namespace trivet;
 using nonlinear::SteadyBranch;
@@ -312,4 +312,4 @@ TEST(SteadyMotion, LossFactorOfAHardeningSpringKeepsItsPhaseAtEveryFrequency) {
   }
 }
 
-}  // namespace
+}  // namespace steady_motion_test

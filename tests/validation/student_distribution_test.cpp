@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/student_distribution.h"
 
-namespace {
+namespace student_distribution_test {
 
 using namespace trivet;
 using identification::student_quantile;
@@ -44,4 +44,4 @@ TEST(StudentQuantile, RejectsWhatIsNoProbabilityAndIsInfiniteForVanishingFreedom
   EXPECT_EQ(student_quantile(0.95, 1e-3), std::numeric_limits<double>::infinity()) << "1e1299";
 }
 
-}  // namespace
+}  // namespace student_distribution_test

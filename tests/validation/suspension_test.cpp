@@ -16,7 +16,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace suspension_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -176,4 +176,4 @@ TEST(FrequencySeparation, IsTheRatioToTheNextModeAndToEveryExcitation) {
   EXPECT_THAT(rows[0].excitation_ratio[0], RelativelyNear(2.0, round_off));
 }
 
-}  // namespace
+}  // namespace suspension_test

@@ -13,7 +13,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace transient_test {
 
 using namespace trivet;
 using test::along;
@@ -236,4 +236,4 @@ TEST(Transient, RejectsALossFactorAndNamesItsEquivalents) {
   }
 }
 
-}  // namespace
+}  // namespace transient_test

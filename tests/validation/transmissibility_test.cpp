@@ -14,7 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/response/machinery/transmissibility.h"
 
-namespace {
+namespace transmissibility_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -124,4 +124,4 @@ TEST(Transmissibility, HasTheDirectionOfAForceOfTheModel) {
   EXPECT_THROW((void)response::applied_force(system, "none"), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace transmissibility_test

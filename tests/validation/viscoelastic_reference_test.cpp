@@ -8,7 +8,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/viscoelastic.h"
 
-namespace {
+namespace viscoelastic_reference_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -68,4 +68,4 @@ TEST(Zener, IsTheThreeParameterIsolatorOfRuzicka) {
   }
 }
 
-}  // namespace
+}  // namespace viscoelastic_reference_test

@@ -10,7 +10,7 @@
 #include "trivet/design/band_crossings.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace band_crossings_test {
 
 using namespace trivet;
 
@@ -101,4 +101,4 @@ TEST(BandCrossings, GiveAWarningForALightlyDampedMachineOnly) {
   }
 }
 
-}  // namespace
+}  // namespace band_crossings_test

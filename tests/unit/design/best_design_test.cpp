@@ -6,7 +6,7 @@
 #include "support/map_outcomes.h"
 #include "trivet/design/best_design.h"
 
-namespace {
+namespace best_design_test {
 
 using namespace trivet;
 using test::outcomes;
@@ -80,4 +80,4 @@ TEST(BestDesign, DoesNotExistWithoutAnyModel) {
                                    std::vector<design::DesignOutcome>(4, {0, design::DesignOutcome::no_model})));
 }
 
-}  // namespace
+}  // namespace best_design_test

@@ -6,7 +6,7 @@
 
 #include "trivet/design/boundary_crossings.h"
 
-namespace {
+namespace boundary_crossings_test {
 
 using namespace trivet;
 
@@ -38,4 +38,4 @@ TEST(BoundaryCrossings, AreFoundWhereTheMarginJumps) {
   EXPECT_NEAR(crossing_of(ends), 0.7, design::boundary_tolerance);
 }
 
-}  // namespace
+}  // namespace boundary_crossings_test

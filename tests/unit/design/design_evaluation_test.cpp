@@ -10,7 +10,7 @@
 #include "trivet/results/map_verdicts.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace design_evaluation_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -108,4 +108,4 @@ TEST(DesignEvaluation, IsTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   EXPECT_GE(std::count(tasks.begin(), tasks.end(), "designs"), 20);  // with one thread, after each design
 }
 
-}  // namespace
+}  // namespace design_evaluation_test

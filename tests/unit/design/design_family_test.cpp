@@ -7,7 +7,7 @@
 #include "trivet/design/design_family.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace design_family_test {
 
 using namespace trivet;
 
@@ -94,4 +94,4 @@ TEST(DesignFamily, ReportsWhyADesignInTheMiddleIsNotPlain) {
             "loss factors");
 }
 
-}  // namespace
+}  // namespace design_family_test

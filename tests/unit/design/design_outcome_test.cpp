@@ -3,7 +3,7 @@
 
 #include "trivet/design/design_outcome.h"
 
-namespace {
+namespace design_outcome_test {
 
 using namespace trivet;
 
@@ -15,4 +15,4 @@ TEST(MissingKinds, AreMessagesWithoutTheirNumbers) {
   EXPECT_NE(design::without_numbers("element a1: 3"), design::without_numbers("element a2: 3"));
 }
 
-}  // namespace
+}  // namespace design_outcome_test

@@ -5,7 +5,7 @@
 
 #include "trivet/design/design_rules.h"
 
-namespace {
+namespace design_rules_test {
 
 using namespace trivet;
 
@@ -44,4 +44,4 @@ TEST(Governing, IsUnboundedIfNoRuleHasAMargin) {
   EXPECT_EQ(found.margin, std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace design_rules_test

@@ -6,7 +6,7 @@
 
 #include "trivet/design/map_contours.h"
 
-namespace {
+namespace map_contours_test {
 
 using namespace trivet;
 
@@ -62,4 +62,4 @@ TEST(MapContours, AreTheFrameIfEverythingIsInside) {
   EXPECT_TRUE(all.lines.empty());
 }
 
-}  // namespace
+}  // namespace map_contours_test

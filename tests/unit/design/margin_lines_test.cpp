@@ -7,7 +7,7 @@
 #include "trivet/design/margin_lines.h"
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace margin_lines_test {
 
 using namespace trivet;
 using test::outcomes;
@@ -84,4 +84,4 @@ TEST(MarginLines, AreMissingIfNoMarginIsAboveZero) {
   EXPECT_TRUE(design::margin_lines(design::drawn_grid(grid), outcomes(grid, [](int, int) { return 0.0F; }), 0).empty());
 }
 
-}  // namespace
+}  // namespace margin_lines_test

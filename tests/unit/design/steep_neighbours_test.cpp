@@ -5,7 +5,7 @@
 
 #include "trivet/design/steep_neighbours.h"
 
-namespace {
+namespace steep_neighbours_test {
 
 using namespace trivet;
 using Kind = design::DesignRule::Kind;
@@ -49,4 +49,4 @@ TEST(SteepNeighbours, AreNotAcrossACorner) {
   EXPECT_EQ(design::steep_neighbours({3, 1}, rules, {low, high, low}), 2u);
 }
 
-}  // namespace
+}  // namespace steep_neighbours_test

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/index.h"
 
-namespace {
+namespace sum_family_test {
 
 using namespace trivet;
 using design::SumFamily;
@@ -108,4 +108,4 @@ TEST(SumFamily, ReportsWhyADesignHasNoForm) {
   EXPECT_EQ(SumFamily::fitted(some, {{0, 1, "a"}}).reason, "frequency-dependent elements");
 }
 
-}  // namespace
+}  // namespace sum_family_test

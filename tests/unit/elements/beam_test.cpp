@@ -11,7 +11,7 @@
 #include "trivet/elements/sandwich.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace beam_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -110,4 +110,4 @@ TEST(BeamChecks, NameEveryBadNumber) {
   EXPECT_THROW((void)beam_stiffness({steel, round_section(0.03, steel), -0.5}), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace beam_test

@@ -7,7 +7,7 @@
 #include "trivet/elements/coil_preload.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace coil_spring_test {
 
 using namespace trivet;
 using elements::CoilSpring;
@@ -133,4 +133,4 @@ TEST(CoilNaturalFrequencies, AreFoundIfTheSearchHitsOneExactly) {
   EXPECT_NEAR(first(0.024) / (0.5 * (first(0.02399) + first(0.02401))), 1, second_difference);
 }
 
-}  // namespace
+}  // namespace coil_spring_test

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace {
+namespace damping_force_test {
 
 using namespace trivet::elements;
 using testing::ElementsAre;
@@ -26,4 +26,4 @@ TEST(DampingForce, CurveHasTheMeanSlopeOfBothSensesAtRest) {
   EXPECT_TRUE(is_piecewise_linear(law));
 }
 
-}  // namespace
+}  // namespace damping_force_test

@@ -6,7 +6,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace elements_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -113,4 +113,4 @@ TEST(Law, ScaleMultipliesStiffnessAndWhatFollowsItOnly) {
   EXPECT_EQ(loss_factor(law), 0.2);
 }
 
-}  // namespace
+}  // namespace elements_test

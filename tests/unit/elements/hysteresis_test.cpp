@@ -7,7 +7,7 @@
 
 #include "support/matchers.h"
 
-namespace {
+namespace hysteresis_test {
 
 using namespace trivet::elements;
 using trivet::test::RelativelyNear;
@@ -88,4 +88,4 @@ TEST(Hysteresis, KinksAreWhereASliderSlipsAndAForceChangesItsSign) {
   }
 }
 
-}  // namespace
+}  // namespace hysteresis_test

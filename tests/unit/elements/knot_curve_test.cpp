@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace {
+namespace knot_curve_test {
 
 using trivet::elements::Interpolation;
 using trivet::elements::KnotCurve;
@@ -32,4 +32,4 @@ TEST(KnotCurve, SlopeAndIntegralBelongToTheValue) {
   }
 }
 
-}  // namespace
+}  // namespace knot_curve_test

@@ -8,7 +8,7 @@
 #include "support/matchers.h"
 #include "trivet/elements/scalar_law.h"
 
-namespace {
+namespace lugre_friction_test {
 
 using namespace trivet;
 using elements::LuGreFriction;
@@ -56,4 +56,4 @@ TEST(LuGreFriction, NeedsAsMuchViscousFrictionAsBreakawayExceedsSlip) {
   EXPECT_EQ(elements::least_passive_viscous({.stiffness = 1, .slip = 1, .damping = 5}), 0);
 }
 
-}  // namespace
+}  // namespace lugre_friction_test

@@ -11,7 +11,7 @@
 #include "trivet/elements/sandwich.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace rubber_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -179,4 +179,4 @@ TEST(Hardness, IsCheckedAgainstItsRange) {
   EXPECT_THROW((void)shear_modulus_from_irhd(76), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace rubber_test

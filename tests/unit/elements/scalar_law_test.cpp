@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace scalar_law_test {
 
 using namespace trivet::elements;
 using testing::ElementsAre;
@@ -42,4 +42,4 @@ TEST(ScalarLaw, StopActsBeyondItsGapOnly) {
   EXPECT_TRUE(kinks_at_rest({PolynomialForce{{1}}}).empty());
 }
 
-}  // namespace
+}  // namespace scalar_law_test

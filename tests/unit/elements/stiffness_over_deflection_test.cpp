@@ -7,7 +7,7 @@
 #include "trivet/elements/matrix_checks.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace stiffness_over_deflection_test {
 
 using namespace trivet;
 using elements::Matrix12;
@@ -59,4 +59,4 @@ TEST(StiffnessOverDeflection, RejectsFewStatesAndAnArmOfZero) {
   EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001), state(0.002)}, 0), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace stiffness_over_deflection_test

@@ -13,7 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace stiffness_properties_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -103,4 +103,4 @@ TEST(ThreeSprings, KeepTheTranslationsOfKOnly) {
   EXPECT_GT(springs(6, 6), 0);
 }
 
-}  // namespace
+}  // namespace stiffness_properties_test

@@ -10,7 +10,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace table_law_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -139,4 +139,4 @@ TEST(TableLaw, ChecksNameTheTableAndTheRow) {
   EXPECT_THAT(check(law).list().front().finding, testing::HasSubstr("have no common frequency"));
 }
 
-}  // namespace
+}  // namespace table_law_test

@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
-namespace {
+namespace viscoelastic_test {
 
 using namespace trivet;
 using namespace trivet::elements;
@@ -119,4 +119,4 @@ TEST(NonnegativeLeastSquares, MeetsTheOptimalityConditions) {
   }
 }
 
-}  // namespace
+}  // namespace viscoelastic_test

@@ -14,7 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 
 namespace trivet::test {
-namespace {
+namespace end_stiffness_test {
 
 using exchange::Label;
 using exchange::NamedMatrix;
@@ -164,5 +164,5 @@ TEST(EndStiffness, RejectsInvalidUnits) {
   EXPECT_THROW(static_cast<void>(exchange::in_si(bernoulli(), 1, -1)), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace end_stiffness_test
 }  // namespace trivet::test

@@ -13,7 +13,7 @@
 #include "trivet/exchange/nastran_dmig.h"
 
 namespace trivet::test {
-namespace {
+namespace labelled_matrices_test {
 
 using exchange::Label;
 using exchange::NodeEnd;
@@ -264,5 +264,5 @@ TEST(LabelledReaders, SurviveEveryTruncationAndEveryChangedByte) {
   }
 }
 
-}  // namespace
+}  // namespace labelled_matrices_test
 }  // namespace trivet::test

@@ -10,7 +10,7 @@
 #include "trivet/exchange/numpy_array.h"
 
 namespace trivet::test {
-namespace {
+namespace matrix_files_test {
 
 using exchange::NamedMatrix;
 using testing::AllOf;
@@ -210,5 +210,5 @@ TEST(MatrixReaders, SurviveEveryTruncationAndEveryChangedByte) {
   }
 }
 
-}  // namespace
+}  // namespace matrix_files_test
 }  // namespace trivet::test

@@ -9,7 +9,7 @@
 #include "unit/exchange/universal_texts.h"
 
 namespace trivet::test {
-namespace {
+namespace universal_deviations_test {
 
 using exchange::UniversalFunction;
 using testing::AllOf;
@@ -329,5 +329,5 @@ TEST(UniversalReader, SurvivesEveryTruncationAndEveryChangedByte) {
   }
 }
 
-}  // namespace
+}  // namespace universal_deviations_test
 }  // namespace trivet::test

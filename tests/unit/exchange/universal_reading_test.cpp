@@ -8,7 +8,7 @@
 #include "unit/exchange/universal_texts.h"
 
 namespace trivet::test {
-namespace {
+namespace universal_reading_test {
 
 using exchange::EvenAbscissa;
 using exchange::UniversalComplexMode;
@@ -271,5 +271,5 @@ TEST(UniversalUnits, MustAgreeWithTheirCode) {
             "f: warning: units: no set 164; set 164 states the units of the numbers; the numbers are read as SI");
 }
 
-}  // namespace
+}  // namespace universal_reading_test
 }  // namespace trivet::test

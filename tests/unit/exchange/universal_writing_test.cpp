@@ -10,7 +10,7 @@
 #include "unit/exchange/universal_texts.h"
 
 namespace trivet::test {
-namespace {
+namespace universal_writing_test {
 
 using exchange::EvenAbscissa;
 using exchange::FunctionForm;
@@ -251,5 +251,5 @@ TEST(UniversalText, RejectsWhatTheFileCannotHold) {
   EXPECT_THAT(rejected(large, FunctionForm::binary), HasSubstr("too large for single precision"));
 }
 
-}  // namespace
+}  // namespace universal_writing_test
 }  // namespace trivet::test

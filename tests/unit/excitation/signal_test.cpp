@@ -14,7 +14,7 @@
 #include "trivet/excitation/sweep.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace signal_test {
 
 using namespace trivet;
 using namespace trivet::excitation;
@@ -233,4 +233,4 @@ TEST(Samples, FindingsNameTheRow) {
   EXPECT_THROW((void)from_samples({{0, 1e-300}, {0, 1e300}}), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace signal_test

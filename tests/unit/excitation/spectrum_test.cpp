@@ -14,7 +14,7 @@
 #include "trivet/excitation/road.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace spectrum_test {
 
 using namespace trivet;
 using namespace trivet::excitation;
@@ -191,4 +191,4 @@ TEST(RandomInputs, RejectImpossibleCoherences) {
   EXPECT_THROW((void)density_matrix({three, {{0, 3}}}, 2), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace spectrum_test

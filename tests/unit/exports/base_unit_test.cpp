@@ -5,7 +5,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace base_unit_test {
 
 using trivet::exports::base_unit;
 using trivet::exports::BaseUnit;
@@ -48,4 +48,4 @@ TEST(BaseUnit, OfADerivativeHasOneSecondLess) {
   }
 }
 
-}  // namespace
+}  // namespace base_unit_test

@@ -8,7 +8,7 @@
 #include "fmu/step_matrices.h"
 #include "fmu_instances.h"
 
-namespace {
+namespace fmu_co_simulation_test {
 
 using namespace trivet::test;
 using testing::DoubleNear;
@@ -172,4 +172,4 @@ TEST(FmuCoSimulation, HasInstancesThatShareNothing) {
   fmi2FreeInstance(two);
 }
 
-}  // namespace
+}  // namespace fmu_co_simulation_test

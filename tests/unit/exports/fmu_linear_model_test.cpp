@@ -12,7 +12,7 @@
 #include "trivet/exports/system_text.h"
 #include "two_masses.h"
 
-namespace {
+namespace fmu_linear_model_test {
 
 using trivet::exports::system_text;
 using trivet::fmu::linear_model;
@@ -101,4 +101,4 @@ TEST(FmuResourceFolder, IsAPathOrAUriOfThisComputer) {
     EXPECT_THROW(static_cast<void>(path_of_uri(uri)), std::runtime_error) << uri;
 }
 
-}  // namespace
+}  // namespace fmu_linear_model_test

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace {
+namespace fmu_matrix_exponential_test {
 
 using trivet::fmu::Matrix;
 using trivet::fmu::matrix_exponential;
@@ -88,4 +88,4 @@ TEST(FmuMatrixSolution, SolvesOnlyRegularSystems) {
   EXPECT_THROW(static_cast<void>(solution(two_by_two(1, 2, 2, 4), Matrix(2, 1))), std::runtime_error);
 }
 
-}  // namespace
+}  // namespace fmu_matrix_exponential_test

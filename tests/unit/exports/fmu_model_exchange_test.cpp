@@ -7,7 +7,7 @@
 
 #include "fmu_instances.h"
 
-namespace {
+namespace fmu_model_exchange_test {
 
 using namespace trivet::test;
 using testing::DoubleNear;
@@ -154,4 +154,4 @@ TEST(FmuModelExchange, NamesItsDependencies) {
   fmi3FreeInstance(instance);
 }
 
-}  // namespace
+}  // namespace fmu_model_exchange_test

@@ -8,7 +8,7 @@
 
 #include "fmu_instances.h"
 
-namespace {
+namespace fmu_saved_state_test {
 
 using namespace trivet::test;
 
@@ -103,4 +103,4 @@ TEST(FmuSavedState, IsRejectedIfItsBytesAreWrong) {
   fmi2FreeInstance(model);
 }
 
-}  // namespace
+}  // namespace fmu_saved_state_test

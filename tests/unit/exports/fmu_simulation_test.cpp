@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace {
+namespace fmu_simulation_test {
 
 using trivet::fmu::LinearModel;
 using trivet::fmu::Matrix;
@@ -72,4 +72,4 @@ TEST(FmuSimulation, RejectsAStepThatOverflowsAndStaysAsItWas) {
   EXPECT_EQ(simulation.state().time, 1);
 }
 
-}  // namespace
+}  // namespace fmu_simulation_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace fmu_step_matrices_test {
 
 using trivet::fmu::LinearModel;
 using trivet::fmu::Matrix;
@@ -66,4 +66,4 @@ TEST(FmuStepMatrices, AreComputedOncePerSize) {
   EXPECT_EQ(matrices.computed(), 54u);
 }
 
-}  // namespace
+}  // namespace fmu_step_matrices_test

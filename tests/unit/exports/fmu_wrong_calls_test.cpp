@@ -8,7 +8,7 @@
 
 #include "fmu_instances.h"
 
-namespace {
+namespace fmu_wrong_calls_test {
 
 using namespace trivet::test;
 using testing::Contains;
@@ -204,4 +204,4 @@ TEST(FmuInterface, NamesItsVersions) {
   EXPECT_STREQ(fmi3GetVersion(), "3.0");
 }
 
-}  // namespace
+}  // namespace fmu_wrong_calls_test

@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "two_masses.h"
 
-namespace {
+namespace functional_mockup_unit_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -62,4 +62,4 @@ TEST(FunctionalMockupUnit, HasTheLibraryThatWasBuiltWithThisProgram) {
   EXPECT_THAT(std::string(built.licence), HasSubstr("Copyright"));
 }
 
-}  // namespace
+}  // namespace functional_mockup_unit_test

@@ -8,7 +8,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "two_masses.h"
 
-namespace {
+namespace model_description_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -107,4 +107,4 @@ TEST(ModelDescription, HasAnIdentifierOfLettersDigitsAndUnderscores) {
   EXPECT_EQ(identifier(std::string(200, 'a')).size(), 60u);
 }
 
-}  // namespace
+}  // namespace model_description_test

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-namespace {
+namespace unicode_text_test {
 
 using trivet::exports::code_points;
 using trivet::exports::utf16;
@@ -22,4 +22,4 @@ TEST(UnicodeText, WritesPairsBeyondSixteenBits) {
   EXPECT_EQ(utf16("é\xF0\x9F\x9A\x82"), (std::u16string{u'é', 0xd83d, 0xde82}));
 }
 
-}  // namespace
+}  // namespace unicode_text_test

@@ -12,7 +12,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace zip_archive_test {
 
 using trivet::exports::ZipArchive;
 using trivet::foundation::InvalidInput;
@@ -135,4 +135,4 @@ TEST(ZipArchive, RejectsContentsAbove4GB) {
   EXPECT_TRUE(Reader(archive.bytes()).names.empty());
 }
 
-}  // namespace
+}  // namespace zip_archive_test

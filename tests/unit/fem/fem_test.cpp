@@ -22,7 +22,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace fem_test {
 
 using namespace trivet;
 using test::in_tetrahedra;
@@ -295,4 +295,4 @@ TEST(FemChecks, NameWhatIsWrongWithAMesh) {
                foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace fem_test

@@ -14,7 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 
-namespace {
+namespace step_mesh_test {
 
 using namespace trivet;
 using namespace trivet::fem;
@@ -217,4 +217,4 @@ TEST(MshFile, RejectsInvalidContent) {
   EXPECT_FALSE(read_msh(folder.path() / "missing.msh"));
 }
 
-}  // namespace
+}  // namespace step_mesh_test

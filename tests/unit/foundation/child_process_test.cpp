@@ -8,7 +8,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/temporary_folder.h"
 
-namespace {
+namespace child_process_test {
 
 using namespace trivet::foundation;
 using ::testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(TemporaryFolder, IsRemovedWithItsContentsAfterAnException) {
   EXPECT_FALSE(std::filesystem::exists(kept));
 }
 
-}  // namespace
+}  // namespace child_process_test

@@ -3,7 +3,7 @@
 
 #include "trivet/foundation/problems.h"
 
-namespace {
+namespace foundation_test {
 
 using namespace trivet::foundation;
 
@@ -39,4 +39,4 @@ TEST(NearestName, FindsTypingErrorsOnly) {
   EXPECT_EQ(nearest_name(std::string(100000, 'x'), known), "");
 }
 
-}  // namespace
+}  // namespace foundation_test

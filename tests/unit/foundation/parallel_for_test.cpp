@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace trivet::foundation {
-namespace {
+namespace parallel_for_test {
 
 TEST(Pieces, CoverEveryNumberOnceForAnyThreads) {
   for (const int threads : {1, 2, 16})
@@ -64,5 +64,5 @@ TEST(Pieces, StopAllThreadsWhenInterrupted) {
   EXPECT_LT(finished, 100000);
 }
 
-}  // namespace
+}  // namespace parallel_for_test
 }  // namespace trivet::foundation

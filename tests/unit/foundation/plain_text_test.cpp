@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/message_list.h"
 
-namespace {
+namespace plain_text_test {
 
 using namespace trivet::foundation;
 
@@ -59,4 +59,4 @@ TEST(MessageList, HasNoRestForAHundredMessages) {
   EXPECT_EQ(rest_of_list(problems), "");
 }
 
-}  // namespace
+}  // namespace plain_text_test

@@ -12,7 +12,7 @@
 
 #include "trivet/foundation/child_process.h"
 
-namespace {
+namespace temporary_folder_test {
 
 namespace fs = std::filesystem;
 using namespace trivet::foundation;
@@ -102,4 +102,4 @@ TEST(ChildProcessOfAKilledOwner, EndsWithAllProcessesThatItStarted) {
   }
 }
 
-}  // namespace
+}  // namespace temporary_folder_test

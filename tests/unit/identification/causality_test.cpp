@@ -14,7 +14,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/nonnegative_least_squares.h"
 
-namespace {
+namespace causality_test {
 
 using namespace trivet;
 using namespace trivet::identification;
@@ -209,4 +209,4 @@ TEST(InterpolatedStiffness, PassesThroughTheRowsAndEndsWithTheBand) {
   EXPECT_THROW((void)interpolated_stiffness(data, 1e5), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace causality_test

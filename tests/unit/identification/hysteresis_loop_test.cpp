@@ -10,7 +10,7 @@
 #include "support/matchers.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace hysteresis_loop_test {
 
 using namespace trivet;
 using namespace trivet::identification;
@@ -174,4 +174,4 @@ TEST(LoopFit, UnusableRecordsAreRejectedWithAReason) {
   EXPECT_THROW((void)loop_fit(HarmonicTest().record(), options), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace hysteresis_loop_test

@@ -9,7 +9,7 @@
 
 #include "support/matchers.h"
 
-namespace {
+namespace law_fit_test {
 
 using namespace trivet;
 using namespace trivet::identification;
@@ -135,4 +135,4 @@ TEST(StiffnessPoints, LoopsOfTwoAmplitudesGiveAWarning) {
   EXPECT_THAT(foundation::message(problems.list()[1]), HasSubstr("its frequency is unknown"));
 }
 
-}  // namespace
+}  // namespace law_fit_test

@@ -10,7 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/identification/stiffness_fit.h"
 
-namespace {
+namespace load_cases_test {
 
 using namespace trivet;
 using namespace trivet::identification;
@@ -218,4 +218,4 @@ TEST(IdentifiedStiffness, RejectsMissingLoadCasesAndAnInvalidConfidence) {
   EXPECT_THROW((void)identified_stiffness(one_at_a_time({0}, 1), arm, options), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace load_cases_test

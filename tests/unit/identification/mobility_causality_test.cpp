@@ -7,7 +7,7 @@
 #include <functional>
 #include <numbers>
 
-namespace {
+namespace mobility_causality_test {
 
 using namespace trivet::identification;
 using Complex = std::complex<double>;
@@ -62,4 +62,4 @@ TEST(MobilityCausality, ADelayIsDetected) {
         << name;
 }
 
-}  // namespace
+}  // namespace mobility_causality_test

@@ -9,7 +9,7 @@
 
 #include "support/matchers.h"
 
-namespace {
+namespace rope_fit_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -72,4 +72,4 @@ TEST(RopeFit, NeedsAmplitudesThatDiffer) {
               testing::HasSubstr("differ by a factor of two"));
 }
 
-}  // namespace
+}  // namespace rope_fit_test

@@ -6,7 +6,7 @@
 
 #include "support/projects.h"
 
-namespace {
+namespace free_motion_roots_test {
 
 using namespace trivet;
 
@@ -63,4 +63,4 @@ TEST(FreeMotions, HaveFinitePeaksWithADamperAndModalDamping) {
     EXPECT_TRUE(std::isfinite(peak.amplitude) && std::isfinite(peak.angular_frequency));
 }
 
-}  // namespace
+}  // namespace free_motion_roots_test

@@ -9,7 +9,7 @@
 #include "trivet/modal/free_motions.h"
 #include "trivet/modal/roots.h"
 
-namespace {
+namespace modal_test {
 
 using namespace trivet;
 using testing::HasSubstr;
@@ -215,4 +215,4 @@ TEST(Modes, HaveNoStrainSharesIfAFoundationMovesNoMount) {
   EXPECT_EQ(without, 1);
 }
 
-}  // namespace
+}  // namespace modal_test

@@ -13,7 +13,7 @@
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/level_crossings.h"
 
-namespace {
+namespace bristle_loop_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -213,4 +213,4 @@ TEST(BristleLoop, SlowSlipHasTheForceOfSteadySlip) {
   EXPECT_GT(slipping, 500);
 }
 
-}  // namespace
+}  // namespace bristle_loop_test

@@ -8,7 +8,7 @@
 
 #include "trivet/numerics/periodic/fourier_basis.h"
 
-namespace {
+namespace law_harmonics_test {
 
 using namespace trivet;
 using Eigen::Index;
@@ -169,4 +169,4 @@ TEST(LawHarmonics, CoulombFrictionTurnsWithTheWholeMotion) {
   EXPECT_LT(amplitude_error(41), 1e-4);
 }
 
-}  // namespace
+}  // namespace law_harmonics_test

@@ -7,7 +7,7 @@
 
 #include "support/matchers.h"
 
-namespace {
+namespace law_loops_test {
 
 using namespace trivet;
 using nonlinear::LawLoop;
@@ -31,4 +31,4 @@ TEST(LawLoops, SliderLosesItsRectangleAndACubeStoresThreeQuarters) {
   EXPECT_GT(loops.back().energy, 0);
 }
 
-}  // namespace
+}  // namespace law_loops_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace branch_test {
 
 using namespace trivet;
 using numerics::Branch;
@@ -69,4 +69,4 @@ TEST(Branch, HasNoPointWhereThereIsNoSolution) {
   EXPECT_FALSE(branch.start(Eigen::VectorXd::Constant(1, 0.7), 0));
 }
 
-}  // namespace
+}  // namespace branch_test

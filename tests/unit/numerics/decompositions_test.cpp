@@ -14,7 +14,7 @@
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/numerics/linalg/up_to_twelve.h"
 
-namespace {
+namespace decompositions_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -264,4 +264,4 @@ TEST(PivotedQr, RestoresTheMatrixAndCountsItsRank) {
   }
 }
 
-}  // namespace
+}  // namespace decompositions_test

@@ -12,7 +12,7 @@
 #include "trivet/numerics/linalg/quadratic_form.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 
-namespace {
+namespace large_eigen_test {
 
 using namespace trivet::numerics;
 
@@ -99,4 +99,4 @@ TEST(Definiteness, DistinguishesZeroFromNegativeEigenvalues) {
   EXPECT_FALSE(is_positive_semidefinite(skew_zero));
 }
 
-}  // namespace
+}  // namespace large_eigen_test

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace max_min_test {
 
 using namespace trivet::numerics;
 
@@ -89,4 +89,4 @@ TEST(MaxMin, PassesExceptionsOn) {
                trivet::foundation::NotComputable);
 }
 
-}  // namespace
+}  // namespace max_min_test

@@ -13,7 +13,7 @@
 #include "trivet/numerics/peaks/sign_changes.h"
 #include "trivet/numerics/sweep/frequency_sweep.h"
 
-namespace {
+namespace numerics_test {
 
 using namespace trivet;
 using namespace trivet::numerics;
@@ -171,4 +171,4 @@ TEST(GeneralizedModes, UnsymmetricSystemsReportComplexPairs) {
   EXPECT_EQ(modes.complex_pairs, 1);
 }
 
-}  // namespace
+}  // namespace numerics_test

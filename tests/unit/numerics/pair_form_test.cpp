@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-namespace {
+namespace pair_form_test {
 
 using namespace trivet;
 
@@ -98,4 +98,4 @@ TEST(PairForm, KeepsTheDigitsOfSlowPolesBesideFastOnes) {
   EXPECT_LE(largest(missed(slow, slow)), some_roundings);
 }
 
-}  // namespace
+}  // namespace pair_form_test

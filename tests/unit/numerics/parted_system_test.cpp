@@ -11,7 +11,7 @@
 #include "trivet/numerics/linalg/system_roots.h"
 #include "trivet/numerics/peaks/response_series.h"
 
-namespace {
+namespace parted_system_test {
 
 using namespace trivet::numerics;
 
@@ -73,4 +73,4 @@ TEST(PartedSystem, PolesAndResiduesAndTheSeriesAtInfinityAreTheResponse) {
   }
 }
 
-}  // namespace
+}  // namespace parted_system_test

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-namespace {
+namespace peak_count_test {
 
 using trivet::numerics::prominent_peaks;
 using trivet::numerics::rise_is_known;
@@ -72,4 +72,4 @@ TEST(Prominences, AreThoseOfEachPoint) {
   EXPECT_TRUE(trivet::numerics::prominences({}).empty());
 }
 
-}  // namespace
+}  // namespace peak_count_test

@@ -10,7 +10,7 @@
 
 #include "trivet/numerics/lanes/instruction_set.h"
 
-namespace {
+namespace product_update_test {
 
 using namespace trivet;
 
@@ -59,4 +59,4 @@ TEST_F(ProductUpdate, OfALowerTriangleLeavesItsSurroundingsAndDoesNotDependOnThr
   EXPECT_EQ(one, three);
 }
 
-}  // namespace
+}  // namespace product_update_test

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace {
+namespace radau_panel_test {
 
 using namespace trivet;
 using numerics::DecayingPanel;
@@ -55,4 +55,4 @@ TEST(RadauPanel, FollowsTheBalanceOfAFastDecay) {
   EXPECT_NEAR(at(RadauPanel::nodes - 1), 1.0 / 3, of_start);
 }
 
-}  // namespace
+}  // namespace radau_panel_test

@@ -7,7 +7,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/rational_fit.h"
 
-namespace {
+namespace rational_fit_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -108,4 +108,4 @@ TEST(RationalFit, RejectsInconsistentSizes) {
       foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace rational_fit_test

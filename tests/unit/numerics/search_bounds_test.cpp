@@ -9,7 +9,7 @@
 #include "trivet/numerics/peaks/sign_changes.h"
 #include "trivet/response/random/integration_panels.h"
 
-namespace {
+namespace search_bounds_test {
 
 using namespace trivet;
 using foundation::NotComputable;
@@ -38,4 +38,4 @@ TEST(SearchBounds, ABandThatBeginsOnAPoleIsNotIntegrated) {
   EXPECT_THROW(static_cast<void>(response::graded_panels(Eigen::VectorXcd::Zero(1), 0, 1, 0)), NotComputable);
 }
 
-}  // namespace
+}  // namespace search_bounds_test

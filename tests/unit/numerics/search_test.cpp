@@ -10,7 +10,7 @@
 #include "trivet/numerics/search/minimum_between.h"
 #include "trivet/numerics/search/zero_between.h"
 
-namespace {
+namespace search_test {
 
 using namespace trivet;
 using numerics::minimum_between;
@@ -89,4 +89,4 @@ TEST(MinimumBetween, AcceptsInfiniteValuesAndAnEnd) {
   EXPECT_THROW((void)minimum_between(0, 1, [](double) { return std::nan(""); }), foundation::NotComputable);
 }
 
-}  // namespace
+}  // namespace search_test

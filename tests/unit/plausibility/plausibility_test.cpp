@@ -10,7 +10,7 @@
 #include "trivet/plausibility/unit_slips.h"
 #include "trivet/project/suspicions.h"
 
-namespace {
+namespace plausibility_test {
 
 using namespace trivet;
 using testing::ElementsAre;
@@ -340,4 +340,4 @@ TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   EXPECT_THAT(kinds(far), ElementsAre("products of inertia"));
 }
 
-}  // namespace
+}  // namespace plausibility_test

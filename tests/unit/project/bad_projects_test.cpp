@@ -9,7 +9,7 @@
 
 #include "trivet/project/project.h"
 
-namespace {
+namespace bad_projects_test {
 
 namespace fs = std::filesystem;
 using namespace trivet;
@@ -68,4 +68,4 @@ INSTANTIATE_TEST_SUITE_P(Files, BadProject, testing::ValuesIn(files()), [](const
 
 TEST(BadProjects, AreAtLeastThreeHundred) { EXPECT_GE(files().size(), 300u); }
 
-}  // namespace
+}  // namespace bad_projects_test

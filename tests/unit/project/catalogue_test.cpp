@@ -11,7 +11,7 @@
 #include "trivet/elements/rubber_layer.h"
 
 namespace trivet::test {
-namespace {
+namespace catalogue_test {
 
 using project::catalogue_from_text;
 using testing::HasSubstr;
@@ -144,5 +144,5 @@ TEST(GenericCatalogue, IsWithinItsStatedErrorOfFiniteElements) {
   }
 }
 
-}  // namespace
+}  // namespace catalogue_test
 }  // namespace trivet::test

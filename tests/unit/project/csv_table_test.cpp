@@ -6,7 +6,7 @@
 #include <cmath>
 #include <fstream>
 
-namespace {
+namespace csv_table_test {
 
 using namespace trivet;
 using project::columns;
@@ -128,4 +128,4 @@ TEST(CsvTable, RejectsNumbersThatVanishInProducts) {
   EXPECT_TRUE(project::csv_table("a\n1e-30\n", "t.csv").has_value());
 }
 
-}  // namespace
+}  // namespace csv_table_test

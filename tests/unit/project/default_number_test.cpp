@@ -8,7 +8,7 @@
 #include "trivet/project/text/default_number.h"
 #include "trivet/project/text/model_path.h"
 
-namespace {
+namespace default_number_test {
 
 using namespace trivet;
 using project::Quantity;
@@ -95,4 +95,4 @@ TEST(QuantityOfANumber, IsKnownInTheExamples) {
   }
 }
 
-}  // namespace
+}  // namespace default_number_test

@@ -5,7 +5,7 @@
 
 #include "trivet/project/text/toml_text.h"
 
-namespace {
+namespace document_test {
 
 using namespace trivet;
 
@@ -19,4 +19,4 @@ TEST(Deepest, FindsNamesWithDots) {
   EXPECT_EQ(project::deepest(*document, "elements.a.c").origin.line, 1);
 }
 
-}  // namespace
+}  // namespace document_test

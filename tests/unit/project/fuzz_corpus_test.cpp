@@ -11,7 +11,7 @@
 
 #include "fuzz/exercise.h"
 
-namespace {
+namespace fuzz_corpus_test {
 
 TEST(FuzzCorpus, NoInputThrows) {
   int files = 0;
@@ -29,4 +29,4 @@ TEST(FuzzCorpus, NoInputThrows) {
     if (role != "project") EXPECT_TRUE(roles.contains(std::string(role))) << "the corpus has no " << role;
 }
 
-}  // namespace
+}  // namespace fuzz_corpus_test

@@ -4,7 +4,7 @@
 #include "support/mapped_machine.h"
 #include "support/projects.h"
 
-namespace {
+namespace map_reader_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -50,4 +50,4 @@ TEST(DesignAxis, ReachesItsEndsExactlyWithBothSpacings) {
   }
 }
 
-}  // namespace
+}  // namespace map_reader_test

@@ -11,7 +11,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/project/project.h"
 
-namespace {
+namespace mobility_reader_test {
 
 using namespace trivet;
 using exchange::UniversalQuantity;
@@ -171,4 +171,4 @@ TEST(MobilityReader, WarnsOfPointsThatMoveAlmostAsOne) {
               Contains(HasSubstr("Y is nearly singular")));
 }
 
-}  // namespace
+}  // namespace mobility_reader_test

@@ -5,7 +5,7 @@
 #include "trivet/project/text/embedded_text.h"
 #include "trivet/results/written_answers.h"
 
-namespace {
+namespace project_test {
 
 using namespace trivet;
 
@@ -127,4 +127,4 @@ coefficient = 10
   EXPECT_NEAR(velocity.dot(m.B * velocity), 0, round_off);
 }
 
-}  // namespace
+}  // namespace project_test

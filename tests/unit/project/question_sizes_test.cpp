@@ -7,7 +7,7 @@
 #include "support/projects.h"
 #include "trivet/project/text/admissible_range.h"
 
-namespace {
+namespace question_sizes_test {
 
 using namespace trivet;
 using testing::HasSubstr;
@@ -108,4 +108,4 @@ TEST(AdmissibleRange, ABandHasTwoDifferentEnds) {
   EXPECT_NE(project::wrong_band(2, 1), std::nullopt);
 }
 
-}  // namespace
+}  // namespace question_sizes_test

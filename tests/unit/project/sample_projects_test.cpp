@@ -12,7 +12,7 @@
 #include "trivet/project/elements/element_law.h"
 #include "trivet/project/project.h"
 
-namespace {
+namespace sample_projects_test {
 
 namespace fs = std::filesystem;
 using namespace trivet;
@@ -52,4 +52,4 @@ TEST(SampleProjects, ContainEveryElementLaw) {
 INSTANTIATE_TEST_SUITE_P(Files, SampleProject, testing::ValuesIn(files()),
                          [](const auto& info) { return info.param.stem().string(); });
 
-}  // namespace
+}  // namespace sample_projects_test

@@ -4,7 +4,7 @@
 
 #include "trivet/project/text/shown_units.h"
 
-namespace {
+namespace shown_units_test {
 
 using namespace trivet;
 
@@ -53,4 +53,4 @@ TEST(ShownUnit, OfAnotherQuantityIsRefusedWithARemedy) {
   EXPECT_EQ(units, project::ShownUnits());
 }
 
-}  // namespace
+}  // namespace shown_units_test

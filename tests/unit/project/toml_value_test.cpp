@@ -6,7 +6,7 @@
 #include "trivet/project/text/toml_text.h"
 #include "trivet/project/text/toml_value.h"
 
-namespace {
+namespace toml_value_test {
 
 using namespace trivet;
 using testing::ElementsAre;
@@ -33,4 +33,4 @@ TEST(SettingWords, AreOneLinePerValueWithTablesInBracesWhole) {
               ElementsAre("elements.\"front left\".scale = 1.5", "elements.a.damping = {loss_factor = 0.1}"));
 }
 
-}  // namespace
+}  // namespace toml_value_test

@@ -6,7 +6,7 @@
 #include "support/matchers.h"
 #include "trivet/project/text/units.h"
 
-namespace {
+namespace units_test {
 
 using trivet::project::Quantity;
 using trivet::project::to_si;
@@ -113,4 +113,4 @@ TEST(Units, RejectUnitsOfAnotherQuantity) {
     EXPECT_FALSE(to_si(text, quantity).has_value()) << text;
 }
 
-}  // namespace
+}  // namespace units_test

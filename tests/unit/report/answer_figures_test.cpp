@@ -13,7 +13,7 @@
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/curve_panel.h"
 
-namespace {
+namespace answer_figures_test {
 
 using namespace trivet;
 using testing::HasSubstr;
@@ -172,4 +172,4 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
       10, round_off);
 }
 
-}  // namespace
+}  // namespace answer_figures_test

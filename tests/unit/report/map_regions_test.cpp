@@ -10,7 +10,7 @@
 #include "trivet/report/map_figure.h"
 #include "trivet/report/map_regions.h"
 
-namespace {
+namespace map_regions_test {
 
 using namespace trivet;
 
@@ -67,4 +67,4 @@ TEST(MapFigure, ShowsUnlimitedDesignsLighterInItsKeyToo) {
       << before;
 }
 
-}  // namespace
+}  // namespace map_regions_test

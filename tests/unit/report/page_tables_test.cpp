@@ -13,7 +13,7 @@
 #include "trivet/report/report_page.h"
 #include "trivet/results/project_json.h"
 
-namespace {
+namespace page_tables_test {
 
 using namespace trivet;
 using testing::AllOf;
@@ -128,4 +128,4 @@ TEST(ReportPage, CarriesTheLicenceOfTheChartLibrary) {
               AllOf(HasSubstr("Copyright (c) 2022 Leon Sorokin"), HasSubstr("github.com/leeoniya/uPlot (v1.6")));
 }
 
-}  // namespace
+}  // namespace page_tables_test

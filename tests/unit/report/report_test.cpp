@@ -9,7 +9,7 @@
 #include "trivet/report/report_page.h"
 #include "trivet/results/project_json.h"
 
-namespace {
+namespace report_test {
 
 using namespace trivet;
 
@@ -124,4 +124,4 @@ TEST(Overview, ShowsTheBaseModelNextToACaseThatDiffersInALaterCurve) {
   EXPECT_THAT(svg, testing::HasSubstr(">stiffer: block<"));
 }
 
-}  // namespace
+}  // namespace report_test

@@ -7,7 +7,7 @@
 #include "trivet/numerics/linalg/refined_solution.h"
 #include "trivet/response/steady/deep_check.h"
 
-namespace {
+namespace deep_check_test {
 
 using namespace trivet;
 
@@ -65,4 +65,4 @@ TEST(DeepCheck, AllowsLittleIfNothingCancels) {
   EXPECT_LT(check.allowed, without_cancellation);
 }
 
-}  // namespace
+}  // namespace deep_check_test

@@ -7,7 +7,7 @@
 
 #include "trivet/response/random/integration_panels.h"
 
-namespace {
+namespace gauss_rules_test {
 
 using namespace trivet;
 
@@ -51,4 +51,4 @@ TEST(GaussRules, AreThoseInPrint) {
   EXPECT_EQ(rule.gauss(14), 0);
 }
 
-}  // namespace
+}  // namespace gauss_rules_test

@@ -16,7 +16,7 @@
 #include "trivet/response/random/integration_panels.h"
 #include "trivet/response/random/random_response.h"
 
-namespace {
+namespace random_response_test {
 
 using namespace trivet;
 using Complex = std::complex<double>;
@@ -209,7 +209,7 @@ TEST(RandomResponse, RejectsInvalidInput) {
   EXPECT_THROW((void)response::random_response(c.assembled, forces, {{{"a", c.force(), flat}}, {}},
                                                {.weighted = {{0, excitation::Weighting::Wk}}}),
                foundation::InvalidInput);
-  EXPECT_EQ(response::check({}, "random").errors(), 1U);
+  EXPECT_EQ(response::check(response::RandomLoading{}, "random").errors(), 1U);
 }
 
 TEST(RandomResponse, StopsOnAnInterruption) {
@@ -290,4 +290,4 @@ TEST(PolynomialRoots, AreFoundInAnyUnit) {
   EXPECT_NEAR(std::abs(roots[0] * roots[1]), 6e12, product_round_off);
 }
 
-}  // namespace
+}  // namespace random_response_test

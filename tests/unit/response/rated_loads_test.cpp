@@ -8,7 +8,7 @@
 
 #include "support/projects.h"
 
-namespace {
+namespace rated_loads_test {
 
 using namespace trivet;
 
@@ -63,4 +63,4 @@ TEST(RatedLoads, AreWithinARangeUpToNineDigits) {
   EXPECT_FALSE(response::is_within(std::numeric_limits<double>::quiet_NaN(), range));
 }
 
-}  // namespace
+}  // namespace rated_loads_test

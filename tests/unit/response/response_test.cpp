@@ -11,7 +11,7 @@
 #include "trivet/response/steady/frequency_grid.h"
 #include "trivet/response/steady/peaks.h"
 
-namespace {
+namespace response_test {
 
 using namespace trivet;
 constexpr double pi = std::numbers::pi;
@@ -178,4 +178,4 @@ TEST(RelativeProminence, IsInfiniteOverAMinimumThatIsRoundOff) {
   EXPECT_TRUE(std::isinf(response::relative_prominence(peak)));
 }
 
-}  // namespace
+}  // namespace response_test

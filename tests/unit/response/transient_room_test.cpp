@@ -6,7 +6,7 @@
 #include "trivet/excitation/pulses.h"
 #include "trivet/foundation/invalid_input.h"
 
-namespace {
+namespace transient_room_test {
 
 using namespace trivet;
 
@@ -28,4 +28,4 @@ TEST(Transient, RejectsMorePointsTimesAnswersThanMemoryAllows) {
   }
 }
 
-}  // namespace
+}  // namespace transient_room_test

@@ -17,7 +17,7 @@
 #include "trivet/response/transient/state_space.h"
 #include "trivet/response/transient/time_stepper.h"
 
-namespace {
+namespace transient_test {
 
 using namespace trivet;
 using test::along;
@@ -275,4 +275,4 @@ TEST(Transient, AppliesJumpsAtItsStartAfterTheInitialState) {
   EXPECT_THAT(pushed.curves[0].values(0), RelativelyNear(4.0, round_off));
 }
 
-}  // namespace
+}  // namespace transient_test

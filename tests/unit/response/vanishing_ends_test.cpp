@@ -5,7 +5,7 @@
 #include "trivet/modal/modes.h"
 #include "trivet/response/steady/vanishing_ends.h"
 
-namespace {
+namespace vanishing_ends_test {
 
 using namespace trivet;
 using assembly::MotionQuantity;
@@ -119,4 +119,4 @@ TEST(CurveEnds, AFractionalLawHasNoEndAtInfinity) {
   EXPECT_THAT(ends(fractional, {"block.x"}, MotionQuantity::velocity), testing::ElementsAre(false));
 }
 
-}  // namespace
+}  // namespace vanishing_ends_test

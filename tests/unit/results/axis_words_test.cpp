@@ -3,7 +3,7 @@
 
 #include "trivet/results/axis_words.h"
 
-namespace {
+namespace axis_words_test {
 
 using namespace trivet;
 
@@ -49,4 +49,4 @@ TEST(AxisValue, HasEnoughDigitsToDistinguishDesigns) {
   EXPECT_EQ(results::axis_value(0.12, damping), "0.12 s");
 }
 
-}  // namespace
+}  // namespace axis_words_test

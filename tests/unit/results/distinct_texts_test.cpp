@@ -5,7 +5,7 @@
 
 #include "trivet/results/distinct_texts.h"
 
-namespace {
+namespace distinct_texts_test {
 
 using namespace trivet;
 using testing::Pair;
@@ -24,4 +24,4 @@ TEST(DistinctTexts, DistinguishAdjacentNumbers) {
   EXPECT_NE(a, b);
 }
 
-}  // namespace
+}  // namespace distinct_texts_test

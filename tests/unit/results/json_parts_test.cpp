@@ -10,7 +10,7 @@
 
 /// The writer of JSON is compared with nlohmann's parser, which shares nothing with it.
 namespace trivet::results::json {
-namespace {
+namespace json_parts_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -56,5 +56,5 @@ TEST(JsonText, KeepsAListOnOneLine) {
   EXPECT_EQ(text(json, 1), "{\n \"shape\": [1.0,2.0,3.0],\n \"rows\": [\n  [1.0,0.0],\n  [0.0,1.0]\n ]\n}");
 }
 
-}  // namespace
+}  // namespace json_parts_test
 }  // namespace trivet::results::json

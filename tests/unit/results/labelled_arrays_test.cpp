@@ -15,7 +15,7 @@
 #include "trivet/study/transient_answer.h"
 #include "trivet/study/whole_study.h"
 
-namespace {
+namespace labelled_arrays_test {
 
 using namespace trivet;
 using results::LabelledArray;
@@ -257,4 +257,4 @@ TEST(LabelledArrays, GiveNumbersWithTheLastAxisFastest) {
   EXPECT_THAT(real(list, "lists"), ElementsAre(1, 2, testing::IsNan(), 3, 4, testing::IsNan()));
 }
 
-}  // namespace
+}  // namespace labelled_arrays_test

@@ -8,7 +8,7 @@
 #include "trivet/results/map_json.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace map_json_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -24,4 +24,4 @@ TEST(DesignMap, WritesOneCsvRowPerDesign) {
                   "elements.spring.scale,elements.spring.damping.proportional [s],margin,governing,kept\n0.5,0.01,"));
 }
 
-}  // namespace
+}  // namespace map_json_test

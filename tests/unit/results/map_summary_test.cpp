@@ -5,7 +5,7 @@
 #include "support/projects.h"
 #include "trivet/results/map_summary.h"
 
-namespace {
+namespace map_summary_test {
 
 using namespace trivet;
 using testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST(UnlimitedWords, NameAPeakOnlyIfARuleForbidsIt) {
   EXPECT_EQ(results::unlimited_words(map_of("no_peak = \"machine\"")), "no peak");
 }
 
-}  // namespace
+}  // namespace map_summary_test

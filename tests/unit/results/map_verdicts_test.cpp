@@ -5,7 +5,7 @@
 #include "support/projects.h"
 #include "trivet/results/map_verdicts.h"
 
-namespace {
+namespace map_verdicts_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -40,4 +40,4 @@ TEST(MapVerdicts, CallOnlySmallRisesSlight) {
               testing::MatchesRegex("machine.z has a peak within the tolerance at .* rad/s \\(74.7 %\\)"));
 }
 
-}  // namespace
+}  // namespace map_verdicts_test

@@ -9,7 +9,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/results/users_files.h"
 
-namespace {
+namespace result_exchange_test {
 
 namespace fs = std::filesystem;
 using namespace trivet::foundation;
@@ -121,4 +121,4 @@ TEST(ResultManifestTest, RejectsPathsThatLeaveTheFolder) {
   EXPECT_FALSE(read("00-base/a")->names_folder("00"));
 }
 
-}  // namespace
+}  // namespace result_exchange_test

@@ -3,7 +3,7 @@
 
 #include "trivet/results/shown_numbers.h"
 
-namespace {
+namespace shown_numbers_test {
 
 using namespace trivet;
 
@@ -49,4 +49,4 @@ TEST(ShownNumbers, FrequenciesAreThoseOfTheTableUnlessTheDisplayHasOne) {
   EXPECT_NEAR(results::shown_frequency(display, 3.141592653589793), 30, 1e-12);
 }
 
-}  // namespace
+}  // namespace shown_numbers_test

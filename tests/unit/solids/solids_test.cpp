@@ -12,7 +12,7 @@
 #include "trivet/solids/rigid_solid.h"
 #include "trivet/spatial/rigid_motion.h"
 
-namespace {
+namespace solids_test {
 
 using namespace trivet;
 using namespace trivet::solids;
@@ -220,4 +220,4 @@ TEST(StlFile, ReportsWhatIsWrong) {
               HasSubstr("part.unit: not given"));
 }
 
-}  // namespace
+}  // namespace solids_test

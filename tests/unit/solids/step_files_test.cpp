@@ -11,7 +11,7 @@
 #include "trivet/solids/rigid_solid.h"
 #include "trivet/solids/step_file.h"
 
-namespace {
+namespace step_files_test {
 
 using namespace trivet;
 using namespace trivet::solids;
@@ -103,4 +103,4 @@ TEST_F(StepFile, GivesItsSolidsByNumber) {
   EXPECT_THAT(message(twice.error().list().front()), HasSubstr("twice.solids: 1 is named twice"));
 }
 
-}  // namespace
+}  // namespace step_files_test

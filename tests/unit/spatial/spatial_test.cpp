@@ -11,7 +11,7 @@
 #include "trivet/spatial/rigid_motion.h"
 #include "trivet/spatial/screw.h"
 
-namespace {
+namespace spatial_test {
 
 using namespace trivet;
 using namespace trivet::spatial;
@@ -109,4 +109,4 @@ TEST(Screw, HasTheDirectionOfATranslation) {
   EXPECT_NEAR(s.direction.y(), 0.6, round_off);
 }
 
-}  // namespace
+}  // namespace spatial_test

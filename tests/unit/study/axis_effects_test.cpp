@@ -5,7 +5,7 @@
 #include "support/projects.h"
 #include "trivet/study/axis_effects.h"
 
-namespace {
+namespace axis_effects_test {
 
 using namespace trivet;
 
@@ -41,4 +41,4 @@ TEST(AxisEffects, IsEmptyIfADesignHasNoModel) {
   EXPECT_TRUE(none.zero_answers.empty() && none.by_x && none.by_y);
 }
 
-}  // namespace
+}  // namespace axis_effects_test

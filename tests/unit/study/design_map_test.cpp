@@ -6,7 +6,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace design_map_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -63,4 +63,4 @@ analyses.map.peak_tolerance = 0
   EXPECT_TRUE(study::has_own_map(project, *project.find("strict")));
 }
 
-}  // namespace
+}  // namespace design_map_test

@@ -10,7 +10,7 @@
 #include "support/matchers.h"
 #include "support/projects.h"
 
-namespace {
+namespace explanation_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -93,4 +93,4 @@ TEST(ValueWords, HaveTheUsualPrefix) {
   EXPECT_EQ(study::value_words(3e-9, "m"), "3e-09 m");
 }
 
-}  // namespace
+}  // namespace explanation_test

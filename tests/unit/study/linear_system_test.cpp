@@ -11,7 +11,7 @@
 #include "trivet/study/design_sweep.h"
 #include "trivet/study/system_matrices.h"
 
-namespace {
+namespace linear_system_test {
 
 using namespace trivet;
 
@@ -96,4 +96,4 @@ TEST(DesignSweep, RejectsAnEmptySweep) {
   EXPECT_THROW(static_cast<void>(study::design_sweep(project.base(), {})), foundation::InvalidInput);
 }
 
-}  // namespace
+}  // namespace linear_system_test

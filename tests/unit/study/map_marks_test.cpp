@@ -9,7 +9,7 @@
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace map_marks_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -85,4 +85,4 @@ TEST(MapMarks, PlacesCasesWhoseTableBeginsAboveAllNaturalFrequencies) {
     EXPECT_TRUE(mark.of_this_model) << mark.name;
 }
 
-}  // namespace
+}  // namespace map_marks_test

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <complex>
 
-namespace {
+namespace measurement_comparison_test {
 
 using namespace trivet;
 
@@ -85,4 +85,4 @@ TEST(MeasuredPeaks, NeedCoherence) {
   EXPECT_TRUE(study::measured_peaks(curve.angular_frequency, curve.value, poor).empty());
 }
 
-}  // namespace
+}  // namespace measurement_comparison_test

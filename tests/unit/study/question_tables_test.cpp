@@ -6,7 +6,7 @@
 #include "trivet/study/asked_questions.h"
 #include "trivet/study/question_answer.h"
 
-namespace {
+namespace question_tables_test {
 
 using namespace trivet;
 
@@ -46,4 +46,4 @@ TEST(QuestionTables, ReadAnswerAndWriteEachQuestionUnderItsName) {
   }
 }
 
-}  // namespace
+}  // namespace question_tables_test

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <random>
 
-namespace {
+namespace separated_motions_test {
 
 using namespace trivet;
 using Eigen::MatrixXd;
@@ -81,4 +81,4 @@ TEST(SeparatedMotions, TurnToTheOtherSideWhereAParameterMayOnlyFall) {
   EXPECT_NEAR(slopes(1, 0), all(0), round_off);
 }
 
-}  // namespace
+}  // namespace separated_motions_test

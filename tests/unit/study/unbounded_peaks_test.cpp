@@ -6,7 +6,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/study/design_map.h"
 
-namespace {
+namespace unbounded_peaks_test {
 
 using namespace trivet;
 using test::mapped_machine;
@@ -52,4 +52,4 @@ TEST(UnboundedPeaks, AreAcceptedIfOnlyTheBaseModelHasThem) {
   expect_refusal(text, "block.ry");
 }
 
-}  // namespace
+}  // namespace unbounded_peaks_test

@@ -11,7 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "two_masses.h"
 
-namespace {
+namespace exported_linear_system_test {
 
 using trivet::exports::check;
 using trivet::exports::LinearSystem;
@@ -53,4 +53,4 @@ TEST(LinearSystem, StartsAtZeroIfItNamesNoInitialState) {
   EXPECT_EQ(trivet::exports::initial_states(system), Eigen::VectorXd::Zero(4));
 }
 
-}  // namespace
+}  // namespace exported_linear_system_test
