@@ -148,6 +148,7 @@ axis = "z"
     ("docs/nonlinear.md", "Laws"): ROLL_STOP,
     ("docs/elements/solid_mount.md", "Nonlinear along e3"): ROLL_STOP,
     ("docs/elements/table_laws.md", "Wire ropes"): ROLL_STOP,
+    ("docs/nonlinear.md", "Stops that rub"): ROLL_STOP,
     ("docs/nonlinear.md", "Struts and rings"): ROLL_STOP,
     ("docs/elements/hydromount.md", "Hydromount"): ON_HYDROMOUNTS.split("[element_types")[0]
     + "[elements.rear]"

@@ -10,6 +10,7 @@
 
 #include "trivet/elements/distance_force.h"
 #include "trivet/elements/law.h"
+#include "trivet/elements/rubbing_friction.h"
 #include "trivet/elements/stiffness_over_deflection.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/model/excitation.h"
@@ -139,6 +140,13 @@ struct DistancePart {
   Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();  ///< deflections in the position of rest [m]
 };
 
+/// Friction across the deflection of a nonlinear part, whose elastic forces press it.
+struct RubbingPart {
+  elements::RubbingFriction law;
+  std::size_t pressed_by = 0;  ///< place of the nonlinear part, whose deflection is a translation
+  Eigen::Vector2d at_rest = Eigen::Vector2d::Zero();  ///< deflections across in the position of rest [m]
+};
+
 struct Element {
   std::string name;
   std::string type;  ///< the law's name in the project file, for messages and reports
@@ -147,6 +155,7 @@ struct Element {
   elements::Law law;
   std::vector<NonlinearPart> nonlinear_parts;
   std::vector<DistancePart> distance_parts;
+  std::vector<RubbingPart> rubbing_parts;
   /// The 12×12 about each state on the way along e3. The first law of the first nonlinear part is then the whole force
   /// along e3, the second that of the linear law, negative.
   std::optional<elements::StiffnessOverDeflection> over_deflection;

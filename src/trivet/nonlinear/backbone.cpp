@@ -29,7 +29,10 @@ model::System about_rest(const model::System& given) { return with_references(gi
 
 std::vector<Deflection> laws_of(const model::System& system, const assembly::Assembled& assembled, bool damped) {
   std::vector<Deflection> found = nonlinear_deflections(system, assembled, tangents_at_rest(system));
-  if (damped) return found;
+  if (damped) {
+    add_rubbings(system, assembled, found);
+    return found;
+  }
   std::size_t next = 0;
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
@@ -196,10 +199,12 @@ class FreeMotion {
 };
 
 /// Deflections with friction that sticks in undamped motion; without a spring it is left out.
-std::vector<std::string> with_friction(const std::vector<Deflection>& deflections) {
+std::vector<std::string> with_friction(const model::System& system, const assembly::Assembled& assembled) {
+  std::vector<Deflection> deflections = nonlinear_deflections(system, assembled, tangents_at_rest(system));
+  add_rubbings(system, assembled, deflections);
   std::vector<std::string> names;
   for (const Deflection& one : deflections)
-    if (!one.law.bristles().empty() ||
+    if (!one.law.bristles().empty() || (one.rubbing && one.rubbing->law.is_pressed_at_rest()) ||
         std::any_of(one.law.hysteretic().begin(), one.law.hysteretic().end(),
                     [](const LawAbout::Hysteretic& part) { return !elements::jumps_at_turns(part.law); }))
       names.push_back(one.name);
@@ -231,8 +236,7 @@ class FreeCourse {
 
   Backbone follow(const foundation::Progress& progress) {
     Backbone found{.mode = options_.mode, .angular_frequency = omega_, .harmonics = options_.harmonics};
-    if (!options_.damped)
-      found.held = with_friction(nonlinear_deflections(system_, assembled_, tangents_at_rest(system_)));
+    if (!options_.damped) found.held = with_friction(system_, assembled_);
     for (const assembly::Channel& channel : observer_.channels()) {
       found.results.push_back(channel.name);
       found.units.push_back(channel.unit);

@@ -47,7 +47,20 @@ elements::SmallMotion positive_reference(const model::NonlinearPart& part) {
   return {largest, about_rest.damping};
 }
 
+RubbingAbout rubbing_about(const model::Element& element, const model::RubbingPart& part) {
+  const model::NonlinearPart& along = element.nonlinear_parts[part.pressed_by];
+  return {part.law, elements::only<elements::ElasticForce>(along.laws), along.at_rest};
+}
+
 }  // namespace
+
+std::array<elements::Vector12, 2> rows_across(const model::NonlinearPart& along, const model::Span& span) {
+  std::array<elements::Vector12, 2> rows;
+  for (int i = 0; i < 2; ++i)
+    rows[to_size(i)] =
+        elements::deflection_row((along.axis + 1 + i) % 3, span.arm, span.n_from_k, along.centre).transpose();
+  return rows;
+}
 
 bool is_nonlinear(const model::System& system) {
   return std::any_of(system.elements().begin(), system.elements().end(),
@@ -110,6 +123,14 @@ model::System with_references(const model::System& system, const References& ref
       sum.offset -= *element.law.preload;
       sum.tangent += element.over_deflection->at(along.at_rest, force) - element.over_deflection->at(along.at_rest, 0);
     }
+    for (const model::RubbingPart& part : element.rubbing_parts) {  // which bears no force at rest
+      const double sticks = rubbing_about(element, part).own_stiffness();
+      const auto rows = rows_across(element.nonlinear_parts[part.pressed_by], span);
+      for (std::size_t i = 0; i < 2; ++i) {
+        sum.tangent += sticks * rows[i] * rows[i].transpose();
+        sum.offset -= sticks * part.at_rest(to_index(i)) * rows[i];
+      }
+    }
     for (const model::DistancePart& part : element.distance_parts) {
       const Eigen::Matrix<double, 3, 12> rows = elements::difference_rows(span.n_from_k);
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
@@ -129,6 +150,17 @@ std::string name_of(const model::Element& element, const model::NonlinearPart& p
 
 namespace {
 
+/// @param row  of the ends of the element, then its inner coordinates
+Deflection without_law(const std::string& name, bool is_rotation, const assembly::Assembled& assembled,
+                       const assembly::ElementMap& map, const Eigen::RowVectorXd& row) {
+  Deflection deflection{name, is_rotation, Eigen::VectorXd::Zero(assembled.matrices.size()),
+                        Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
+  const Eigen::RowVectorXd on_free = row * map.ends, on_ground = row * map.ground_ends;
+  for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
+  for (Eigen::Index c = 0; c < on_ground.size(); ++c) deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+  return deflection;
+}
+
 void add_distances(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found) {
   for (std::size_t e = 0; e < system.elements().size(); ++e) {
     const model::Element& element = system.elements()[e];
@@ -136,15 +168,11 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
     for (const model::DistancePart& part : element.distance_parts) {
       const Eigen::Matrix<double, 3, 12> rows =
           elements::difference_rows(model::span(system.bodies(), element.n, element.k).n_from_k);
-      const Eigen::MatrixXd on_free = rows * map.ends.topRows<12>(), on_ground = rows * map.ground_ends.topRows<12>();
       for (Eigen::Index a = 0; a < 3; ++a) {
-        Deflection deflection{element.name + ".difference." + model::coordinate_names[to_size(a)], false,
-                              Eigen::VectorXd::Zero(assembled.matrices.size()),
-                              Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
-        for (Eigen::Index c = 0; c < on_free.cols(); ++c)
-          deflection.on_coordinates(map.rows[to_size(c)]) += on_free(a, c);
-        for (Eigen::Index c = 0; c < on_ground.cols(); ++c)
-          deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(a, c);
+        Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
+        row.head<12>() = rows.row(a);
+        Deflection deflection = without_law(element.name + ".difference." + model::coordinate_names[to_size(a)], false,
+                                            assembled, map, row);
         if (a == 0) deflection.distance.emplace(part.law, part.at_rest);
         found.push_back(std::move(deflection));
       }
@@ -191,16 +219,10 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
     const assembly::ElementMap& map = assembled.elements[e];
     const model::Span span = model::span(system.bodies(), element.n, element.k);
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
-      Deflection deflection{name_of(element, part), part.is_rotation(),
-                            Eigen::VectorXd::Zero(assembled.matrices.size()),
-                            Eigen::VectorXd::Zero(assembled.ground.size()), LawAbout({})};
       Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
       if (part.is_inner()) row(row.size() - element.law.inner->count() + part.inner) = 1;
       else row.head<12>() = elements::deflection_row(part.axis, span.arm, span.n_from_k, part.centre);
-      const Eigen::RowVectorXd on_free = row * map.ends, on_ground = row * map.ground_ends;
-      for (Eigen::Index c = 0; c < on_free.size(); ++c) deflection.on_coordinates(map.rows[to_size(c)]) += on_free(c);
-      for (Eigen::Index c = 0; c < on_ground.size(); ++c)
-        deflection.on_ground(map.ground_rows[to_size(c)]) += on_ground(c);
+      Deflection deflection = without_law(name_of(element, part), part.is_rotation(), assembled, map, row);
       double acceleration = 0;
       if (has_coulomb_friction(part)) {
         deflection.accelerations = accelerations_per_force(assembled.matrices, deflection.on_coordinates);
@@ -214,6 +236,27 @@ std::vector<Deflection> nonlinear_deflections(const model::System& system, const
   }
   add_distances(system, assembled, found);
   return found;
+}
+
+void add_rubbings(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found) {
+  std::size_t next = 0;  // of the nonlinear parts
+  for (std::size_t e = 0; e < system.elements().size(); ++e) {
+    const model::Element& element = system.elements()[e];
+    const assembly::ElementMap& map = assembled.elements[e];
+    for (const model::RubbingPart& part : element.rubbing_parts) {
+      const model::NonlinearPart& along = element.nonlinear_parts[part.pressed_by];
+      const auto rows = rows_across(along, model::span(system.bodies(), element.n, element.k));
+      for (std::size_t i = 0; i < 2; ++i) {
+        Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(map.ends.rows());
+        row.head<12>() = rows[i].transpose();
+        const int axis = (along.axis + 1 + static_cast<int>(i)) % 3;
+        found.push_back(without_law(element.name + ".deflection." + model::coordinate_names[to_size(axis)], false,
+                                    assembled, map, row));
+        if (i == 0) found.back().rubbing = Deflection::Rubbing{next + part.pressed_by, rubbing_about(element, part)};
+      }
+    }
+    next += element.nonlinear_parts.size();
+  }
 }
 
 }  // namespace trivet::nonlinear

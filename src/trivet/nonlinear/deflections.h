@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "trivet/assembly/assembled.h"
 #include "trivet/nonlinear/distance_about.h"
 #include "trivet/nonlinear/law_about.h"
+#include "trivet/nonlinear/rubbing_about.h"
 
 namespace trivet::nonlinear {
 
@@ -21,6 +23,11 @@ struct Deflection {
   LawAbout law;                        ///< beyond the tangents that the assembled machine contains
   Eigen::VectorXd accelerations = {};  ///< of the coordinates per force on it; of friction without a spring only
   std::optional<DistanceAbout> distance = {};  ///< over this deflection and the next two
+  struct Rubbing {
+    std::size_t along = 0;  ///< the deflection that presses it
+    RubbingAbout law;
+  };
+  std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one
 };
 
 /// Stiffness and damping in place of a nonlinear part.
@@ -44,6 +51,11 @@ using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear p
 [[nodiscard]] std::vector<Deflection> nonlinear_deflections(const model::System& system,
                                                             const assembly::Assembled& assembled,
                                                             const References& references);
+
+/// Unit deflections in the two directions across a part along an axis, on the ends of its element.
+[[nodiscard]] std::array<elements::Vector12, 2> rows_across(const model::NonlinearPart& along, const model::Span& span);
+/// Appends the two deflections across each contact that rubs.
+void add_rubbings(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found);
 
 /// Has any part dampers without damping at small rates?
 [[nodiscard]] bool has_slack_dampers(const model::System& system);

@@ -25,6 +25,7 @@ LoadPath::LoadPath(const model::System& undeformed) {
   const model::System linear = with_references(undeformed, references);
   const assembly::Assembled assembled = assembly::assemble(linear);
   deflections_ = nonlinear_deflections(linear, assembled, references);
+  add_rubbings(linear, assembled, deflections_);
   const Index count = to_index(deflections_.size());
   stiffness_ = assembled.matrices.K;
   across_.resize(stiffness_.rows(), count);
@@ -183,6 +184,8 @@ std::vector<double> LoadPath::starts(Index j) const {
     grid.insert(grid.begin(), -x);
   }
   std::vector<double> found = {linear_(j)};
+  const auto rubs = [&](Index first) { return first >= 0 && deflections_[to_size(first)].rubbing; };
+  if (rubs(j) || rubs(j - 1)) return found;  // without force
   for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
     if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())
       found.push_back(distance->mirrored(j - first));

@@ -7,6 +7,7 @@
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/distance_harmonics.h"
 #include "trivet/nonlinear/law_harmonics.h"
+#include "trivet/nonlinear/rubbing_loop.h"
 
 namespace trivet::nonlinear {
 
@@ -20,7 +21,8 @@ struct CoupledForces {
   std::vector<Tangent> tangents;
 };
 
-/// The laws of all nonlinear parts: over one deflection each, and over the three of a distance.
+/// The laws of all nonlinear parts: over one deflection each, over the three of a distance, and of friction across
+/// contacts.
 class MachineLaws {
  public:
   /// @param of_motion  harmonics of the motions, which are padded with zeros
@@ -37,10 +39,18 @@ class MachineLaws {
     DistanceHarmonics law;
   };
   [[nodiscard]] const std::vector<Distance>& distances() const { return distances_; }
+  struct Rubbing {
+    Eigen::Index along, across;  ///< deflections: that which presses it, the first of the two across
+    RubbingAbout law;
+  };
+  [[nodiscard]] const std::vector<Rubbing>& rubbings() const { return rubbings_; }
+  /// @param course  Fourier coefficients × deflections
+  [[nodiscard]] RubbingLoop loop(const Rubbing& one, const Eigen::MatrixXd& course, double omega) const;
 
  private:
   std::vector<LawHarmonics> single_;  ///< one per deflection, some without any law
   std::vector<Distance> distances_;
+  std::vector<Rubbing> rubbings_;
 };
 
 }  // namespace trivet::nonlinear

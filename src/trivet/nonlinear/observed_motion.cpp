@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/nonlinear/deflections.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {
@@ -31,7 +32,8 @@ MatrixXd direct_forces(const model::System& system, const assembly::Assembled& a
                        const std::vector<std::string>& of, assembly::MotionQuantity quantity) {
   Index parts = 0;
   for (const model::Element& element : system.elements())
-    parts += to_index(element.nonlinear_parts.size()) + 3 * to_index(element.distance_parts.size());
+    parts += to_index(element.nonlinear_parts.size()) + 3 * to_index(element.distance_parts.size()) +
+        2 * to_index(element.rubbing_parts.size());
   const std::vector<double> without = forces_at_rest(system, assembled, of, quantity);
   MatrixXd direct(to_index(without.size()), parts);
   Index column = 0;
@@ -57,6 +59,11 @@ MatrixXd direct_forces(const model::System& system, const assembly::Assembled& a
     for (std::size_t p = 0; p < system.elements()[e].distance_parts.size(); ++p)
       for (Index a = 0; a < 3; ++a)
         add(e, elements::difference_rows(span(system.elements()[e]).n_from_k).row(a).transpose());
+  for (std::size_t e = 0; e < system.elements().size(); ++e)
+    for (const model::RubbingPart& part : system.elements()[e].rubbing_parts)
+      for (const elements::Vector12& row :
+           rows_across(system.elements()[e].nonlinear_parts[part.pressed_by], span(system.elements()[e])))
+        add(e, row);
   return direct;
 }
 

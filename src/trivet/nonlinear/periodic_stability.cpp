@@ -61,6 +61,11 @@ struct PeriodicStability::Motion {
       distances.push_back({one.first, &one.law, deflections.segment(one.first * C, 3 * C).reshaped(C, 3)});
       is_piecewise_linear = false;
     }
+    for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+      RubbingLoop loop = laws.loop(one, deflections.reshaped(C, to_index(single.size())), omega);
+      is_piecewise_linear = false;
+      rubbings.push_back({one.along, one.across, std::move(loop)});
+    }
     for (std::size_t j = 0; j < courses.size(); ++j)
       for (const HystereticLoop& loop : courses[j].loops())
         (loop.sticks() ? sticking : loops)
@@ -78,11 +83,21 @@ struct PeriodicStability::Motion {
     Index deflection;
     const BristleLoop* loop;
   };
-  [[nodiscard]] Index memories() const { return 2 * to_index(loops.size()) + to_index(bristles.size()); }
+  /// Friction across a contact: with the two forces since it stuck, and the one across its slip.
+  struct Rubbing {
+    Index along, across;  ///< deflections
+    RubbingLoop loop;
+    [[nodiscard]] bool remembers() const { return !loop.points().empty() && !loop.always_sticks(); }
+  };
+  /// Memories that change only where something turns, and those that change all the time.
+  [[nodiscard]] Index kept() const { return 2 * to_index(loops.size()) + 2 * to_index(rubbings.size()); }
+  [[nodiscard]] Index carried() const { return to_index(bristles.size()) + to_index(rubbings.size()); }
+  [[nodiscard]] Index memories() const { return kept() + carried(); }
   [[nodiscard]] bool is_damped() const {
     return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
         std::any_of(distances.begin(), distances.end(),
-                    [](const Distance& one) { return one.law->law().has_dampers(); });
+                    [](const Distance& one) { return one.law->law().has_dampers(); }) ||
+        !rubbings.empty();
   }
   [[nodiscard]] bool is_elastic() const {
     return !is_damped() && loops.empty() && sticking.empty() && distances.empty();
@@ -100,16 +115,18 @@ struct PeriodicStability::Motion {
   std::vector<Loop> sticking;  ///< as springs
   std::vector<Bristles> bristles, stuck;
   std::vector<Distance> distances;
+  std::vector<Rubbing> rubbings;
 };
 
 /// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
-/// f_turn) of its loops, and of bristles and distances beside.
+/// f_turn) of its loops, and of bristles, distances and rubbing contacts beside.
 struct PeriodicStability::Tangents {
   VectorXd by_deflection, by_rate;
   VectorXd by_travel, by_start;  ///< one per loop
   Eigen::RowVectorXd row;        ///< of the Fourier basis
   std::vector<elements::SpatialForce> distances;
   std::vector<BristleLoop::Here> bristles;
+  std::vector<RubbingLoop::Moment> rubbings;
 
   [[nodiscard]] std::vector<double> list() const {
     std::vector<double> all;
@@ -134,18 +151,29 @@ struct PeriodicStability::Tangents {
 
 namespace {
 
+/// ẏ = source − decay y over a step h.
+struct Fading {
+  Fading(double decay, double h) {
+    const double x = decay * h;
+    constexpr double small = 1e-4;
+    mean = std::abs(x) > small ? -std::expm1(-x) / x : 1 - x / 2;
+    mean_of_integral = std::abs(x) > small ? (1 - mean) / x : 1.0 / 2 - x / 6;
+    kept = std::exp(-x);
+  }
+  double kept;              ///< y at the end by that at the start
+  double mean;              ///< of e^{−decay t}: y at the end by source · h, the mean of y by that at the start
+  double mean_of_integral;  ///< the mean of y by source · h
+};
+
 /// Bristles over a step h with constant tangents and a constant variation of the rate: of their variation ζ̇ = gain δ̇ −
 /// decay ζ, and the mean of their force.
 struct BristleKick {
   BristleKick(const BristleLoop::Here& at, double h) {
-    const double x = at.decay * h;
-    constexpr double small = 1e-4;
-    const double mean = x > small ? -std::expm1(-x) / x : 1 - x / 2,      // of e^{−decay t}
-        mean_of_integral = x > small ? (1 - mean) / x : 1.0 / 2 - x / 6;  // of (1 − e^{−decay t})/decay, by h
-    kept = std::exp(-x);
-    grown = at.gain * mean * h;
-    by_start = at.by_bristle * mean;
-    by_rate = at.by_rate + at.by_bristle * at.gain * mean_of_integral * h;
+    const Fading fading(at.decay, h);
+    kept = fading.kept;
+    grown = at.gain * fading.mean * h;
+    by_start = at.by_bristle * fading.mean;
+    by_rate = at.by_rate + at.by_bristle * at.gain * fading.mean_of_integral * h;
   }
   double kept = 0, grown = 0;        ///< ζ at the end by that at the start, and by the rate
   double by_start = 0, by_rate = 0;  ///< the mean force by ζ at the start, and by the rate
@@ -206,6 +234,14 @@ void PeriodicStability::set_tangents(const Motion& motion, double phase, Tangent
   for (const Motion::Loop& one : motion.sticking) found.by_deflection(one.deflection) += on_loop(one).by_travel;
   found.bristles.clear();
   for (const Motion::Bristles& one : motion.bristles) found.bristles.push_back(one.loop->at(phase));
+  found.rubbings.clear();
+  for (const Motion::Rubbing& one : motion.rubbings) {
+    found.by_deflection.segment<2>(one.across).array() -= one.loop.law().own_stiffness();
+    if (one.remembers()) found.rubbings.push_back(one.loop.moment(phase));
+    else found.rubbings.push_back({});
+    const bool sticks = one.loop.always_sticks() || found.rubbings.back().state == RubbingLoop::State::sticks;
+    if (sticks) found.by_deflection.segment<2>(one.across).array() += one.loop.law().law().stiffness;
+  }
   for (const Motion::Bristles& one : motion.stuck) {
     found.by_deflection(one.deflection) += one.loop->law().stiffness;
     found.by_rate(one.deflection) += one.loop->law().damping + one.loop->law().viscous;
@@ -234,12 +270,14 @@ MatrixXd PeriodicStability::with_constant_tangents(const Motion& motion, double 
 /// the values of all deflections, their rates if there are dampers, and the memory of loops and bristles.
 numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from, double to, int steps) const {
   if (motion.is_elastic()) return elastic_answers(motion, from, to, steps);
-  const Index m = force_.cols(), loops = to_index(motion.loops.size()), bristles = to_index(motion.bristles.size());
+  const Index m = force_.cols(), loops = to_index(motion.loops.size()), bristles = to_index(motion.bristles.size()),
+              rubbings = to_index(motion.rubbings.size()), carried = motion.carried();
   const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
   const bool damped = motion.is_damped();
-  const Index first_memory = damped ? 2 * m : m, first_bristles = first_memory + 2 * loops;
+  const Index first_memory = damped ? 2 * m : m, first_rubbings = first_memory + 2 * loops,
+              first_carried = first_memory + motion.kept();
   const MatrixXd rates_by_force = rates_ * force_;
-  numerics::RowMatrix all((m + bristles) * steps, first_memory + motion.memories());
+  numerics::RowMatrix all((m + carried) * steps, first_memory + motion.memories());
   // Bristles are multiplied by the frequency at which they hold their mass: the transition then has entries of one
   // size, and its error is not that of stiff bristles alone.
   VectorXd scale = VectorXd::Ones(bristles);
@@ -248,8 +286,9 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
     if (const double squared = one.loop->law().stiffness * std::abs(accelerations_(one.deflection)); squared > 0)
       scale(b) = std::sqrt(squared);
   }
+  const VectorXd units = units_of_friction(motion);
   Tangents tangent;
-  MatrixXd forces(m, all.cols());
+  MatrixXd forces(m, all.cols()), sources(rubbings, all.cols());
   for (int i = 0; i < steps; ++i) {
     set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
     forces.setZero();
@@ -271,13 +310,35 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
       const Index j = motion.bristles[to_size(b)].deflection;
       of_bristles.emplace_back(tangent.bristles[to_size(b)], step);
       forces(j, m + j) += of_bristles.back().by_rate;
-      forces(j, first_bristles + b) = of_bristles.back().by_start / scale(b);
+      forces(j, first_carried + b) = of_bristles.back().by_start / scale(b);
+    }
+    sources.setZero();
+    std::vector<Fading> of_rubbings;
+    for (Index r = 0; r < rubbings; ++r) {
+      const Motion::Rubbing& one = motion.rubbings[to_size(r)];
+      const RubbingLoop::Moment& there = tangent.rubbings[to_size(r)];
+      of_rubbings.emplace_back(there.fading * motion.omega, step);
+      if (there.state == RubbingLoop::State::sticks)
+        for (Index a = 0; a < 2; ++a) forces(one.across + a, first_rubbings + 2 * r + a) = units(r);
+      if (there.state != RubbingLoop::State::slips) continue;
+      const Eigen::Vector2d aside(-there.direction.y(), there.direction.x());
+      auto source = sources.row(r);
+      source.segment<2>(m + one.across) = one.loop.law().law().stiffness * aside.transpose();
+      source(one.along) -= there.turning * motion.omega * there.limit.by_deflection;
+      source(m + one.along) -= there.turning * motion.omega * there.limit.by_rate;
+      for (Index a = 0; a < 2; ++a) {
+        auto force = forces.row(one.across + a);
+        force(one.along) += there.direction(a) * there.limit.by_deflection;
+        force(m + one.along) += there.direction(a) * there.limit.by_rate;
+        force += aside(a) * of_rubbings.back().mean_of_integral * step * source;
+        force(first_carried + bristles + r) += aside(a) * of_rubbings.back().mean * units(r);
+      }
     }
     if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
       const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (forces.middleCols(m, m) * rates_by_force);
       forces = numerics::PivotedLu<double>(left).solve(forces);
     }
-    const Index first = i * (m + bristles);
+    const Index first = i * (m + carried);
     all.middleRows(first, m) = step * forces;
     for (Index b = 0; b < bristles; ++b) {
       const Index j = motion.bristles[to_size(b)].deflection;
@@ -285,10 +346,29 @@ numerics::RowMatrix PeriodicStability::answers(const Motion& motion, double from
       const double grown = scale(b) * of_bristles[to_size(b)].grown;
       change = grown * step / 2 * rates_by_force.row(j) * forces;
       change(m + j) += grown;
-      change(first_bristles + b) += of_bristles[to_size(b)].kept - 1;
+      change(first_carried + b) += of_bristles[to_size(b)].kept - 1;
+    }
+    for (Index r = 0; r < rubbings; ++r) {
+      const Fading& fading = of_rubbings[to_size(r)];
+      auto change = all.row(first + m + bristles + r);
+      change = sources.row(r) + sources.row(r).segment(m, m) * (step / 2 * rates_by_force * forces);
+      change *= fading.mean * step / units(r);
+      change(first_carried + bristles + r) += fading.kept - 1;
     }
   }
   return all;
+}
+
+/// One unit of a memory of a rubbing contact: the spring's force over the travel for which its frequency alone with the
+/// mass is the rate, so that all states have one size.
+VectorXd PeriodicStability::units_of_friction(const Motion& motion) const {
+  VectorXd units(to_index(motion.rubbings.size()));
+  for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
+    const double k = motion.rubbings[r].loop.law().law().stiffness,
+                 squared = k * std::abs(accelerations_(motion.rubbings[r].across));
+    units(to_index(r)) = squared > 0 ? k / std::sqrt(squared) : k;
+  }
+  return units;
 }
 
 /// The same without dampers and memory.
@@ -316,13 +396,13 @@ numerics::RowMatrix PeriodicStability::elastic_answers(const Motion& motion, dou
 MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, int steps) const {
   const double step = (to - from) / steps / motion.omega;
   const Index n = F_.rows(), m = force_.cols(), memory = motion.memories(), all = n + memory,
-              bristles = to_index(motion.bristles.size()), rates = motion.is_damped() ? m : 0;
+              carried = motion.carried(), rates = motion.is_damped() ? m : 0;
   const bool in_modes = flow_.is_diagonalizable();
-  numerics::LinearFlow::Kicks kicks{numerics::RowMatrix::Zero(all, m + bristles),
+  numerics::LinearFlow::Kicks kicks{numerics::RowMatrix::Zero(all, m + carried),
                                     numerics::RowMatrix::Zero(m + rates + memory, all),
                                     answers(motion, from, to, steps)};
   kicks.kick.topLeftCorner(n, m) = in_modes ? kick_ : force_;
-  kicks.kick.bottomRightCorner(bristles, bristles).setIdentity();
+  kicks.kick.bottomRightCorner(carried, carried).setIdentity();
   kicks.seen.topLeftCorner(m, n) = in_modes ? seen_ : values_;
   if (rates > 0) kicks.seen.block(m, 0, m, n) = in_modes ? seen_rates_ : rates_;
   kicks.seen.bottomRightCorner(memory, memory).setIdentity();
@@ -336,7 +416,7 @@ MatrixXd PeriodicStability::split(const Motion& motion, double from, double to, 
   const MatrixXd half = response::ExponentialStep(F_, step / 2, 0).state(0);
   for (int i = 0; i < steps; ++i) {
     y.topRows(n) = (half * y.topRows(n)).eval();
-    y += (kicks.kick * (kicks.answers.middleRows(i * (m + bristles), m + bristles) * (kicks.seen * y))).eval();
+    y += (kicks.kick * (kicks.answers.middleRows(i * (m + carried), m + carried) * (kicks.seen * y))).eval();
     y.topRows(n) = (half * y.topRows(n)).eval();
   }
   return y;
@@ -412,6 +492,36 @@ void PeriodicStability::jump(const Motion& motion, std::size_t loop, double phas
   }
 }
 
+/// Where a rubbing contact begins to stick, to slip or to open, the variation of its force is the same on both sides.
+void PeriodicStability::change_rubbing(const Motion& motion, std::size_t rubbing, double phase,
+                                       MatrixXd& states) const {
+  constexpr double beside = 1e-9;
+  const Motion::Rubbing& one = motion.rubbings[rubbing];
+  if (!one.remembers()) return;
+  const RubbingLoop::Moment before = one.loop.moment(phase - beside), after = one.loop.moment(phase + beside);
+  if (before.state == after.state) return;
+  const Index n = F_.rows(), kept = n + 2 * to_index(motion.loops.size()) + 2 * to_index(rubbing),
+              carried = n + motion.kept() + to_index(motion.bristles.size()) + to_index(rubbing);
+  const double k = one.loop.law().law().stiffness, unit = units_of_friction(motion)(to_index(rubbing));
+  const MatrixXd across = values_.middleRows(one.across, 2) * states.topRows(n);
+  MatrixXd force = MatrixXd::Zero(2, states.cols());
+  if (before.state == RubbingLoop::State::sticks) force = unit * states.middleRows(kept, 2) + k * across;
+  if (before.state == RubbingLoop::State::slips) {
+    const Eigen::Vector2d aside(-before.direction.y(), before.direction.x());
+    const Eigen::RowVectorXd limit =
+        (before.limit.by_deflection * values_.row(one.along) + before.limit.by_rate * rates_.row(one.along)) *
+        states.topRows(n);
+    force = before.direction * limit + unit * aside * states.row(carried);
+  }
+  states.middleRows(kept, 2).setZero();
+  states.row(carried).setZero();
+  if (after.state == RubbingLoop::State::sticks) states.middleRows(kept, 2) = (force - k * across) / unit;
+  if (after.state == RubbingLoop::State::slips) {
+    const Eigen::Vector2d aside(-after.direction.y(), after.direction.x());
+    states.row(carried) = aside.transpose() * force / unit;
+  }
+}
+
 Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections, double omega,
                                                 double accurate) const {
   const Motion motion(laws, deflections, omega);
@@ -420,6 +530,8 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
     for (const double phase : course.all_corners()) corners.push_back(phase);
   for (const Motion::Distance& one : motion.distances)
     for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
+  for (const Motion::Rubbing& one : motion.rubbings)
+    for (const double phase : one.loop.corners()) corners.push_back(phase);
   std::sort(corners.begin(), corners.end());
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
@@ -430,6 +542,8 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
         if (branch.from == from && (i == 0 || corners[i - 1] != from)) turn(motion, h, from, period);
     if (i == 0 || corners[i - 1] != from)
       for (std::size_t h = 0; h < motion.loops.size(); ++h) jump(motion, h, from, period);
+    if (i == 0 || corners[i - 1] != from)
+      for (std::size_t r = 0; r < motion.rubbings.size(); ++r) change_rubbing(motion, r, from, period);
     constexpr double nothing = 1e-12;
     if (to - from < nothing) continue;
     const MatrixXd piece =

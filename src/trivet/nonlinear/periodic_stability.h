@@ -15,13 +15,13 @@ namespace trivet::nonlinear {
 
 /// Stability of periodic motions of a machine with finitely many states: the linear machine ẋ = F x with the tangent of
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
-/// the variations of deflection and force at its last turning point, bristles that move their own variation. Where a
-/// force jumps, the variation of that instant is an impulse. Parts that depend on the amplitude have their stiffness at
-/// that of the motion, and as viscous damping their loss at the first harmonic. If all tangents are constant between
-/// the corners, each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear
-/// machine around a kick by the tangents (splitting), extrapolated from smaller and smaller steps. [Strang 1968;
-/// Hairer, Lubich, Wanner, Geometric Numerical Integration, II.4] It keeps flows for the next motion: not for several
-/// threads at once.
+/// the variations of deflection and force at its last turning point, bristles that move their own variation,
+/// contacts that rub the variations of the force since they stuck and of its direction. Where a force jumps, the
+/// variation of that instant is an impulse. Parts that depend on the amplitude have their stiffness at that of the
+/// motion, and as viscous damping their loss at the first harmonic. If all tangents are constant between the corners,
+/// each piece is the exact flow of its own linear machine. Otherwise steps are exact flow of the linear machine around
+/// a kick by the tangents (splitting), extrapolated from smaller and smaller steps. [Strang 1968; Hairer, Lubich,
+/// Wanner, Geometric Numerical Integration, II.4] It keeps flows for the next motion: not for several threads at once.
 class PeriodicStability {
  public:
   /// Loss factors, which define no motion in time, are replaced by viscous damping that is the same in every mode at
@@ -49,6 +49,8 @@ class PeriodicStability {
   [[nodiscard]] numerics::RowMatrix answers(const Motion& motion, double from, double to, int steps) const;
   [[nodiscard]] numerics::RowMatrix elastic_answers(const Motion& motion, double from, double to, int steps) const;
   void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void change_rubbing(const Motion& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
+  [[nodiscard]] Eigen::VectorXd units_of_friction(const Motion& motion) const;
   void jump(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
   bool replaced_losses_;

@@ -14,6 +14,13 @@ PeriodicExcitation halved(PeriodicExcitation excitation) {
   return excitation;
 }
 
+std::vector<Deflection> all_deflections(const model::System& system, const assembly::Assembled& assembled,
+                                        const References& references) {
+  std::vector<Deflection> found = nonlinear_deflections(system, assembled, references);
+  add_rubbings(system, assembled, found);
+  return found;
+}
+
 std::vector<Deflection> with_displacement(const std::string& name, const model::System& system,
                                           const assembly::Assembled& assembled, std::vector<Deflection> deflections) {
   if (name.empty()) return deflections;
@@ -37,8 +44,7 @@ ReferenceMachine::ReferenceMachine(const model::System& given, const References&
                                    const std::vector<std::string>& excitations, const std::string& without_law)
     : system(with_references(given, references)),
       assembled(assembly::assemble(system)),
-      deflections(
-          with_displacement(without_law, system, assembled, nonlinear_deflections(system, assembled, references))),
+      deflections(with_displacement(without_law, system, assembled, all_deflections(system, assembled, references))),
       excitation(periodic_excitation(system, assembled, excitations)),
       condensed(assembled, deflections, excitation) {}
 

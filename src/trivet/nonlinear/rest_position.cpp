@@ -48,6 +48,16 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                                   part.at_rest, turns ? "rad" : "m"));
     }
   for (const model::Element& element : system.elements())
+    for (const model::RubbingPart& part : element.rubbing_parts) {
+      const double pressed = std::abs(elements::force_at_rest(element.nonlinear_parts[part.pressed_by].laws,
+                                                              element.nonlinear_parts[part.pressed_by].at_rest)
+                                          .force);
+      if (pressed > 0)
+        notes.push_back(
+            fmt::format("{}: pressed with {:.4g} N at rest, where it bears no friction and sticks with {:.4g} N/m",
+                        element.name, pressed, part.law.stiffness));
+    }
+  for (const model::Element& element : system.elements())
     for (const model::DistancePart& part : element.distance_parts) {
       if (notes.empty())
         notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
@@ -75,6 +85,8 @@ void undeform(model::Description& description) {
   each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
   for (model::Element& element : description.elements)
     for (model::DistancePart& part : element.distance_parts) part.at_rest.setZero();
+  for (model::Element& element : description.elements)
+    for (model::RubbingPart& part : element.rubbing_parts) part.at_rest.setZero();
 }
 
 /// Stops whose gaps are those of the machine at rest.
@@ -118,6 +130,9 @@ RestPosition rest_between_gaps(const model::System& undeformed) {
   for (std::size_t e = 0; e < description.elements.size(); ++e)
     for (std::size_t p = 0; p < description.elements[e].distance_parts.size(); ++p)
       description.elements[e].distance_parts[p].at_rest = found.system.elements()[e].distance_parts[p].at_rest;
+  for (std::size_t e = 0; e < description.elements.size(); ++e)
+    for (std::size_t p = 0; p < description.elements[e].rubbing_parts.size(); ++p)
+      description.elements[e].rubbing_parts[p].at_rest = found.system.elements()[e].rubbing_parts[p].at_rest;
   each_gap_at_rest(description,
                    [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
   const model::System there = undeformed.in_other_state(std::move(description));
@@ -136,13 +151,17 @@ void move_to_equilibrium(const model::System& settled, model::Description& descr
   const assembly::Assembled assembled = assembly::assemble(settled);
   const VectorXd displacement =
       numerics::PivotedLu<double>(assembled.matrices.K).solve(assembly::static_load(settled, assembled));
-  const std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
+  std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
+  add_rubbings(settled, assembled, deflections);
   std::size_t next = 0;
   const auto deflection = [&] { return deflections[next++].on_coordinates.dot(displacement); };
   each_part(description, [&](model::NonlinearPart& part) { part.at_rest = deflection(); });
   for (model::Element& element : description.elements)
     for (model::DistancePart& part : element.distance_parts)
       for (Index a = 0; a < 3; ++a) part.at_rest(a) = deflection();
+  for (model::Element& element : description.elements)
+    for (model::RubbingPart& part : element.rubbing_parts)
+      for (Index a = 0; a < 2; ++a) part.at_rest(a) = deflection();
   for (model::Element& element : description.elements)
     if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
 }
@@ -218,6 +237,11 @@ RestPosition rest_in(const model::System& undeformed) {
                           "them, or take beyond = \"slope\" for a curve",
                           element.name, distance, low, high));
       }
+    for (model::Element& element : description.elements)
+      for (model::RubbingPart& part : element.rubbing_parts) {
+        part.at_rest = deflections.segment<2>(next);
+        next += 2;
+      }
   }
   const model::System there = undeformed.in_other_state(description);
   VectorXd deflections = VectorXd::Zero(to_index(path.deflections().size()));
@@ -228,6 +252,11 @@ RestPosition rest_in(const model::System& undeformed) {
     for (const model::DistancePart& part : element.distance_parts) {
       deflections.segment<3>(next) = part.at_rest;
       next += 3;
+    }
+  for (const model::Element& element : there.elements())
+    for (const model::RubbingPart& part : element.rubbing_parts) {
+      deflections.segment<2>(next) = part.at_rest;
+      next += 2;
     }
   return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections)};
 }

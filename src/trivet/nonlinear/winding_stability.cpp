@@ -7,6 +7,8 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/bristle_harmonics.h"
+#include "trivet/nonlinear/machine_laws.h"
+#include "trivet/nonlinear/rubbing_harmonics.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/fourier_products.h"
@@ -153,6 +155,12 @@ class HillDeterminant {
                   double omega, Index harmonics)
       : machine_(machine), omega_(omega), harmonics_(harmonics) {
     const Index C = motion.size() / machine.size();
+    const MachineLaws laws(deflections, harmonics, (C - 1) / 2);
+    for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+      MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), machine.size());
+      padded.topRows(C) = motion.reshaped(C, machine.size());
+      rubbings_.push_back({one.along, one.across, laws.loop(one, padded, omega)});
+    }
     for (Index j = 0; j < machine.size(); ++j) {
       const Deflection& deflection = deflections[to_size(j)];
       laws_.emplace_back(deflection.law, motion.segment(j * C, C), omega, harmonics);
@@ -178,6 +186,13 @@ class HillDeterminant {
         for (std::size_t b = 0; b < 3; ++b)
           tangents.push_back({first + to_index(a), first + to_index(b),
                               variation(spectra.by_deflection[a][b], spectra.by_rate[a][b], mu, omega_, harmonics_)});
+    for (const Rubbing& one : rubbings_) {
+      RubbingVariation found = rubbing_variation(one.loop, omega_, mu, harmonics_);
+      for (std::size_t a = 0; a < 2; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+          tangents.push_back(
+              {one.across + to_index(a), b == 0 ? one.along : one.across + to_index(b) - 1, std::move(found[a][b])});
+    }
     for (Index k = 0; k < count; ++k) {
       const double frequency = nu + static_cast<double>(k - harmonics_) * omega_;
       if (frequency == 0) receptance = machine_.static_receptance().cast<Complex>();
@@ -196,6 +211,11 @@ class HillDeterminant {
   Index harmonics_;
   std::vector<LawVariation> laws_;
   std::vector<std::pair<Index, DistanceHarmonics::Spectra>> distances_;
+  struct Rubbing {
+    Index along, across;
+    RubbingLoop loop;
+  };
+  std::vector<Rubbing> rubbings_;
 };
 
 /// Places at which D may turn quickly: beside the poles of the receptance, folded into [0, ω/2].

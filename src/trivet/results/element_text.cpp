@@ -190,6 +190,9 @@ std::string frequency_text(const model::Element& element) {
     text += fmt::format("  its laws add {:.6g} {} {} at rest\n", damping,
                         part.is_rotation() ? "N m s/rad about" : "N s/m along", "xyz"[part.axis % 3]);
   }
+  for (const model::RubbingPart& part : element.rubbing_parts)
+    text += fmt::format("  friction across: up to {:.4g} of the force of its law along {}, sticks with {:.6g} N/m\n",
+                        part.law.coefficient, "xyz"[element.nonlinear_parts[part.pressed_by].axis], part.law.stiffness);
   if (const auto& given = law.frequency_dependence) {
     text += "Frequency dependence: the stiffness above is static; " +
         std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");

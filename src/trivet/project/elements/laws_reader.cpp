@@ -110,12 +110,15 @@ void read_stop(TableReader& reader, Placement& ends, model::Element& element) {
   if (!reader.has("axis") && !reader.has("orientation"))
     reader.missing("axis", "give the direction in which the body meets the stop: axis = \"z\" or \"-z\"");
   constexpr int along = 2;
-  reader.also_known({"ring", "gap", "gaps"});
+  reader.also_known({"ring", "gap", "gaps", "friction"});
   if (reader.has("ring")) {
     for (const char* other : {"gap", "gaps"})
       if (reader.has(other))
         reader.error(other, std::string("ring and ") + other, "a stop is within a ring, or along its axis",
                      "remove one");
+    if (reader.has("friction"))
+      reader.error("friction", "friction within a ring", "only stops along an axis rub",
+                   "remove it, or describe the ring by stops on its sides");
     const double play = reader.number("ring", Quantity::length).value_or(1);
     if (!(play > 0))
       reader.error("ring", fmt::format("{:.6g} m", play), "the play of a pin in its ring is > 0",
@@ -131,6 +134,11 @@ void read_stop(TableReader& reader, Placement& ends, model::Element& element) {
   }
   if (const auto law = read_gap_stop(reader, false))
     element.nonlinear_parts.push_back({along, 1.0, {elements::ElasticForce(*law)}});
+  if (const Node* table = reader.table("friction")) {
+    TableReader inside(*table, reader.path() + ".friction", reader.problems());
+    if (const auto friction = read_rubbing_friction(inside)) element.rubbing_parts.push_back({*friction, 0});
+    inside.finish();
+  }
 }
 
 }  // namespace
@@ -144,6 +152,9 @@ const ElementLaw stop_law = {
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
    "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},
    "gap_at": {"enum": ["unloaded", "rest"], "description": "the state in which the gap is measured (default: unloaded)"},
+   "friction": {"type": "object", "additionalProperties": false, "required": ["coefficient", "stiffness"], "description": "across the axis, while it is closed", "properties": {
+     "coefficient": {"$ref": "#/$defs/number", "description": "> 0: the friction is at most this times the force on the stop"},
+     "stiffness": {"$ref": "#/$defs/number", "description": "N/m, > 0: with which it sticks, in all directions across the axis"}}},
    "damping": false,
    "scale": false,
    "laws": false},

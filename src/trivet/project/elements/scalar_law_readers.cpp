@@ -72,7 +72,9 @@ double read_positive(TableReader& reader, const char* key, Quantity quantity) {
   const std::size_t before = reader.errors();
   const double value = reader.required_number(key, quantity);
   if (reader.errors() == before && !(value > 0))
-    reader.error(key, fmt::format("{:.6g} {}", value, printed_si_unit(quantity)), "it is > 0", "correct it");
+    reader.error(key,
+                 fmt::format("{:.6g}{}{}", value, quantity == Quantity::pure ? "" : " ", printed_si_unit(quantity)),
+                 "it is > 0", "correct it");
   return value;
 }
 
@@ -278,6 +280,20 @@ elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
     laws.emplace_back(elements::HystereticForce(law));
   }
   return reader.errors() == before ? laws : elements::ScalarLaws();
+}
+
+std::optional<elements::RubbingFriction> read_rubbing_friction(TableReader& reader) {
+  const std::size_t before = reader.errors();
+  elements::RubbingFriction law;
+  law.coefficient = read_positive(reader, "coefficient", Quantity::pure);
+  law.stiffness = read_positive(reader, "stiffness", Quantity::force_per_length);
+  constexpr double usual = 2;
+  if (reader.errors() == before && law.coefficient > usual)
+    reader.problems()
+        .warning(reader.path() + ".coefficient", fmt::format("{:.6g}", law.coefficient),
+                 "dry steel has about 0.2 to 0.8, rubber up to about 1", "give a fraction, not percent")
+        .origin = reader.content().origin;
+  return reader.errors() == before ? std::optional(law) : std::nullopt;
 }
 
 std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rotation) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "trivet/elements/rubbing_friction.h"
 #include "trivet/elements/scalar_law.h"
 #include "trivet/project/text/table_reader.h"
 
@@ -23,6 +24,8 @@ namespace trivet::project {
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
 /// `slip`, `breakaway` and `stiffness`, `sliders`, or `berg`.
 [[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
+/// `coefficient` and `stiffness`: across a contact.
+[[nodiscard]] std::optional<elements::RubbingFriction> read_rubbing_friction(TableReader& reader);
 /// `stiffness`, `loss`, `amplitude`, `exponent`.
 [[nodiscard]] std::optional<elements::PayneForce> read_payne(TableReader& reader, bool is_rotation);
 /// `stiffness`, `slip`, `breakaway`, `stribeck_velocity`, `damping`, `viscous`, `allow_active`.

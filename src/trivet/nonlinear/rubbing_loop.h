@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <complex>
+#include <optional>
+#include <vector>
+
+#include "trivet/nonlinear/rubbing_about.h"
+#include "trivet/nonlinear/sticking_place.h"
+
+namespace trivet::nonlinear {
+
+/// The friction across a contact over a periodic motion: after one period it is that before it. Instants at which the
+/// contact opens, sticks and slips are found; between them the force is stepped from node to node.
+class RubbingLoop {
+ public:
+  /// @param course   Fourier coefficients × (deflection along the contact, two across it), deviations from rest
+  /// @param corners  phases at which the force along the contact is not smooth, ascending in [0, 2π)
+  /// @param omega    of the first harmonic [rad/s]
+  /// @param longest  steps of nodes reach over at most this phase
+  RubbingLoop(const RubbingAbout& law, const Eigen::MatrixXd& course, const std::vector<double>& corners, double omega,
+              double longest);
+
+  enum class State { open, sticks, slips };
+  /// Nodes of integrals over a period, and with no weight its start and the ends of the states.
+  struct Point {
+    double phase = 0, weight = 0;
+    Eigen::Vector2d force = Eigen::Vector2d::Zero();
+    State state = State::open;  ///< since the point before
+    RubbingAbout::Limit limit = {};
+    elements::Slip step = {};  ///< from the point before
+  };
+  /// Empty if the contact is always open.
+  [[nodiscard]] const std::vector<Point>& points() const { return points_; }
+  /// Phases at which its state changes.
+  [[nodiscard]] std::vector<double> corners() const;
+  [[nodiscard]] const RubbingAbout& law() const { return law_; }
+  /// Does it stick all the time? Its mean then depends on what happened before; here the springs stick where
+  /// their forces stay farthest below their limits, as when slip ceases while a motion slowly dies down.
+  [[nodiscard]] bool always_sticks() const { return always_sticks_; }
+
+  /// At a phase. A variation of the force is that of sticking; or under slip `direction` times that of the limit and,
+  /// square to it, y with dy/dφ = k du/dφ − fading y − turning dL.
+  struct Moment {
+    State state = State::open;
+    RubbingAbout::Limit limit = {};
+    Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< of the force under slip
+    double fading = 0, turning = 0;                       ///< by the phase; turning: of the direction, to the left
+  };
+  [[nodiscard]] Moment moment(double phase) const;
+
+  /// Variations of the two forces at the points, points × columns each, by variations of the limit or of one deflection
+  /// across: of those that are periodic, or of which each period is `turned` times the one before. The latter leave the
+  /// place where it sticks all the time as it is.
+  enum class Of { limit, first_across, second_across };
+  template <typename Scalar>
+  using Forces = std::array<Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>, 2>;
+  template <typename Scalar>
+  [[nodiscard]] Forces<Scalar> variation(Of of, const Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>& by,
+                                         std::optional<Scalar> turned = std::nullopt) const;
+
+ private:
+  struct Here {
+    Eigen::Vector2d across, across_slope;  ///< deflections, and by the phase
+    RubbingAbout::Limit limit;
+    double limit_slope;  ///< by the phase
+  };
+  [[nodiscard]] Here at(double phase) const;
+  [[nodiscard]] bool settles(double start, const std::vector<double>& ends, double longest);
+  void close(double start, const std::vector<double>& ends, double longest);
+  void begin(double start, const Eigen::Vector2d& force);
+  void march(const std::vector<double>& ends, double longest);
+  void rub(double from, double to, double longest);
+  [[nodiscard]] bool slips_from(double from, double to) const;
+  [[nodiscard]] bool changes(double phase, bool slips) const;
+  [[nodiscard]] double first_change(double from, double to, bool slips) const;
+  void append_nodes(double from, double to, double longest, bool slips);
+  void append(double phase, double weight, bool slips);
+  [[nodiscard]] Eigen::Matrix2d kept() const;  ///< force after a period by that before it
+
+  RubbingAbout law_;
+  Eigen::MatrixXd course_, slope_, bend_;  ///< coefficients: of the motion, and by the phase
+  double omega_;
+  std::vector<Point> points_;
+  std::vector<Eigen::Vector2d> across_;  ///< deflections at the points
+  bool always_sticks_ = false, opens_ = false;
+  DeepestPlace place_;  ///< of the springs, if it always sticks; held by points
+};
+
+extern template RubbingLoop::Forces<double> RubbingLoop::variation(Of, const Eigen::MatrixXd&,
+                                                                   std::optional<double>) const;
+extern template RubbingLoop::Forces<std::complex<double>> RubbingLoop::variation(
+    Of, const Eigen::MatrixXcd&, std::optional<std::complex<double>>) const;
+
+}  // namespace trivet::nonlinear

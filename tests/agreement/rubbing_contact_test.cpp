@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A casing that rubs on a stop beside it, against marching in time, which shares nothing with the steady motions and
+// their multipliers.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/matchers.h"
+#include "support/projects.h"
+#include "trivet/nonlinear/rest_position.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+namespace rubbing_contact_test {
+
+using namespace trivet;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using State = Eigen::Matrix<double, 8, 1>;  ///< place, velocity, friction along y and z
+using Transition = Eigen::Matrix<double, 8, 8>;
+using test::RelativelyNear;
+
+constexpr double mass = 25, damping_time = 4e-4, gap_stiffness = 4e5, coefficient = 0.35, sticks_with = 3e5;
+const Vector3d stiffness(1.2e5, 0.9e5, 1.4e5);
+
+struct Machine {
+  double gap, gravity;  ///< gravity along the stop
+  Vector3d push = Vector3d(80, 60, 30);
+
+  [[nodiscard]] std::string project() const {
+    return fmt::format(R"(trivet = 1
+gravity = [{}, 0, 0]
+[bodies.casing]
+mass = {}
+free = ["x", "y", "z"]
+[elements.mount]
+type = "three_springs"
+on = "casing"
+at = [0, 0, 0]
+translation = [{}, {}, {}]
+damping = {{proportional = {}}}
+[elements.stop]
+type = "stop"
+on = "casing"
+at = [0.1, 0, 0]
+axis = "x"
+gap = {}
+stiffness = {}
+friction = {{coefficient = {}, stiffness = {}}}
+[excitations.push]
+type = "harmonic"
+on = "casing"
+at = [0, 0, 0]
+force = [{}, {}, {}]
+)",
+                       gravity, mass, stiffness(0), stiffness(1), stiffness(2), damping_time, gap, gap_stiffness,
+                       coefficient, sticks_with, push(0), push(1), push(2));
+  }
+
+  [[nodiscard]] double pressure(double x) const { return std::max(0.0, gap_stiffness * (x - gap)); }
+  [[nodiscard]] Vector3d acceleration(double omega, double t, const State& y) const {
+    Vector3d force = push * std::cos(omega * t) - stiffness.cwiseProduct(y.head<3>() + damping_time * y.segment<3>(3));
+    force.x() += mass * gravity - pressure(y(0));
+    force.tail<2>() -= y.tail<2>();
+    return force / mass;
+  }
+  /// Places and velocities by turns; friction beyond its limit is brought back along itself.
+  [[nodiscard]] State after_a_period(double omega, State y, Vector3d* largest = nullptr) const {
+    constexpr int steps = 10'000;
+    const double h = 2 * std::numbers::pi / omega / steps;
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d before = acceleration(omega, i * h, y), middle = y.segment<3>(3) + h / 2 * before;
+      y.head<3>() += h * middle;
+      y.tail<2>() += sticks_with * h * middle.tail<2>();
+      if (const double limit = coefficient * pressure(y(0)), size = y.tail<2>().norm(); size > limit)
+        y.tail<2>() *= limit / size;
+      y.segment<3>(3) = middle;
+      for (int again = 0; again < 2; ++again)  // as the force depends on the velocity
+        y.segment<3>(3) = middle + h / 2 * acceleration(omega, (i + 1) * h, y);
+      if (largest) *largest = largest->cwiseMax(y.head<3>());
+    }
+    return y;
+  }
+};
+
+struct Marched {
+  State start = State::Zero();
+  Vector3d largest = Vector3d::Constant(-1);
+  Transition transition;
+};
+
+Marched marched(const Machine& machine, double omega, double at_rest) {
+  Marched found;
+  found.start(0) = at_rest;
+  constexpr int periods = 20, corrections = 4;  // the rest by Newton's method
+  for (int i = 0; i < periods; ++i) found.start = machine.after_a_period(omega, found.start);
+  for (int i = 0; i < corrections; ++i) {
+    for (int j = 0; j < 8; ++j) {
+      State step = State::Zero();
+      step(j) = j < 3 ? 1e-8 : j < 6 ? 1e-8 * omega : 1e-3;
+      found.transition.col(j) =
+          (machine.after_a_period(omega, found.start + step) - machine.after_a_period(omega, found.start - step)) /
+          (2 * step(j));
+    }
+    const State missing = machine.after_a_period(omega, found.start) - found.start;
+    found.start += (Transition::Identity() - found.transition).partialPivLu().solve(missing);
+  }
+  (void)machine.after_a_period(omega, found.start, &found.largest);
+  return found;
+}
+
+void expect_agreement(const Machine& machine, const std::vector<double>& at) {
+  const project::Project given = test::project(machine.project());
+  const nonlinear::RestPosition rest = nonlinear::rest_position(given.base().system);
+  nonlinear::SteadyOptions options{.from = at.front() - 2, .to = at.back() + 1};
+  options.harmonics = 21;
+  options.of = {"casing.x", "casing.y", "casing.z"};
+  options.at = at;
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(rest.system, options);
+  double at_rest = 0;
+  for (const model::Element& element : rest.system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) at_rest = part.at_rest;
+  std::size_t compared = 0;
+  for (const nonlinear::SteadyPoint& point : branch.at) {
+    if (!point.stable) continue;
+    SCOPED_TRACE(point.angular_frequency);
+    const Marched in_time = marched(machine, point.angular_frequency, at_rest);
+    constexpr double of_motion = 1e-3;       // steps of the march where forces turn, 21 harmonics
+    constexpr double of_multipliers = 5e-3;  // differences of periods
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_THAT(point.results[i].largest,
+                  RelativelyNear(in_time.largest(static_cast<Eigen::Index>(i)) - (i == 0 ? at_rest : 0), of_motion))
+          << i;
+    std::vector<double> ours, theirs;
+    for (const std::complex<double>& value : point.multipliers) ours.push_back(std::abs(value));
+    for (const std::complex<double>& value : Eigen::EigenSolver<Transition>(in_time.transition).eigenvalues())
+      theirs.push_back(std::abs(value));
+    std::sort(ours.rbegin(), ours.rend());
+    std::sort(theirs.rbegin(), theirs.rend());
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(ours[i], theirs[i], of_multipliers) << i;
+    ++compared;
+  }
+  EXPECT_GE(compared, at.size());
+}
+
+TEST(RubbingContact, ThatOpensAndCloses) { expect_agreement({3e-4, 0}, {40, 46, 50}); }
+
+TEST(RubbingContact, ThatIsPressedAllTheTime) { expect_agreement({0, 9.81}, {84, 96, 108}); }
+
+/// Driven across the stop alone, the pressure is that of the weight.
+TEST(RubbingContact, UnderAWeightAloneIsASlider) {
+  const Machine machine{0, 9.81, Vector3d(0, 60, 0)};
+  const nonlinear::RestPosition rest = nonlinear::rest_position(test::project(machine.project()).base().system);
+  const model::Description rubs = rest.system.description();
+  model::Description slides = rubs;
+  const double pressure = gap_stiffness * slides.elements[1].nonlinear_parts[0].at_rest;
+  slides.elements[1].rubbing_parts.clear();
+  slides.elements[0].nonlinear_parts.push_back(
+      {1, 0.5, {elements::HystereticForce(elements::Slider{sticks_with, coefficient * pressure})}});
+  nonlinear::SteadyOptions options{.from = 30, .to = 130};
+  options.of = {"casing.y"};
+  options.at = {40, 52, 62, 75, 110};
+  const auto points = [&](const model::Description& description) {
+    const nonlinear::RestPosition there = nonlinear::rest_position(model::System::checked(description).value());
+    return nonlinear::steady_branch(there.system, options).at;
+  };
+  const auto found = points(rubs), expected = points(slides);
+  ASSERT_EQ(found.size(), options.at.size());
+  ASSERT_EQ(expected.size(), options.at.size());
+  constexpr double of_quadrature = 1e-8;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_THAT(found[i].results[0].largest, RelativelyNear(expected[i].results[0].largest, of_quadrature));
+}
+
+}  // namespace rubbing_contact_test
