@@ -13,6 +13,8 @@
 
 namespace trivet::nonlinear {
 
+struct LawsAlong;
+
 /// Stability of periodic motions of a machine with finitely many states: the linear machine ẋ = F x with the tangent of
 /// every law along the motion, over one period, from corner to corner of the laws. Each moving loop adds two states,
 /// the variations of deflection and force at its last turning point, bristles that move their own variation,
@@ -39,19 +41,14 @@ class PeriodicStability {
   [[nodiscard]] bool is_of_viscous_machine() const { return replaced_losses_; }
 
  private:
-  struct Motion;    // the courses of all laws, and their loops
-  struct Tangents;  // of all laws and loops at a phase
-  static void set_tangents(const Motion& motion, double phase, Tangents& found);
   /// State transition between two phases: of constant tangents; by splitting.
-  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const Motion& motion, double from, double to) const;
-  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, double accurate) const;
-  [[nodiscard]] Eigen::MatrixXd split(const Motion& motion, double from, double to, int steps) const;
-  [[nodiscard]] numerics::RowMatrix answers(const Motion& motion, double from, double to, int steps) const;
-  [[nodiscard]] numerics::RowMatrix elastic_answers(const Motion& motion, double from, double to, int steps) const;
-  void turn(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
-  void change_rubbing(const Motion& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
-  [[nodiscard]] Eigen::VectorXd units_of_friction(const Motion& motion) const;
-  void jump(const Motion& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const LawsAlong& motion, double from, double to) const;
+  [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, double accurate) const;
+  [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, int steps) const;
+  [[nodiscard]] numerics::RowMatrix elastic_answers(const LawsAlong& motion, double from, double to, int steps) const;
+  void turn(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
+  void jump(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 
   bool replaced_losses_;
   Eigen::MatrixXd F_;              ///< states × states

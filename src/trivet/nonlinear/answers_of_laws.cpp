@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/answers_of_laws.h"
+
+#include <cmath>
+#include <vector>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/linalg/pivoted_lu.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// ẏ = source − decay y over a step h.
+struct Fading {
+  Fading(double decay, double h) {
+    const double x = decay * h;
+    constexpr double small = 1e-4;
+    mean = std::abs(x) > small ? -std::expm1(-x) / x : 1 - x / 2;
+    mean_of_integral = std::abs(x) > small ? (1 - mean) / x : 1.0 / 2 - x / 6;
+    kept = std::exp(-x);
+  }
+  double kept;              ///< y at the end by that at the start
+  double mean;              ///< of e^{−decay t}: y at the end by source · h, the mean of y by that at the start
+  double mean_of_integral;  ///< the mean of y by source · h
+};
+
+/// Bristles over a step h with constant tangents and a constant variation of the rate: of their variation ζ̇ = gain δ̇ −
+/// decay ζ, and the mean of their force.
+struct BristleKick {
+  BristleKick(const BristleLoop::Here& at, double h) {
+    const Fading fading(at.decay, h);
+    kept = fading.kept;
+    grown = at.gain * fading.mean * h;
+    by_start = at.by_bristle * fading.mean;
+    by_rate = at.by_rate + at.by_bristle * at.gain * fading.mean_of_integral * h;
+  }
+  double kept = 0, grown = 0;        ///< ζ at the end by that at the start, and by the rate
+  double by_start = 0, by_rate = 0;  ///< the mean force by ζ at the start, and by the rate
+};
+
+}  // namespace
+
+VectorXd units_of_friction(const LawsAlong& motion, const VectorXd& accelerations) {
+  VectorXd units(to_index(motion.rubbings.size()));
+  for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
+    const double k = motion.rubbings[r].loop.law().law().stiffness,
+                 squared = k * std::abs(accelerations(motion.rubbings[r].across));
+    units(to_index(r)) = squared > 0 ? k / std::sqrt(squared) : k;
+  }
+  return units;
+}
+
+numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const MatrixXd& rates_by_force,
+                                    const VectorXd& accelerations, double from, double to, int steps) {
+  const Index m = rates_by_force.rows(), loops = to_index(motion.loops.size()),
+              bristles = to_index(motion.bristles.size()), rubbings = to_index(motion.rubbings.size()),
+              carried = motion.carried();
+  const double phase_step = (to - from) / steps, step = phase_step / motion.omega;
+  const bool damped = motion.is_damped();
+  const Index first_memory = damped ? 2 * m : m, first_rubbings = first_memory + 2 * loops,
+              first_carried = first_memory + motion.kept();
+  numerics::RowMatrix all((m + carried) * steps, first_memory + motion.memories());
+  // Bristles are multiplied by the frequency at which they hold their mass: the transition then has entries of one
+  // size, and its error is not that of stiff bristles alone.
+  VectorXd scale = VectorXd::Ones(bristles);
+  for (Index b = 0; b < bristles; ++b) {
+    const LawsAlong::Bristles& one = motion.bristles[to_size(b)];
+    if (const double squared = one.loop->law().stiffness * std::abs(accelerations(one.deflection)); squared > 0)
+      scale(b) = std::sqrt(squared);
+  }
+  const VectorXd units = units_of_friction(motion, accelerations);
+  TangentsAlong tangent;
+  MatrixXd forces(m, all.cols()), sources(rubbings, all.cols());
+  for (int i = 0; i < steps; ++i) {
+    set_tangents(motion, from + (i + 0.5) * phase_step, tangent);
+    forces.setZero();
+    forces.leftCols(m).diagonal() = tangent.by_deflection;
+    if (damped) forces.middleCols(m, m).diagonal() = tangent.by_rate;
+    for (std::size_t d = 0; d < motion.distances.size(); ++d) {
+      const Index first = motion.distances[d].first;
+      forces.block<3, 3>(first, first) += tangent.distances[d].by_deflection;
+      if (damped) forces.block<3, 3>(first, m + first) += tangent.distances[d].by_rate;
+    }
+    for (Index h = 0; h < loops; ++h) {
+      const Index j = motion.loops[to_size(h)].deflection;
+      forces(j, j) += tangent.by_travel(h);
+      forces(j, first_memory + 2 * h) = -tangent.by_travel(h);
+      forces(j, first_memory + 2 * h + 1) = tangent.by_start(h);
+    }
+    std::vector<BristleKick> of_bristles;
+    for (Index b = 0; b < bristles; ++b) {
+      const Index j = motion.bristles[to_size(b)].deflection;
+      of_bristles.emplace_back(tangent.bristles[to_size(b)], step);
+      forces(j, m + j) += of_bristles.back().by_rate;
+      forces(j, first_carried + b) = of_bristles.back().by_start / scale(b);
+    }
+    sources.setZero();
+    std::vector<Fading> of_rubbings;
+    for (Index r = 0; r < rubbings; ++r) {
+      const LawsAlong::Rubbing& one = motion.rubbings[to_size(r)];
+      const RubbingLoop::Moment& there = tangent.rubbings[to_size(r)];
+      of_rubbings.emplace_back(there.fading * motion.omega, step);
+      if (there.state == RubbingLoop::State::sticks)
+        for (Index a = 0; a < 2; ++a) forces(one.across + a, first_rubbings + 2 * r + a) = units(r);
+      if (there.state != RubbingLoop::State::slips) continue;
+      const Eigen::Vector2d aside(-there.direction.y(), there.direction.x());
+      auto source = sources.row(r);
+      source.segment<2>(m + one.across) = one.loop.law().law().stiffness * aside.transpose();
+      source(one.along) -= there.turning * motion.omega * there.limit.by_deflection;
+      source(m + one.along) -= there.turning * motion.omega * there.limit.by_rate;
+      for (Index a = 0; a < 2; ++a) {
+        auto force = forces.row(one.across + a);
+        force(one.along) += there.direction(a) * there.limit.by_deflection;
+        force(m + one.along) += there.direction(a) * there.limit.by_rate;
+        force += aside(a) * of_rubbings.back().mean_of_integral * step * source;
+        force(first_carried + bristles + r) += aside(a) * of_rubbings.back().mean * units(r);
+      }
+    }
+    if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on
+      const MatrixXd left = MatrixXd::Identity(m, m) - step / 2 * (forces.middleCols(m, m) * rates_by_force);
+      forces = numerics::PivotedLu<double>(left).solve(forces);
+    }
+    const Index first = i * (m + carried);
+    all.middleRows(first, m) = step * forces;
+    for (Index b = 0; b < bristles; ++b) {
+      const Index j = motion.bristles[to_size(b)].deflection;
+      auto change = all.row(first + m + b);
+      const double grown = scale(b) * of_bristles[to_size(b)].grown;
+      change = grown * step / 2 * rates_by_force.row(j) * forces;
+      change(m + j) += grown;
+      change(first_carried + b) += of_bristles[to_size(b)].kept - 1;
+    }
+    for (Index r = 0; r < rubbings; ++r) {
+      const Fading& fading = of_rubbings[to_size(r)];
+      auto change = all.row(first + m + bristles + r);
+      change = sources.row(r) + sources.row(r).segment(m, m) * (step / 2 * rates_by_force * forces);
+      change *= fading.mean * step / units(r);
+      change(first_carried + bristles + r) += fading.kept - 1;
+    }
+  }
+  return all;
+}
+
+}  // namespace trivet::nonlinear

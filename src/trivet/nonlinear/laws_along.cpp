@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/laws_along.h"
+
+#include <algorithm>
+
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, double frequency) : omega(frequency) {
+  const std::vector<LawHarmonics>& single = laws.single();
+  const Index C = deflections.size() / to_index(single.size());
+  harmonics = (C - 1) / 2;
+  for (std::size_t j = 0; j < single.size(); ++j) {
+    courses.push_back(single[j].course(deflections.segment(to_index(j) * C, C), omega));
+    is_piecewise_linear = is_piecewise_linear && single[j].law().is_piecewise_linear();
+  }
+  for (const MachineLaws::Distance& one : laws.distances()) {
+    distances.push_back({one.first, &one.law, deflections.segment(one.first * C, 3 * C).reshaped(C, 3)});
+    is_piecewise_linear = false;
+  }
+  for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+    RubbingLoop loop = laws.loop(one, deflections.reshaped(C, to_index(single.size())), omega);
+    is_piecewise_linear = false;
+    rubbings.push_back({one.along, one.across, std::move(loop)});
+  }
+  for (std::size_t j = 0; j < courses.size(); ++j)
+    for (const HystereticLoop& loop : courses[j].loops())
+      (loop.sticks() ? sticking : loops)
+          .push_back({to_index(j), &loop, loop.jumps(deflections.segment(to_index(j) * C, C))});
+  for (std::size_t j = 0; j < courses.size(); ++j)
+    for (const BristleLoop& loop : courses[j].bristles())
+      (loop.moves() ? bristles : stuck).push_back({to_index(j), &loop});
+}
+
+bool LawsAlong::is_damped() const {
+  return std::any_of(courses.begin(), courses.end(), [](const LawCourse& course) { return course.is_damped(); }) ||
+      std::any_of(distances.begin(), distances.end(),
+                  [](const Distance& one) { return one.law->law().has_dampers(); }) ||
+      !rubbings.empty();
+}
+
+std::vector<double> TangentsAlong::list() const {
+  std::vector<double> all;
+  for (const VectorXd* part : {&by_deflection, &by_rate, &by_travel, &by_start})
+    all.insert(all.end(), part->begin(), part->end());
+  return all;
+}
+
+MatrixXd TangentsAlong::forces(const LawsAlong& motion, const MatrixXd& values, const MatrixXd& rates) const {
+  const Index n = values.cols();
+  MatrixXd rows = MatrixXd::Zero(values.rows(), n + 2 * by_travel.size());
+  rows.leftCols(n) = by_deflection.asDiagonal() * values + by_rate.asDiagonal() * rates;
+  for (Index h = 0; h < by_travel.size(); ++h) {
+    const Index j = motion.loops[to_size(h)].deflection;
+    rows.row(j).head(n) += by_travel(h) * values.row(j);
+    rows(j, n + 2 * h) = -by_travel(h);
+    rows(j, n + 2 * h + 1) = by_start(h);
+  }
+  return rows;
+}
+
+void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
+  const Index count = to_index(motion.courses.size()), loops = to_index(motion.loops.size());
+  found.by_deflection.resize(count);
+  found.by_rate.resize(count);
+  found.by_travel.resize(loops);
+  found.by_start.resize(loops);
+  numerics::set_fourier_row(motion.harmonics, phase, found.row);
+  for (Index j = 0; j < count; ++j) {
+    const LawAbout::Force here = motion.courses[to_size(j)].at(found.row);
+    found.by_deflection(j) = here.by_deviation;
+    found.by_rate(j) = here.by_rate;
+  }
+  found.distances.clear();
+  for (const LawsAlong::Distance& one : motion.distances)
+    found.distances.push_back(one.law->at_phase(one.course, motion.omega, phase));
+  const auto on_loop = [&](const LawsAlong::Loop& one) {
+    return one.loop->at(one.loop->branch_at(phase), motion.courses[to_size(one.deflection)].deflection_at(phase));
+  };
+  for (const LawsAlong::Loop& one : motion.sticking) found.by_deflection(one.deflection) += on_loop(one).by_travel;
+  found.bristles.clear();
+  for (const LawsAlong::Bristles& one : motion.bristles) found.bristles.push_back(one.loop->at(phase));
+  found.rubbings.clear();
+  for (const LawsAlong::Rubbing& one : motion.rubbings) {
+    found.by_deflection.segment<2>(one.across).array() -= one.loop.law().own_stiffness();
+    if (one.remembers()) found.rubbings.push_back(one.loop.moment(phase));
+    else found.rubbings.push_back({});
+    const bool sticks = one.loop.always_sticks() || found.rubbings.back().state == RubbingLoop::State::sticks;
+    if (sticks) found.by_deflection.segment<2>(one.across).array() += one.loop.law().law().stiffness;
+  }
+  for (const LawsAlong::Bristles& one : motion.stuck) {
+    found.by_deflection(one.deflection) += one.loop->law().stiffness;
+    found.by_rate(one.deflection) += one.loop->law().damping + one.loop->law().viscous;
+  }
+  for (Index h = 0; h < loops; ++h) {
+    const elements::ForceOnTravel here = on_loop(motion.loops[to_size(h)]);
+    found.by_travel(h) = here.by_travel;
+    found.by_start(h) = here.by_start;
+  }
+}
+
+}  // namespace trivet::nonlinear
