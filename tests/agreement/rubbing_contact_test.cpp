@@ -8,7 +8,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "support/matchers.h"
 #include "support/projects.h"
@@ -174,6 +177,59 @@ TEST(RubbingContact, UnderAWeightAloneIsASlider) {
   constexpr double of_quadrature = 1e-8;
   for (std::size_t i = 0; i < found.size(); ++i)
     EXPECT_THAT(found[i].results[0].largest, RelativelyNear(expected[i].results[0].largest, of_quadrature));
+}
+
+nonlinear::SteadyPoint only_point(const std::string& text, double at) {
+  nonlinear::SteadyOptions options{.from = 38, .to = 51};
+  options.harmonics = 11;
+  options.of = {"casing.x"};
+  options.at = {at};
+  return nonlinear::steady_branch(test::project(text).base().system, options).at.at(0);
+}
+
+double largest_multiplier(const nonlinear::SteadyPoint& point) {
+  double largest = 0;
+  for (const std::complex<double>& value : point.multipliers) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+TEST(RubbingContact, OutOfReachLeavesTheMultipliersOfTheOthers) {
+  const std::string one = Machine{3e-4, 0}.project();
+  const std::string far = one + fmt::format(R"([elements.far]
+type = "stop"
+on = "casing"
+at = [0.1, 0, 0]
+axis = "y"
+gap = 1
+stiffness = 1e5
+friction = {{coefficient = 0.3, stiffness = 1e5}}
+)");
+  const nonlinear::SteadyPoint alone = only_point(one, 46), beside = only_point(far, 46);
+  constexpr double of_motion = 1e-7, of_multipliers = 1e-5;
+  EXPECT_THAT(beside.results[0].largest, RelativelyNear(alone.results[0].largest, of_motion));
+  EXPECT_NEAR(largest_multiplier(beside), largest_multiplier(alone), of_multipliers);
+}
+
+/// One stop is two with shares of its stiffnesses, also if one of them closes a little later.
+TEST(RubbingContact, MayBeSplit) {
+  const Machine machine{3e-4, 0};
+  const std::string one = machine.project();
+  for (const double later : {0.0, 1e-12}) {
+    std::string two = one;
+    const auto stop = two.substr(two.find("[elements.stop]"), two.find("[excitations") - two.find("[elements.stop]"));
+    const auto share = [&](double of, const char* name, double gap) {
+      return fmt::format(
+          "[elements.{}]\ntype = \"stop\"\non = \"casing\"\nat = [0.1, 0, 0]\naxis = \"x\"\ngap = {}\nstiffness = {}\n"
+          "friction = {{coefficient = {}, stiffness = {}}}\n",
+          name, gap, of * gap_stiffness, coefficient, of * sticks_with);
+    };
+    two.replace(two.find("[elements.stop]"), stop.size(),
+                share(0.3, "first", machine.gap) + share(0.7, "second", machine.gap + later));
+    const nonlinear::SteadyPoint whole = only_point(one, 46), split = only_point(two, 46);
+    constexpr double of_motion = 1e-7, of_multipliers = 1e-5;
+    EXPECT_THAT(split.results[0].largest, RelativelyNear(whole.results[0].largest, of_motion)) << later;
+    EXPECT_NEAR(largest_multiplier(split), largest_multiplier(whole), of_multipliers) << later;
+  }
 }
 
 }  // namespace rubbing_contact_test

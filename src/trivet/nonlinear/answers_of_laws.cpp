@@ -49,7 +49,7 @@ VectorXd units_of_friction(const LawsAlong& motion, const VectorXd& acceleration
   VectorXd units(to_index(motion.rubbings.size()));
   for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
     const double k = motion.rubbings[r].loop.law().law().stiffness,
-                 squared = k * std::abs(accelerations(motion.rubbings[r].across));
+                 squared = k * accelerations.segment<2>(motion.rubbings[r].across).cwiseAbs().maxCoeff();
     units(to_index(r)) = squared > 0 ? k / std::sqrt(squared) : k;
   }
   return units;

@@ -36,6 +36,13 @@ struct LawsAlong {
   [[nodiscard]] Eigen::Index kept() const { return 2 * to_index(loops.size()) + 2 * to_index(rubbings.size()); }
   [[nodiscard]] Eigen::Index carried() const { return to_index(bristles.size()) + to_index(rubbings.size()); }
   [[nodiscard]] Eigen::Index memories() const { return kept() + carried(); }
+  /// Places among the memories: of the two forces of a rubbing contact that sticks, and of that across its slip.
+  [[nodiscard]] Eigen::Index first_kept(std::size_t rubbing) const {
+    return 2 * to_index(loops.size()) + 2 * to_index(rubbing);
+  }
+  [[nodiscard]] Eigen::Index first_carried(std::size_t rubbing) const {
+    return kept() + to_index(bristles.size()) + to_index(rubbing);
+  }
   /// Does any answer depend on a rate?
   [[nodiscard]] bool is_damped() const;
   [[nodiscard]] bool is_elastic() const {

@@ -56,6 +56,11 @@ LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
     const elements::ForceAndTangent single = deflection.law.at_rest(deflections(j));
     found.force(j) += single.force;
     found.tangent(j, j) += single.tangent;
+    if (deflection.rubbing) {  // bears no force at rest
+      const double own = deflection.rubbing->law.own_stiffness();
+      found.force.segment<2>(j) -= own * deflections.segment<2>(j);
+      found.tangent.diagonal().segment<2>(j).array() -= own;
+    }
     if (!deflection.distance) continue;
     const elements::SpatialForce spatial = deflection.distance->at(deflections.segment<3>(j), Eigen::Vector3d::Zero());
     found.force.segment<3>(j) += spatial.force;
@@ -185,7 +190,7 @@ std::vector<double> LoadPath::starts(Index j) const {
   }
   std::vector<double> found = {linear_(j)};
   const auto rubs = [&](Index first) { return first >= 0 && deflections_[to_size(first)].rubbing; };
-  if (rubs(j) || rubs(j - 1)) return found;  // without force
+  if (rubs(j) || rubs(j - 1)) return found;  // linear
   for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
     if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())
       found.push_back(distance->mirrored(j - first));

@@ -219,30 +219,36 @@ void PeriodicStability::jump(const LawsAlong& motion, std::size_t loop, double p
 /// Where a rubbing contact begins to stick, to slip or to open, the variation of its force is the same on both sides.
 void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase,
                                        MatrixXd& states) const {
-  constexpr double beside = 1e-9;
   const LawsAlong::Rubbing& one = motion.rubbings[rubbing];
-  if (!one.remembers()) return;
-  const RubbingLoop::Moment before = one.loop.moment(phase - beside), after = one.loop.moment(phase + beside);
-  if (before.state == after.state) return;
-  const Index n = F_.rows(), kept = n + 2 * to_index(motion.loops.size()) + 2 * to_index(rubbing),
-              carried = n + motion.kept() + to_index(motion.bristles.size()) + to_index(rubbing);
+  const Index n = F_.rows(), kept = motion.first_kept(rubbing) + n, carried = motion.first_carried(rubbing) + n;
   const double k = one.loop.law().law().stiffness, unit = units_of_friction(motion, accelerations_)(to_index(rubbing));
-  const MatrixXd across = values_.middleRows(one.across, 2) * states.topRows(n);
-  MatrixXd force = MatrixXd::Zero(2, states.cols());
-  if (before.state == RubbingLoop::State::sticks) force = unit * states.middleRows(kept, 2) + k * across;
-  if (before.state == RubbingLoop::State::slips) {
-    const Eigen::Vector2d aside(-before.direction.y(), before.direction.x());
-    const Eigen::RowVectorXd limit =
-        (before.limit.by_deflection * values_.row(one.along) + before.limit.by_rate * rates_.row(one.along)) *
-        states.topRows(n);
-    force = before.direction * limit + unit * aside * states.row(carried);
+  for (const RubbingLoop::Change& change : one.loop.changes()) {
+    if (change.phase != phase) continue;
+    const Eigen::Vector2d aside(-change.direction.y(), change.direction.x());
+    const MatrixXd across = values_.middleRows(one.across, 2) * states.topRows(n);
+    MatrixXd force = MatrixXd::Zero(2, states.cols());
+    if (change.before == RubbingLoop::State::sticks) force = unit * states.middleRows(kept, 2) + k * across;
+    if (change.before == RubbingLoop::State::slips) {
+      const Eigen::RowVectorXd limit =
+          (change.limit.by_deflection * values_.row(one.along) + change.limit.by_rate * rates_.row(one.along)) *
+          states.topRows(n);
+      force = change.direction * limit + unit * aside * states.row(carried);
+    }
+    states.middleRows(kept, 2).setZero();
+    states.row(carried).setZero();
+    if (change.after == RubbingLoop::State::sticks) states.middleRows(kept, 2) = (force - k * across) / unit;
+    if (change.after == RubbingLoop::State::slips) states.row(carried) = aside.transpose() * force / unit;
   }
-  states.middleRows(kept, 2).setZero();
-  states.row(carried).setZero();
-  if (after.state == RubbingLoop::State::sticks) states.middleRows(kept, 2) = (force - k * across) / unit;
-  if (after.state == RubbingLoop::State::slips) {
-    const Eigen::Vector2d aside(-after.direction.y(), after.direction.x());
-    states.row(carried) = aside.transpose() * force / unit;
+}
+
+/// Memories of rubbing contacts that are in use at the start of a period; others would have the multiplier 1.
+void PeriodicStability::forget_unused(const LawsAlong& motion, MatrixXd& states) const {
+  constexpr double soon = 1e-9;
+  for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
+    const LawsAlong::Rubbing& one = motion.rubbings[r];
+    const RubbingLoop::State state = one.remembers() ? one.loop.state_at(soon) : RubbingLoop::State::open;
+    if (state != RubbingLoop::State::sticks) states.middleRows(F_.rows() + motion.first_kept(r), 2).setZero();
+    if (state != RubbingLoop::State::slips) states.row(F_.rows() + motion.first_carried(r)).setZero();
   }
 }
 
@@ -255,10 +261,11 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
   for (const LawsAlong::Distance& one : motion.distances)
     for (const double phase : one.law->corners(one.course)) corners.push_back(phase);
   for (const LawsAlong::Rubbing& one : motion.rubbings)
-    for (const double phase : one.loop.corners()) corners.push_back(phase);
+    for (const RubbingLoop::Change& change : one.loop.changes()) corners.push_back(change.phase);
   std::sort(corners.begin(), corners.end());
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
+  forget_unused(motion, period);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];
     for (std::size_t h = 0; h < motion.loops.size(); ++h)

@@ -47,6 +47,7 @@ class PeriodicStability {
   [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, int steps) const;
   [[nodiscard]] numerics::RowMatrix elastic_answers(const LawsAlong& motion, double from, double to, int steps) const;
   void turn(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
+  void forget_unused(const LawsAlong& motion, Eigen::MatrixXd& states) const;
   void change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase, Eigen::MatrixXd& states) const;
   void jump(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;
 

@@ -146,13 +146,22 @@ RestPosition rest_of(const model::System& undeformed) {
   return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
 }
 
+/// The same machine without the friction of stops, which bears no force at rest.
+model::System without_rubbing(const model::System& settled) {
+  model::Description description = settled.description();
+  for (model::Element& element : description.elements) element.rubbing_parts.clear();
+  const model::System there = settled.in_other_state(std::move(description));
+  return with_references(there, tangents_at_rest(there));
+}
+
 /// The deflections of all nonlinear parts of a machine with tangents at rest, under its static load.
-void move_to_equilibrium(const model::System& settled, model::Description& description) {
+void move_to_equilibrium(const model::System& given, model::Description& description) {
+  const model::System settled = without_rubbing(given);
   const assembly::Assembled assembled = assembly::assemble(settled);
   const VectorXd displacement =
       numerics::PivotedLu<double>(assembled.matrices.K).solve(assembly::static_load(settled, assembled));
   std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
-  add_rubbings(settled, assembled, deflections);
+  add_rubbings(given, assembled, deflections);
   std::size_t next = 0;
   const auto deflection = [&] { return deflections[next++].on_coordinates.dot(displacement); };
   each_part(description, [&](model::NonlinearPart& part) { part.at_rest = deflection(); });

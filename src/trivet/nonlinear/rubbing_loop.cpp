@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -49,6 +50,7 @@ RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const 
     for (double& end : ends)
       if (end < ends.front()) end += two_pi;
   }
+  longest = std::min(longest, step_of_stiffness());
   const double start = ends.front();
   ends.erase(ends.begin());
   ends.push_back(start + two_pi);
@@ -58,6 +60,19 @@ RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const 
   } else if (!settles(start, ends, longest)) {
     close(start, ends, longest);
   }
+}
+
+/// Under slip the force follows the travel within a travel of L/k: from node to node at most a quarter of that at the
+/// largest limit, if this needs no more than eight times the usual nodes.
+double RubbingLoop::step_of_stiffness() const {
+  constexpr int samples = 32, nodes = 8, most = 512;
+  double fastest = 0, largest = 0;
+  for (int i = 0; i < samples; ++i) {
+    const Here here = at(two_pi * i / samples);
+    fastest = std::max(fastest, law_.law().stiffness * here.across_slope.norm());
+    largest = std::max(largest, here.limit.value);
+  }
+  return fastest > 0 ? std::max(two_pi / most, nodes * largest / fastest / 4) : two_pi;
 }
 
 RubbingLoop::Here RubbingLoop::at(double phase) const {
@@ -104,8 +119,11 @@ void RubbingLoop::close(double start, const std::vector<double>& ends, double lo
     Matrix2d inverse;
     inverse << left(1, 1), -left(0, 1), -left(1, 0), left(0, 0);
     if (std::abs(determinant) > singular) force += inverse * missing / determinant;
-    if (std::abs(determinant) <= singular || !(force.norm() <= limit)) force = points_.back().force;
+    else force = points_.back().force;
+    if (const double size = force.norm(); size > limit) force *= limit / size;
   }
+  // Not closed: no motion is found with it.
+  for (Point& point : points_) point.force.setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 void RubbingLoop::begin(double start, const Vector2d& force) {
@@ -157,7 +175,7 @@ bool RubbingLoop::slips_from(double from, double to) const {
 }
 
 /// Has the state changed, from the last point to a phase?
-bool RubbingLoop::changes(double phase, bool slips) const {
+bool RubbingLoop::has_changed(double phase, bool slips) const {
   const Here here = at(phase);
   const double k = law_.law().stiffness;
   const Vector2d& force = points_.back().force;
@@ -175,13 +193,13 @@ double RubbingLoop::first_change(double from, double to, bool slips) const {
   double low = from;
   for (int i = 1; i <= probes; ++i) {
     double high = i == probes ? to : from + (to - from) * i / probes;
-    if (!changes(high, slips)) {
+    if (!has_changed(high, slips)) {
       low = high;
       continue;
     }
     constexpr int halvings = 60;
     for (int h = 0; h < halvings && high - low > 1e-15; ++h)
-      if (const double middle = (low + high) / 2; changes(middle, slips)) high = middle;
+      if (const double middle = (low + high) / 2; has_changed(middle, slips)) high = middle;
       else low = middle;
     return high;
   }
@@ -241,11 +259,16 @@ RubbingLoop::Moment RubbingLoop::moment(double phase) const {
   return found;
 }
 
-std::vector<double> RubbingLoop::corners() const {
-  std::vector<double> found;
+std::vector<RubbingLoop::Change> RubbingLoop::changes() const {
+  std::vector<Change> found;
   if (always_sticks_) return found;
-  for (std::size_t i = 1; i + 1 < points_.size(); ++i)
-    if (points_[i].state != points_[i + 1].state) found.push_back(std::fmod(points_[i].phase, two_pi));
+  for (std::size_t i = 1; i < points_.size(); ++i) {
+    const Point &here = points_[i], &next = i + 1 < points_.size() ? points_[i + 1] : points_[1];
+    if (here.state == next.state) continue;
+    const double size = here.force.norm();
+    found.push_back({std::fmod(here.phase, two_pi), here.state, next.state, here.limit,
+                     size > 0 ? Vector2d(here.force / size) : Vector2d::Zero()});
+  }
   return found;
 }
 

@@ -32,13 +32,11 @@ class RubbingLoop {
     RubbingAbout::Limit limit = {};
     elements::Slip step = {};  ///< from the point before
   };
-  /// Empty if the contact is always open.
+  /// Empty if the contact never closes.
   [[nodiscard]] const std::vector<Point>& points() const { return points_; }
-  /// Phases at which its state changes.
-  [[nodiscard]] std::vector<double> corners() const;
   [[nodiscard]] const RubbingAbout& law() const { return law_; }
   /// Does it stick all the time? Its mean then depends on what happened before; here the springs stick where
-  /// their forces stay farthest below their limits, as when slip ceases while a motion slowly dies down.
+  /// their forces stay farthest below their limits, so that slip begins without a jump.
   [[nodiscard]] bool always_sticks() const { return always_sticks_; }
 
   /// At a phase. A variation of the force is that of sticking; or under slip `direction` times that of the limit and,
@@ -50,6 +48,15 @@ class RubbingLoop {
     double fading = 0, turning = 0;                       ///< by the phase; turning: of the direction, to the left
   };
   [[nodiscard]] Moment moment(double phase) const;
+  /// Where its state changes; the direction of the force is the same on both sides.
+  struct Change {
+    double phase = 0;  ///< in [0, 2π)
+    State before = State::open, after = State::open;
+    RubbingAbout::Limit limit = {};
+    Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< zero without a force
+  };
+  [[nodiscard]] std::vector<Change> changes() const;
+  [[nodiscard]] State state_at(double phase) const { return moment(phase).state; }
 
   /// Variations of the two forces at the points, points × columns each, by variations of the limit or of one deflection
   /// across: of those that are periodic, or of which each period is `turned` times the one before. The latter leave the
@@ -68,13 +75,14 @@ class RubbingLoop {
     double limit_slope;  ///< by the phase
   };
   [[nodiscard]] Here at(double phase) const;
+  [[nodiscard]] double step_of_stiffness() const;
   [[nodiscard]] bool settles(double start, const std::vector<double>& ends, double longest);
   void close(double start, const std::vector<double>& ends, double longest);
   void begin(double start, const Eigen::Vector2d& force);
   void march(const std::vector<double>& ends, double longest);
   void rub(double from, double to, double longest);
   [[nodiscard]] bool slips_from(double from, double to) const;
-  [[nodiscard]] bool changes(double phase, bool slips) const;
+  [[nodiscard]] bool has_changed(double phase, bool slips) const;
   [[nodiscard]] double first_change(double from, double to, bool slips) const;
   void append_nodes(double from, double to, double longest, bool slips);
   void append(double phase, double weight, bool slips);

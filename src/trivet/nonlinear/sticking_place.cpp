@@ -125,6 +125,7 @@ DeepestPlace deepest_place(const std::vector<Disc>& discs) {
       for (const std::size_t one : with) holds = holds && beyond(one, choice->place) <= choice->beyond + round_off;
       if (holds) next = &*choice;
     }
+    best.beyond = std::max(best.beyond, farthest);  // of the last place, if there is no better one
     if (!next) return best;
     best = *next;
   }

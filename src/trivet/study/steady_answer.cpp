@@ -107,9 +107,11 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
                      "the mean of the motion contains this shift, however small the excitation",
                      "compare the half of the range, or leave the load to other elements");
   for (const std::string& name : branch.sticking)
-    warnings.warning("analyses.steady", name + ": a slider sticks all the time at some frequencies",
-                     "the mean of its force then depends on what happened before; here it has stuck since rest",
-                     "take such means as one of many");
+    warnings.warning(
+        "analyses.steady", name + ": friction sticks all the time at some frequencies",
+        "the mean of its force then depends on what happened before; here a slider has stuck since rest, and "
+        "a stop that rubs where it is farthest from slip",
+        "take such means as one of many");
   if (!branch.ended.empty())
     warnings.warning("analyses.steady", "the branch of motions ends before the end of the band", branch.ended,
                      "no motion beyond is computed; give another band");
