@@ -179,6 +179,20 @@ TEST(RubbingContact, UnderAWeightAloneIsASlider) {
     EXPECT_THAT(found[i].results[0].largest, RelativelyNear(expected[i].results[0].largest, of_quadrature));
 }
 
+TEST(RubbingContact, TwoVerdictsOnStabilityAgree) {
+  for (const Machine& machine : {Machine{3e-4, 0}, Machine{0, 9.81}}) {
+    const nonlinear::RestPosition rest = nonlinear::rest_position(test::project(machine.project()).base().system);
+    nonlinear::SteadyOptions options{.from = machine.gravity == 0 ? 40.0 : 84.0,
+                                     .to = machine.gravity == 0 ? 46.0 : 94.0};
+    options.harmonics = 7;
+    options.of = {"casing.y"};
+    options.deep = true;
+    const nonlinear::SteadyBranch branch = nonlinear::steady_branch(rest.system, options);
+    EXPECT_GT(branch.winding.points, 4);
+    EXPECT_TRUE(branch.winding.differs_at.empty());
+  }
+}
+
 nonlinear::SteadyPoint only_point(const std::string& text, double at) {
   nonlinear::SteadyOptions options{.from = 38, .to = 51};
   options.harmonics = 11;
