@@ -33,7 +33,7 @@ BUILDS = "it builds for minutes or hours"
 BUILT = "it needs a build of its own"
 IDLE = "it needs benchmarks and an idle machine; CI compiles them"
 COMPILED = "cmake --workflow --preset benchmark"
-FUZZER = "build/sanitize/tests/fuzz/project_fuzzer -max_total_time=1800"
+FUZZER = "build/fuzz/tests/fuzz/project_fuzzer -max_total_time=1800"
 LONG_CAMPAIGN = "python3 tests/campaign/campaign.py --each 2000"
 RANDOM_MACHINES = "TRIVET_LONG_TESTS=1 build/release/tests/agreement_tests --gtest_filter='RelativeCoordinates.*'"
 ELSEWHERE = {
@@ -45,7 +45,7 @@ ELSEWHERE = {
     ".ci/run long": ("it takes hours", ".ci/run", "long_stage; exit"),
     "cmake --workflow --preset sanitize": (BUILDS, ".ci/run", "cmake --workflow --preset sanitize"),
     "cmake --workflow --preset fuzz": (BUILDS, ".ci/run", "cmake --workflow --preset fuzz"),
-    "build/sanitize/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus": (
+    "build/fuzz/tests/fuzz/project_fuzzer -dict=tests/fuzz/project.dict NEW tests/fuzz/corpus": (
         "it does not end",
         ".ci/run",
         FUZZER,
