@@ -28,7 +28,7 @@ struct CoulombFriction {
   [[nodiscard]] double limit() const { return breakaway > slip ? breakaway : slip; }
 };
 
-/// Smooth friction of rubber [Berg 1998]: f = f_0 + u (±F − f_0)/(x_2 (1 ∓ f_0/F) + |u|) after the travel u.
+/// Smooth friction of rubber [Berg 1998]: f = f_0 + |u| (±F − f_0)/(x_2 (1 ∓ f_0/F) + |u|) after the travel u.
 struct BergFriction {
   double force = 0;       ///< F, the limit of |f| [N or N m], > 0
   double deflection = 0;  ///< x_2: virgin loading has half of F there [m or rad], > 0
@@ -60,10 +60,6 @@ struct ForceOnTravel {
 [[nodiscard]] ForceOnTravel virgin_force(const HystereticForce& law, double deflection);
 /// Deflections at which that is not smooth.
 [[nodiscard]] std::vector<double> virgin_kinks(const HystereticForce& law);
-
-/// The travel at which the force is not smooth: a slider begins to slip, a Bouc–Wen force changes its sign. In the
-/// given direction (±1) from a turning point; empty if there is none.
-[[nodiscard]] std::optional<double> kink_travel(const HystereticForce& law, double start, double direction);
 
 /// By how much the force changes at once, in the direction of the travel: where it is not smooth, and at a turning
 /// point with the force f_0.

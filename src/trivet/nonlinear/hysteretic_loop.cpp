@@ -34,7 +34,8 @@ HystereticLoop::HystereticLoop(const LawAbout::Hysteretic& part, const VectorXd&
     const double travel = branches_[(i + 1) % branches_.size()].deflection - branch.deflection;
     const double direction = travel < 0 ? -1 : 1;
     branch.jump = elements::jump_at_turn(part_.law, branch.force, direction);
-    const std::optional<double> kink = elements::kink_travel(part_.law, branch.force, direction);
+    branch.course.emplace(part_.law, branch.force, direction);
+    const std::optional<double> kink = branch.course->kink();
     if (!kink || !(std::abs(*kink) > 0) || std::abs(*kink) >= std::abs(travel)) continue;
     branch.kink = numerics::crossing_between(deflection, branch.deflection + *kink, branch.from, branch.to);
     branch.kink_jump = elements::jump_at_kink(part_.law, direction);
@@ -159,6 +160,17 @@ void HystereticLoop::set_slopes_of_sticking(const ForceOnTravel& first, const Ve
   }
 }
 
+bool HystereticLoop::just_reaches_slip() const {
+  if (!std::holds_alternative<elements::Slider>(part_.law)) return false;
+  constexpr double little = 1e-6;  // of the travel
+  for (std::size_t i = 0; i < branches_.size(); ++i) {
+    const double travel = branches_[(i + 1) % branches_.size()].deflection - branches_[i].deflection;
+    const std::optional<double> kink = branches_[i].course->kink();
+    if (kink && std::abs(travel) - std::abs(*kink) > little * std::abs(travel)) return false;
+  }
+  return !branches_.empty();
+}
+
 const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {
   if (phase < branches_.front().from) phase += two_pi;
   std::size_t i = branches_.size() - 1;
@@ -169,7 +181,7 @@ const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {
 ForceOnTravel HystereticLoop::at(const Branch& branch, double deflection) const {
   // Friction without a spring turns a little before the given harmonics do.
   if (branch.jump != 0) return {branch.force + branch.jump - part_.at_state, 0, 0};
-  ForceOnTravel found = elements::force_on_travel(part_.law, branch.force, deflection - branch.deflection);
+  ForceOnTravel found = branch.course->at(deflection - branch.deflection);
   found.force -= part_.at_state;
   return found;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "trivet/elements/hysteretic_branch.h"
 #include "trivet/nonlinear/law_about.h"
 
 namespace trivet::nonlinear {
@@ -26,8 +27,9 @@ class HystereticLoop {
     double force = 0;                   ///< the whole force there, before it jumps
     double jump = 0;                    ///< of the force there
     Eigen::VectorXd force_slopes = {};  ///< derivative of `force` by the coefficients of the deflection
-    std::optional<double> kink = {};    ///< phase at which the force is not smooth
-    double kink_jump = 0;               ///< of the force there
+    std::optional<elements::HystereticBranch> course = {};  ///< of the force from there on
+    std::optional<double> kink = {};                        ///< phase at which the force is not smooth
+    double kink_jump = 0;                                   ///< of the force there
   };
   /// Empty if the deflection does not move.
   [[nodiscard]] const std::vector<Branch>& branches() const { return branches_; }
@@ -53,6 +55,9 @@ class HystereticLoop {
   /// Does a slider stick all the time? Its force is then an elastic one, and its mean depends on what happened before;
   /// here on sticking since the state.
   [[nodiscard]] bool sticks() const { return sticks_; }
+  /// Does a slider reach its slip and no more? Loaded at rest up to there it does, and its mean depends on what
+  /// happened before too.
+  [[nodiscard]] bool just_reaches_slip() const;
 
  private:
   /// Smooth loops of two turning points: the force at one is the opposite of that at the other.

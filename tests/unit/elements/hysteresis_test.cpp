@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/elements/hysteresis.h"
+#include "trivet/elements/hysteretic_branch.h"
 
 #include <gmock/gmock.h>
 
@@ -77,14 +77,14 @@ TEST(Hysteresis, BoucWenForcesObeyTheirDifferentialEquation) {
 }
 
 TEST(Hysteresis, KinksAreWhereASliderSlipsAndAForceChangesItsSign) {
-  EXPECT_THAT(*kink_travel(Slider{2e4, 30}, -30, 1), RelativelyNear(60 / 2e4, 1e-15));
-  EXPECT_THAT(*kink_travel(Slider{2e4, 30}, 10, -1), RelativelyNear(-40 / 2e4, 1e-15));
-  EXPECT_FALSE(kink_travel(BergFriction{500, 2e-4}, -100, 1));
+  EXPECT_THAT(*HystereticBranch(Slider{2e4, 30}, -30, 1).kink(), RelativelyNear(60 / 2e4, 1e-15));
+  EXPECT_THAT(*HystereticBranch(Slider{2e4, 30}, 10, -1).kink(), RelativelyNear(-40 / 2e4, 1e-15));
+  EXPECT_FALSE(HystereticBranch(BergFriction{500, 2e-4}, -100, 1).kink());
   for (const HystereticForce& law : laws()) {
     if (!std::holds_alternative<BoucWen>(law)) continue;
     const double from = 0.6 * force_limit(law);
-    EXPECT_FALSE(kink_travel(law, from, 1));
-    EXPECT_NEAR(force_on_travel(law, from, *kink_travel(law, from, -1)).force, 0, 1e-13 * force_limit(law));
+    EXPECT_FALSE(HystereticBranch(law, from, 1).kink());
+    EXPECT_NEAR(force_on_travel(law, from, *HystereticBranch(law, from, -1).kink()).force, 0, 1e-13 * force_limit(law));
   }
 }
 
