@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/fem/preload.h"
+#include "trivet/fem/shapes.h"
 #include "trivet/modal/modes.h"
 #include "trivet/response/steady/static_response.h"
 
@@ -63,6 +66,49 @@ TEST(NonlinearMount, AtRestIsTheOnePreloadedByItsLoad) {
   constexpr double lever = 0.08;  // the ends keep their distance, which a preload makes shorter
   for (std::size_t i = 0; i < 6; ++i)
     EXPECT_THAT(*ours.list[i].angular_frequency, RelativelyNear(*theirs.list[i].angular_frequency, lever)) << i;
+}
+
+/// A bush under its machine against the same solid with that force across its axis.
+TEST(NonlinearMount, ABushAtRestIsTheSolidUnderItsLoad) {
+  constexpr double mass = 400, load = mass * 9.80665;
+  const project::Case machine = test::project(R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 400
+inertia = {about = "center_of_mass", xx = 9, yy = 9, zz = 9}
+[elements.bush]
+type = "rubber_bush"
+on = "m"
+at = [0, 0, 0]
+orientation = {matrix = [[0, 1, 0], [0, 0, 1], [1, 0, 0]]}
+inner_diameter = "24 mm"
+outer_diameter = "60 mm"
+length = "50 mm"
+material = {G = "0.8 MPa", bulk_modulus = "500 MPa"}
+method = "finite_elements"
+mesh_level = 1
+nonlinear = true
+)")
+                                    .base();
+  const fem::Shape shape = fem::Bush{.inner_diameter = 0.024, .outer_diameter = 0.06, .length = 0.05};
+  fem::Preload weight;  // e1 is upwards
+  weight.value(0) = -load;
+  weight.is_load[0] = true;
+  const fem::PreloadedStiffness solid = fem::preloaded_stiffness(
+      fem::mesh(shape, 1), {fem::Material{.c10 = 0.4e6, .bulk_modulus = 500e6}}, fem::frame(shape), weight);
+  ASSERT_TRUE(solid.converged);
+  const assembly::Assembled assembled = assembly::assemble(machine.system);
+  const auto at_rest =
+      response::static_response(machine.system, assembled,
+                                assembly::channels(machine.system, assembled, {"m.z", "m.x", "bush.force.z"},
+                                                   assembly::MotionQuantity::displacement));
+  constexpr double between_states = 1e-4, smallest = 1e-9;
+  EXPECT_THAT(at_rest.values[0].value, RelativelyNear(solid.motion(0), between_states));
+  EXPECT_NEAR(at_rest.values[1].value, 0, smallest * std::abs(solid.motion(0)));
+  EXPECT_THAT(at_rest.values[2].value, RelativelyNear(-load, smallest));
+  const elements::Matrix12 found = elements::stiffness(machine.system.elements()[0].law);
+  for (const int direction : {6, 7, 8, 9, 10, 11})
+    EXPECT_THAT(found(direction, direction), RelativelyNear(solid.stiffness(direction, direction), 1e-3)) << direction;
 }
 
 }  // namespace nonlinear_mount_test

@@ -146,7 +146,7 @@ at = [0, 0, 0]
 axis = "z"
 """,
     ("docs/nonlinear.md", "Laws"): ROLL_STOP,
-    ("docs/elements/solid_mount.md", "Nonlinear along e3"): ROLL_STOP,
+    ("docs/elements/solid_mount.md", "Nonlinear along an axis"): ROLL_STOP,
     ("docs/elements/table_laws.md", "Wire ropes"): ROLL_STOP,
     ("docs/nonlinear.md", "Stops that rub"): ROLL_STOP,
     ("docs/nonlinear.md", "Struts and rings"): ROLL_STOP,

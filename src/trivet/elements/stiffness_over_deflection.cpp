@@ -11,14 +11,22 @@ namespace {
 
 using spatial::Matrix12;
 
-/// A string of unit tension between the ends: in a rigid rotation it turns its force.
-Matrix12 string_stiffness(double arm) {
+/// In a rigid rotation it turns a force of one between the ends: a string, or at one point a force −e·(θ × Δu) that
+/// follows the mean rotation θ of the ends.
+Matrix12 turning_stiffness(Eigen::Index axis, double arm) {
   Matrix12 found = Matrix12::Zero();
-  for (const Eigen::Index across : {0, 1}) {
+  for (const Eigen::Index across : {(axis + 1) % 3, (axis + 2) % 3}) {
     spatial::Vector12 difference = spatial::Vector12::Zero();
     difference(across) = -1;
     difference(across + 6) = 1;
-    found += difference * difference.transpose() / arm;
+    if (arm > 0) {
+      found += difference * difference.transpose() / arm;
+      continue;
+    }
+    const Eigen::Index about = 3 - axis - across;
+    spatial::Vector12 rotation = spatial::Vector12::Zero();
+    rotation(about + 3) = rotation(about + 9) = across == (axis + 1) % 3 ? 0.5 : -0.5;
+    found += rotation * difference.transpose() + difference * rotation.transpose();
   }
   return found;
 }
@@ -37,15 +45,17 @@ std::vector<double> parabola_slopes(const std::vector<double>& x, const std::vec
 
 }  // namespace
 
-StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, double arm) {
+StiffnessOverDeflection::StiffnessOverDeflection(const std::vector<State>& states, Eigen::Index axis, double arm)
+    : axis_(axis) {
   const auto does_not_ascend = [](const State& a, const State& b) { return !(a.deflection < b.deflection); };
   if (states.size() < 3 || std::adjacent_find(states.begin(), states.end(), does_not_ascend) != states.end() ||
-      !(arm > 0))
+      axis < 0 || axis > 2 || !(arm >= 0))
     throw foundation::InvalidInput(
-        "a stiffness over a deflection has three states or more, ascending, and an arm above 0");
+        "a stiffness over a deflection has three states or more, ascending, an axis from 0 to 2, and an arm of 0 or "
+        "more");
   from_ = states.front().deflection;
   to_ = states.back().deflection;
-  per_force_ = string_stiffness(arm);
+  per_force_ = turning_stiffness(axis, arm);
   std::vector<double> deflections;
   for (const State& state : states) deflections.push_back(state.deflection);
   for (Eigen::Index i = 0; i < Matrix12::SizeAtCompileTime; ++i) {

@@ -8,25 +8,29 @@
 
 namespace trivet::elements {
 
-/// The 12×12 of an element about its states at several deflections of K relative to N along e3, each with its force:
-/// tangents of large deformations. A rigid rotation turns the force, and does nothing else.
+/// The 12×12 of an element about its states at several deflections of K relative to N along one of its axes, each with
+/// its force: tangents of large deformations. A rigid rotation turns the force, and does nothing else.
 class StiffnessOverDeflection {
  public:
   struct State {
     double deflection = 0;  ///< [m]
-    double force = 0;       ///< of K on the element along e3 [N]
+    double force = 0;       ///< of K on the element along the axis [N]
     spatial::Matrix12 stiffness = spatial::Matrix12::Zero();
   };
   /// @param states  three or more, ascending
-  /// @param arm     from N to K along e3 [m], > 0
+  /// @param axis    0, 1 or 2
+  /// @param arm     from N to K along it [m], ≥ 0; 0: at one point
   /// @throws foundation::InvalidInput otherwise
-  StiffnessOverDeflection(const std::vector<State>& states, double arm);
+  StiffnessOverDeflection(const std::vector<State>& states, Eigen::Index axis, double arm);
+
+  [[nodiscard]] Eigen::Index axis() const { return axis_; }
 
   /// Between the states by a cubic of each entry, about the nearest one outside.
   /// @param force  at the deflection
   [[nodiscard]] spatial::Matrix12 at(double deflection, double force) const;
 
  private:
+  Eigen::Index axis_;
   double from_ = 0, to_ = 0;
   spatial::Matrix12 per_force_;           ///< per unit of the force
   std::vector<KnotCurve> without_force_;  ///< entries column by column

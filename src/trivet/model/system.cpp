@@ -180,7 +180,7 @@ void check_moving_ground(const Description& description, foundation::Problems& p
 }  // namespace
 
 void set_linear_law_at(double deflection, Element& element) {
-  constexpr Eigen::Index along_k = 8;
+  const Eigen::Index along_k = 6 + element.over_deflection->axis();
   element.law.nominal_stiffness = element.over_deflection->at(deflection, 0);
   element.law.preload.reset();
   element.nonlinear_parts.front().laws[1] =

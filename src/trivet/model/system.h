@@ -156,8 +156,8 @@ struct Element {
   std::vector<NonlinearPart> nonlinear_parts;
   std::vector<DistancePart> distance_parts;
   std::vector<RubbingPart> rubbing_parts;
-  /// The 12×12 about each state on the way along e3. The first law of the first nonlinear part is then the whole force
-  /// along e3, the second that of the linear law, negative.
+  /// The 12×12 about each state on the way along an axis. The first law of the first nonlinear part is then the whole
+  /// force along it, the second that of the linear law, negative.
   std::optional<elements::StiffnessOverDeflection> over_deflection;
   bool symmetric = true;
   bool allow_residual = false;
@@ -171,7 +171,7 @@ struct Element {
                                                                     ///< if its mass is neglected [rad/s]
 };
 
-/// Makes the 12×12 about a deflection along e3 the linear law of an element with `over_deflection`. Its force along e3
+/// Makes the 12×12 about a deflection the linear law of an element with `over_deflection`. Its force along the axis
 /// stays the same; that it also turns with the element is left to a preload.
 void set_linear_law_at(double deflection, Element& element);
 

@@ -45,7 +45,11 @@ LoadPath::LoadPath(const model::System& undeformed) {
         "a free_length with which it is tensioned");
   }
   receptance_ = across_.transpose() * stiffness.solve(across_);
-  linear_ = across_.transpose() * stiffness.solve(load);
+  const VectorXd displacement = stiffness.solve(load);
+  linear_ = across_.transpose() * displacement;
+  constexpr double round_off = 1e-12;  // a load across a deflection does not move it
+  for (Index j = 0; j < count; ++j)
+    if (std::abs(linear_(j)) <= round_off * across_.col(j).norm() * displacement.norm()) linear_(j) = 0;
 }
 
 LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {

@@ -36,10 +36,13 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                           "not move it at all",
                           element.name, friction->limit(), turns ? "N m" : "N"));
       if (element.over_deflection && &part == &element.nonlinear_parts.front()) {
-        notes.push_back(
-            fmt::format("{}: {:.5g} N/m along z at rest, {} by {:.4g} m; its 12×12 is the one there", element.name,
-                        element.law.nominal_stiffness(8, 8) + elements::small_motion(part.laws, part.at_rest).stiffness,
-                        part.at_rest > 0 ? "stretched" : "compressed", std::abs(part.at_rest)));
+        const Index along_k = 6 + part.axis;
+        const bool is_bush = part.axis < 2;
+        notes.push_back(fmt::format(
+            "{}: {:.5g} N/m along {} at rest, {} by {:.4g} m; its 12×12 is the one there", element.name,
+            element.law.nominal_stiffness(along_k, along_k) + elements::small_motion(part.laws, part.at_rest).stiffness,
+            "xyz"[part.axis], is_bush ? "displaced" : (part.at_rest > 0 ? "stretched" : "compressed"),
+            is_bush ? part.at_rest : std::abs(part.at_rest)));
         continue;
       }
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,27 @@
 #include "trivet/nonlinear/rest_position.h"
 
 namespace trivet::project {
+namespace {
+
+/// Bushes stiffen along e1 only: is the weight across it?
+void check_bush_directions(const model::System& system, foundation::Problems& problems) {
+  const auto& gravity = system.description().gravity;
+  if (!gravity) return;
+  for (const model::Element& element : system.elements()) {
+    if (!element.over_deflection || element.over_deflection->axis() != 0) continue;
+    const Eigen::Vector3d weight = model::end_in_ground(system.bodies(), element.n).rotation.transpose() * *gravity;
+    constexpr double small_share = 0.2;
+    if (std::abs(weight.y()) <= small_share * std::abs(weight.x())) continue;
+    problems.warning("elements." + element.name + ".nonlinear",
+                     std::abs(weight.x()) < std::abs(weight.y()) ? "the weight acts along e2 of the bush"
+                                                                 : "the weight acts between e1 and e2 of the bush",
+                     "large deformations are computed along e1; across it the bush does not stiffen",
+                     "give orientation so that e1 is along the load, for instance {axis = \"y\", angle = \"90 deg\"}; "
+                     "trivet element shows the axes");
+  }
+}
+
+}  // namespace
 
 void settle(model::System& system, foundation::Problems& problems) {
   if (!nonlinear::is_nonlinear(system)) return;
@@ -25,6 +47,7 @@ void settle(model::System& system, foundation::Problems& problems) {
                        "the machine would leave it for another one; all analyses are about the unstable one",
                        "see all of them: static = {states = \"all\"}; check the signs of the laws");
     system = std::move(rest.system);
+    check_bush_directions(system, problems);
   } catch (const foundation::NotComputable& reason) {
     problems.error("elements", reason.what(), "the analyses of a nonlinear machine are about its position of rest",
                    "check loads, gaps and coefficients");

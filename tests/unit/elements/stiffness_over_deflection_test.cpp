@@ -31,7 +31,7 @@ StiffnessOverDeflection::State state(double z) {
 }
 
 TEST(StiffnessOverDeflection, ARigidRotationTurnsTheForceBetweenTheStatesToo) {
-  const StiffnessOverDeflection found({state(-0.006), state(-0.003), state(0), state(0.002)}, arm);
+  const StiffnessOverDeflection found({state(-0.006), state(-0.003), state(0), state(0.002)}, 2, arm);
   constexpr double round_off = 1e-9;
   for (const double z : {-0.006, -0.0041, -0.001, 0.0013}) {
     const double force = state(z).force;
@@ -44,8 +44,28 @@ TEST(StiffnessOverDeflection, ARigidRotationTurnsTheForceBetweenTheStatesToo) {
   }
 }
 
+/// A bush, whose ends are at one point: of its stiffness only the turning of the force is not elastic.
+TEST(StiffnessOverDeflection, ARigidRotationTurnsTheForceAcrossABush) {
+  elements::Vector6 constants;
+  constants << 4e5, 3e5, 1e5, 60, 50, 30;
+  const Matrix12 elastic = elements::constants_at_point(constants, {0, 0, 0}, 0.5);
+  for (const int axis : {0, 1, 2}) {
+    std::vector<StiffnessOverDeflection::State> states;
+    for (const double z : {-0.002, 0.0, 0.002}) states.push_back({z, 0, elastic});
+    const StiffnessOverDeflection found(states, axis, 0);
+    constexpr double force = 700;
+    elements::Vector12 preload = elements::Vector12::Zero();
+    preload(axis + 6) = force;
+    preload(axis) = -force;
+    const Matrix12 there = found.at(0.001, force);
+    EXPECT_EQ(there, there.transpose());
+    const Eigen::Matrix<double, 12, 6> moved = there * elements::rigid_motions({0, 0, 0}, Eigen::Matrix3d::Identity());
+    EXPECT_LT((moved - elements::turned_preload(preload, Eigen::Matrix3d::Identity())).norm(), 1e-9) << axis;
+  }
+}
+
 TEST(StiffnessOverDeflection, HasItsStatesAndCubicsBetweenThem) {
-  const StiffnessOverDeflection found({state(-0.006), state(-0.003), state(0), state(0.002)}, arm);
+  const StiffnessOverDeflection found({state(-0.006), state(-0.003), state(0), state(0.002)}, 2, arm);
   EXPECT_LT((found.at(-0.003, state(-0.003).force) - state(-0.003).stiffness).norm(), 1e-9 * 2e5);
   // Entries but the last one are linear in z, which a cubic with the slopes of parabolas is exactly.
   const Matrix12 between = found.at(-0.0017, state(-0.0017).force), expected = state(-0.0017).stiffness;
@@ -53,10 +73,11 @@ TEST(StiffnessOverDeflection, HasItsStatesAndCubicsBetweenThem) {
   EXPECT_NEAR(between(9, 9), expected(9, 9), 1e-9 * 2e5);
 }
 
-TEST(StiffnessOverDeflection, RejectsFewStatesAndAnArmOfZero) {
-  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001)}, arm), foundation::InvalidInput);
-  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.002), state(0.001)}, arm), foundation::InvalidInput);
-  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001), state(0.002)}, 0), foundation::InvalidInput);
+TEST(StiffnessOverDeflection, RejectsFewStatesNoAxisAndANegativeArm) {
+  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001)}, 2, arm), foundation::InvalidInput);
+  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.002), state(0.001)}, 2, arm), foundation::InvalidInput);
+  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001), state(0.002)}, 2, -0.01), foundation::InvalidInput);
+  EXPECT_THROW(StiffnessOverDeflection({state(0), state(0.001), state(0.002)}, 3, arm), foundation::InvalidInput);
 }
 
 }  // namespace stiffness_over_deflection_test

@@ -37,8 +37,8 @@ std::string description(const fem::Shape& shape) {
   return fmt::format("bush {:.17g} {:.17g} {:.17g}", bush.inner_diameter, bush.outer_diameter, bush.length);
 }
 
-/// Thickness of all rubber along e3.
-double rubber_along(const fem::Shape& shape) {
+/// Thickness of all rubber along e3; of a bush that of its wall.
+double rubber_thickness(const fem::Shape& shape) {
   const auto sum = [](const std::vector<fem::Layer>& layers) {
     double thickness = 0;
     for (const fem::Layer& layer : layers) thickness += layer.metal ? 0 : layer.thickness;
@@ -46,7 +46,8 @@ double rubber_along(const fem::Shape& shape) {
   };
   if (const auto* disc = std::get_if<fem::Disc>(&shape)) return sum(disc->layers);
   if (const auto* block = std::get_if<fem::Block>(&shape)) return sum(block->layers);
-  return std::get<fem::Bush>(shape).length;
+  const auto& bush = std::get<fem::Bush>(shape);
+  return (bush.outer_diameter - bush.inner_diameter) / 2;
 }
 
 ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::Element& element) {
@@ -61,11 +62,9 @@ ElementLength shape_by_elements(TableReader& reader, RubberShape& shape, model::
                    "use closed formulas, or a STEP file");
   read_large_strain(reader, shape.materials[0]);
   const auto compression = read_compression(reader);
-  const auto stroke = read_stroke(reader, rubber_along(shape.solid));
-  if (stroke && std::holds_alternative<fem::Bush>(shape.solid))
-    reader.error("nonlinear", "a nonlinear bush",
-                 "large deformations are computed along e3, and a bush is loaded across it",
-                 "give its measured force over deflection: laws.x = {curve = …}");
+  const double rubber = rubber_thickness(shape.solid);
+  const auto stroke = std::holds_alternative<fem::Bush>(shape.solid) ? read_stroke_of_bush(reader, rubber)
+                                                                     : read_stroke(reader, rubber);
   if (reader.errors() > before) return std::nullopt;
   const std::string key =
       solid_key(fmt::format("{} level {} {} {}", description(shape.solid), level, constants_text(shape.materials[0]),

@@ -10,16 +10,24 @@
 namespace trivet::project {
 namespace {
 
-/// The 12×12 after a deflection z along e3 about points at the distance of the undeformed element: N' is at (0, 0, z)
-/// from N, rigidly, u_N = u_N' + θ_N × (0, 0, −z). The force turns with that arm.
-elements::Matrix12 with_undeformed_arm(const elements::Matrix12& stiffness, double force, double z) {
-  elements::Matrix12 moved = elements::Matrix12::Identity();  // u_N = u_N' + θ_N × (0, 0, −z)
-  moved(0, 4) = -z;
-  moved(1, 3) = z;
+/// The 12×12 after a deflection z along an axis e about points at the distance of the undeformed element: N' is z e
+/// from N, rigidly, u_N = u_N' − θ_N × z e. The force turns with that arm.
+elements::Matrix12 with_undeformed_arm(const elements::Matrix12& stiffness, Eigen::Index axis, double force, double z) {
+  const Eigen::Index a = (axis + 1) % 3, b = (axis + 2) % 3;
+  elements::Matrix12 moved = elements::Matrix12::Identity();
+  moved(a, 3 + b) = -z;
+  moved(b, 3 + a) = z;
   elements::Matrix12 found = moved.transpose() * stiffness * moved;
-  found(3, 3) -= force * z;
-  found(4, 4) -= force * z;
+  found(3 + a, 3 + a) -= force * z;
+  found(3 + b, 3 + b) -= force * z;
   return found;
+}
+
+/// The state turned by half a turn about e3, which changes the sign of its deflection across.
+elements::StiffnessOverDeflection::State mirrored(const elements::StiffnessOverDeflection::State& state) {
+  elements::Vector12 turn;
+  turn << -1, -1, 1, -1, -1, 1, -1, -1, 1, -1, -1, 1;
+  return {-state.deflection, -state.force, turn.asDiagonal() * state.stiffness * turn.asDiagonal()};
 }
 
 /// Does a cubic rise everywhere? Its slope is a parabola between two knots.
@@ -34,15 +42,17 @@ bool rises(const elements::KnotCurve& curve) {
 
 }  // namespace
 
-std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rubber) {
+namespace {
+
+/// Is nonlinear = true, without keys that go against it?
+bool reads_nonlinear(TableReader& reader) {
   const bool wanted = reader.boolean("nonlinear").value_or(false);
-  const auto range = reader.numbers("range", Quantity::length);
-  if (range && !wanted) {
+  if (reader.has("range") && !wanted) {
+    reader.also_known({"range"});
     reader.error("range", "a range without nonlinear = true", "it is that of the computed force",
                  "add it, or remove both");
-    return std::nullopt;
   }
-  if (!wanted) return std::nullopt;
+  if (!wanted) return false;
   if (reader.has("preload"))
     reader.error("preload", "a preload beside nonlinear = true", "a nonlinear mount finds its own compression at rest",
                  "remove the preload, and give gravity");
@@ -52,12 +62,22 @@ std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rub
   if (reader.has("scale"))
     reader.error("scale", "scale beside nonlinear = true", "its large deformations are not scaled",
                  "change the material");
+  return true;
+}
+
+constexpr double compressed = 0.25;  // of the rubber, by default
+
+}  // namespace
+
+std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rubber) {
+  if (!reads_nonlinear(reader)) return std::nullopt;
+  const auto range = reader.numbers("range", Quantity::length);
   if (!range && !rubber) {
     if (!reader.has("range"))
       reader.missing("range", R"(give the deflections of K along e3 that occur: range = ["-8 mm", "3 mm"])");
     return std::nullopt;
   }
-  constexpr double compressed = 0.25, drawn = 0.1;
+  constexpr double drawn = 0.1;
   if (!range) return Stroke{-compressed * *rubber, drawn * *rubber};
   if (range->size() == 2 && (*range)[0] < 0 && (*range)[1] > 0 && (!rubber || (*range)[0] > -*rubber))
     return Stroke{(*range)[0], (*range)[1]};
@@ -70,16 +90,31 @@ std::optional<Stroke> read_stroke(TableReader& reader, std::optional<double> rub
   return std::nullopt;
 }
 
+std::optional<Stroke> read_stroke_of_bush(TableReader& reader, double wall) {
+  if (!reads_nonlinear(reader)) return std::nullopt;
+  const auto range = reader.numbers("range", Quantity::length);
+  if (!range) return Stroke{-compressed * wall, compressed * wall, 0, true};
+  if (range->size() == 2 && (*range)[0] == -(*range)[1] && (*range)[1] > 0 && (*range)[1] < wall)
+    return Stroke{(*range)[0], (*range)[1], 0, true};
+  reader.error("range",
+               range->size() == 2 ? fmt::format("{:.6g} to {:.6g} m", (*range)[0], (*range)[1])
+                                  : fmt::format("{} numbers", range->size()),
+               fmt::format("a bush is the same both ways along e1: −a and a, less than its wall of {:.6g} m", wall),
+               R"(for instance range = ["-3 mm", "3 mm"])");
+  return std::nullopt;
+}
+
 void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& key, const MeshedSolid& meshed,
                 model::Element& element) {
-  constexpr Eigen::Index along_k = 8;
+  const Eigen::Index along_k = 6 + stroke.axis;
   using State = elements::StiffnessOverDeflection::State;
   std::vector<State> states = {{0, 0, element.law.nominal_stiffness}};
   double arm = 0;
   const auto add = [&](double deflection, int steps) {
     fem::Preload load;
-    load.value(2) = deflection;
-    const std::string place = content_key(fmt::format("{} along {:.17g} {}", key, deflection, steps)),
+    load.value(stroke.axis) = deflection;
+    const std::string place = content_key(fmt::format("{} {} {:.17g} {}", key, stroke.axis == 2 ? "along" : "across",
+                                                      deflection, steps)),
                       not_found = place + "-none";  // is found out once, because it takes as long
     if (cached_numbers(not_found)) return false;
     const std::variant<LoadedSolid, std::string> under = solid_under(place, meshed, load, steps);
@@ -89,13 +124,15 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
       return false;
     }
     const double force = there->force(along_k);
-    arm = there->distance - deflection;
-    states.insert(deflection < 0 ? states.begin() : states.end(),
-                  State{deflection, force, with_undeformed_arm(there->stiffness, force, deflection)});
+    if (stroke.axis == 2) arm = there->distance - deflection;
+    const State state{deflection, force, with_undeformed_arm(there->stiffness, stroke.axis, force, deflection)};
+    states.insert(deflection < 0 ? states.begin() : states.end(), state);
+    if (stroke.is_symmetric) states.insert(states.begin(), mirrored(state));
     return true;
   };
-  constexpr int in_compression = 5, in_tension = 3;
-  for (int i = 1; i <= in_compression && add(stroke.from * i / in_compression, i); ++i) {
+  constexpr int in_compression = 5;
+  const int in_tension = stroke.is_symmetric ? in_compression : 3;
+  for (int i = 1; !stroke.is_symmetric && i <= in_compression && add(stroke.from * i / in_compression, i); ++i) {
   }
   for (int i = 1; i <= in_tension && add(stroke.to * i / in_tension, i); ++i) {
   }
@@ -120,21 +157,21 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
   const double undeformed = element.law.nominal_stiffness(along_k, along_k);
   element.facts.push_back(
       {"large deformations",
-       fmt::format("finite elements from {:.4g} m, {:.5g} N to {:.4g} m, {:.5g} N along e3; {:.4g} and {:.4g} times as "
-                   "stiff there as undeformed",
-                   first.deflection, first.force, last.deflection, last.force, slopes.front() / undeformed,
-                   slopes.back() / undeformed)});
+       fmt::format(
+           "finite elements from {:.4g} m, {:.5g} N to {:.4g} m, {:.5g} N along e{}; {:.4g} and {:.4g} times as "
+           "stiff there as undeformed",
+           first.deflection, first.force, last.deflection, last.force, stroke.axis + 1, slopes.front() / undeformed,
+           slopes.back() / undeformed)});
   if (first.deflection > stroke.from || last.deflection < stroke.to)
     reader.problems()
         .warning(reader.path() + ".nonlinear",
                  fmt::format("equilibrium from {:.6g} to {:.6g} m only", first.deflection, last.deflection),
                  "beyond, the mesh finds none, or the solid buckles", "give a range within it")
         .origin = reader.content().origin;
-  element.over_deflection.emplace(states, arm);
-  constexpr int along = 2;
+  element.over_deflection.emplace(states, stroke.axis, arm);
   constexpr double middle = 0.5;
   element.nonlinear_parts.push_back(
-      {along, middle, {elements::ElasticForce(curve), elements::ElasticForce(elements::PolynomialForce{{-1}})}});
+      {stroke.axis, middle, {elements::ElasticForce(curve), elements::ElasticForce(elements::PolynomialForce{{-1}})}});
   element.allow_residual = true;  // of the force on the way
   model::set_linear_law_at(0, element);
 }

@@ -22,8 +22,7 @@ ElementLength stiffened(TableReader& reader, ElementLength length, model::Elemen
   if (!length || stiffening == 1) return length;
   if (element.over_deflection) {
     reader.error("nonlinear", fmt::format("nonlinear = true with a stiffening of {:.6g}", stiffening),
-                 "one force along e3 is that of rest and of vibration",
-                 "give the material of vibration without stiffening");
+                 "one force is that of rest and of vibration", "give the material of vibration without stiffening");
     return std::nullopt;
   }
   const Eigen::Matrix<double, 12, 6> rigid = elements::rigid_motions({0, 0, *length}, Eigen::Matrix3d::Identity());
