@@ -193,6 +193,58 @@ TEST(RubbingContact, TwoVerdictsOnStabilityAgree) {
   }
 }
 
+/// A curve from motions that stick to motions that slip in two directions turns at once there; beyond, it is the one
+/// that begins there.
+TEST(RubbingContact, GoesOnWhereSlipBegins) {
+  const nonlinear::RestPosition rest = nonlinear::rest_position(test::project(R"(trivet = 1
+[bodies.b]
+mass = 10
+free = ["x", "y", "z"]
+[elements.s]
+type = "three_springs"
+on = "b"
+at = [0, 0, 0]
+translation = [4e4, 6e4, 9e4]
+damping = {translation = [60, 60, 80]}
+[elements.st]
+type = "stop"
+on = "b"
+at = [0, 0, 0]
+axis = "x"
+gap = 0
+stiffness = 2e5
+friction = {coefficient = 0.4, stiffness = 1.5e5}
+[excitations.e]
+type = "harmonic"
+on = "b"
+at = [0, 0, 0]
+force = [60, 120, 150]
+phase = ["0 deg", "30 deg", "120 deg", 0, 0, 0]
+[excitations.c]
+type = "constant"
+on = "b"
+at = [0, 0, 0]
+force = [300, 0, 0]
+)")
+                                                                    .base()
+                                                                    .system);
+  const auto curve = [&](double from) {
+    nonlinear::SteadyOptions options{.from = from, .to = 1.3};
+    options.over = nonlinear::Parameter::load_factor;
+    options.angular_frequency = 2 * std::numbers::pi * 9;
+    options.harmonics = 8;
+    options.of = {"b.y"};
+    options.at = {0.96, 1.2};
+    return nonlinear::steady_branch(rest.system, options);
+  };
+  const nonlinear::SteadyBranch whole = curve(0.6), beyond = curve(0.95);
+  EXPECT_EQ(whole.ended, "");
+  ASSERT_EQ(whole.at.size(), 2u);
+  ASSERT_EQ(beyond.at.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i)
+    EXPECT_LT((whole.at[i].deflections - beyond.at[i].deflections).norm(), 1e-9 * beyond.at[i].deflections.norm());
+}
+
 nonlinear::SteadyPoint only_point(const std::string& text, double at) {
   nonlinear::SteadyOptions options{.from = 38, .to = 51};
   options.harmonics = 11;

@@ -156,7 +156,7 @@ stiffness = "8 kN/m"
 coefficient = "20 N s/m"
 free_length = "18 mm"
 )");
-  nonlinear::SteadyOptions options{.from = 20, .to = 90, .harmonics = 5};
+  nonlinear::SteadyOptions options{.from = 30, .to = 60, .harmonics = 4};
   options.deep = true;
   const nonlinear::SteadyBranch branch = nonlinear::steady_branch(project.base().system, options);
   EXPECT_EQ(branch.ended, "");

@@ -11,6 +11,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/modes.h"
 #include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/ending_cause.h"
 #include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/periodic/branch.h"
@@ -105,6 +106,7 @@ class FreeMotion {
   }
   [[nodiscard]] MatrixXd deflections(const VectorXd& unknowns) const { return motion(unknowns) * across_; }
 
+  [[nodiscard]] const MachineLaws& laws() const { return laws_; }
   [[nodiscard]] MatrixXd forces(const VectorXd& unknowns, double omega) const {
     return laws_.forces(deflections(unknowns), omega);
   }
@@ -219,7 +221,7 @@ class FreeCourse {
         assembled_(assembly::assemble(system_)),
         deflections_(laws_of(system_, assembled_, options.damped)),
         motion_(assembled_, deflections_, options.damped, options.harmonics),
-        observer_(system_, assembled_, PeriodicExcitation(), options.of, options.quantity) {
+        observer_(system_, assembled_, PeriodicExcitation(), deflections_, options.of, options.quantity) {
     if (assembled_.frequency_dependent())
       throw foundation::NotComputable(
           "backbone: elements whose stiffness is a function of frequency; give them constant matrices or a Maxwell "
@@ -272,10 +274,14 @@ class FreeCourse {
       }
       const std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
       if (!advance || !(advance->to.parameter > 0)) {
-        found.ended = fmt::format(
-            "no further motion beyond {:.6g} rad/s and {:.4g} J: the step of the branch became "
-            "too short",
-            now.parameter, found.points.back().energy);
+        constexpr double ahead = 1e-3;
+        const VectorXd beyond = now.unknowns +
+            ahead * now.tangent.head(now.unknowns.size()).cwiseProduct(now.scale.head(now.unknowns.size()));
+        found.ended =
+            fmt::format("no further motion beyond {:.6g} rad/s and {:.4g} J: the step of the branch became too short{}",
+                        now.parameter, found.points.back().energy,
+                        ending_cause(deflections_, motion_.laws(), motion_.deflections(now.unknowns),
+                                     motion_.deflections(beyond), now.parameter));
         break;
       }
       const double energy = found.points.back().energy, next_energy = this->energy(advance->to);
@@ -385,8 +391,10 @@ class FreeCourse {
       }
     }
     result.share = std::max(result.share, result.energy / options_.up_to_energy);
-    result.results =
-        observer_.at(result.coordinates, motion_.forces(point.unknowns, point.parameter), point.parameter, 0);
+    const MatrixXd forces = motion_.forces(point.unknowns, point.parameter);
+    std::optional<SharpForces> sharp;
+    if (observer_.follows_forces()) sharp.emplace(motion_.laws(), course, forces, point.parameter);
+    result.results = observer_.at(result.coordinates, forces, point.parameter, 0, sharp ? &*sharp : nullptr);
     found.left_out = std::max(found.left_out, motion_.left_out(point.unknowns, point.parameter));
     return result;
   }

@@ -18,18 +18,12 @@ using foundation::two_pi;
 
 namespace {
 
-/// d/dφ of all columns of coefficients.
-MatrixXd phase_derivatives(const MatrixXd& coefficients) {
-  MatrixXd found(coefficients.rows(), coefficients.cols());
-  for (Index j = 0; j < coefficients.cols(); ++j) found.col(j) = numerics::phase_derivative(coefficients.col(j));
-  return found;
-}
-
 /// Bristles that do not move stick with their stiffness, but for a mean that they forget.
 MatrixXd sticking(const elements::LuGreFriction& law, Index count, double omega) {
   MatrixXd stiffness = law.stiffness * MatrixXd::Identity(count, count);
   stiffness(0, 0) = 0;
-  return stiffness + omega * (law.damping + law.viscous) * phase_derivatives(MatrixXd::Identity(count, count));
+  return stiffness +
+      omega * (law.damping + law.viscous) * numerics::phase_derivatives(MatrixXd::Identity(count, count));
 }
 
 }  // namespace
@@ -65,8 +59,8 @@ BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& defl
     slopes.col(2 * k) = static_cast<double>(k) * basis.row(2 * k - 1).transpose();
   }
   const MatrixXd by_motion = integral * loop.variation(slopes);
-  found.tangent = law.stiffness * by_motion + omega * law.damping * phase_derivatives(by_motion) +
-      omega * law.viscous * phase_derivatives(MatrixXd::Identity(count, count));
+  found.tangent = law.stiffness * by_motion + omega * law.damping * numerics::phase_derivatives(by_motion) +
+      omega * law.viscous * numerics::phase_derivatives(MatrixXd::Identity(count, count));
   const VectorXd by_omega = integral * loop.variation_by_omega();
   found.by_omega = law.stiffness * by_omega +
       law.damping * (omega * numerics::phase_derivative(by_omega) + bristle_rate) + law.viscous * rate;

@@ -184,8 +184,13 @@ void add_distances(const model::System& system, const assembly::Assembled& assem
 
 namespace {
 
-/// Accelerations of the coordinates per force on a deflection: s² (K + s B + s² A)⁻¹ w for large s. Infinite if they
-/// grow with s: on a node without mass.
+bool has_coulomb_friction(const model::NonlinearPart& part) {
+  const std::vector<elements::HystereticForce> all = elements::only<elements::HystereticForce>(part.laws);
+  return std::any_of(all.begin(), all.end(), elements::jumps_at_turns);
+}
+
+}  // namespace
+
 Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrices,
                                         const Eigen::VectorXd& on_coordinates) {
   constexpr double beyond = 1e6, farther = 10, grows = 2;
@@ -202,13 +207,6 @@ Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrice
     return std::numeric_limits<double>::infinity() * on_coordinates.cwiseSign();
   return far;
 }
-
-bool has_coulomb_friction(const model::NonlinearPart& part) {
-  const std::vector<elements::HystereticForce> all = elements::only<elements::HystereticForce>(part.laws);
-  return std::any_of(all.begin(), all.end(), elements::jumps_at_turns);
-}
-
-}  // namespace
 
 std::vector<Deflection> nonlinear_deflections(const model::System& system, const assembly::Assembled& assembled,
                                               const References& references) {

@@ -27,12 +27,6 @@ Index samples_of_directions(Index harmonics) {
   return count;
 }
 
-MatrixXd rate_of(const MatrixXd& course, double omega) {
-  MatrixXd rate(course.rows(), 3);
-  for (Index a = 0; a < 3; ++a) rate.col(a) = omega * numerics::phase_derivative(course.col(a));
-  return rate;
-}
-
 }  // namespace
 
 DistanceHarmonics::DistanceHarmonics(DistanceAbout law, Index harmonics) : law_(std::move(law)), harmonics_(harmonics) {
@@ -60,7 +54,7 @@ std::vector<double> DistanceHarmonics::corners(const MatrixXd& course) const {
 
 /// Nodes of the integrals over a period: even samples, or Gauss's between corners. Weights add up to 2.
 void DistanceHarmonics::each_node(const MatrixXd& course, double omega, const Visit& visit) const {
-  const MatrixXd rate = rate_of(course, omega);
+  const MatrixXd rate = omega * numerics::phase_derivatives(course);
   const Index count = course.rows();
   const auto at_row = [&](const RowVectorXd& row, double weight) {
     visit(row, weight, law_.at((row.head(count) * course).transpose(), (row.head(count) * rate).transpose()));
@@ -119,7 +113,7 @@ DistanceHarmonics::Found DistanceHarmonics::at(const MatrixXd& course, double om
 
 elements::SpatialForce DistanceHarmonics::at_phase(const MatrixXd& course, double omega, double phase) const {
   const RowVectorXd row = numerics::fourier_row((course.rows() - 1) / 2, phase);
-  return law_.at((row * course).transpose(), (row * rate_of(course, omega)).transpose());
+  return law_.at((row * course).transpose(), (row * omega * numerics::phase_derivatives(course)).transpose());
 }
 
 }  // namespace trivet::nonlinear

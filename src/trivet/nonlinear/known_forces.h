@@ -15,6 +15,8 @@ class KnownForces {
   /// `deflections` must outlive it.
   explicit KnownForces(const std::vector<Deflection>& deflections) : deflections_(deflections) {}
 
+  [[nodiscard]] const std::vector<Deflection>& deflections() const { return deflections_; }
+
   /// Where no motion is found: "; friction …", or nothing.
   [[nodiscard]] std::string hint() const;
 

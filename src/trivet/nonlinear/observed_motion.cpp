@@ -90,14 +90,81 @@ double largest_of(const VectorXd& coefficients, const MatrixXd& samples) {
   return std::max(sampled, numerics::motion_at(harmonics, phase, coefficients));
 }
 
+/// Courses of forces at the phases of the sharp ones, with these.
+struct SharpCourses {
+  Eigen::VectorXd phases, weights;  ///< weights of means
+  MatrixXd rows, sharp;             ///< of the basis; phases × nonlinear deflections
+};
+
+SharpCourses sharp_courses(const SharpForces& forces, Index harmonics) {
+  const std::vector<double>& phases = forces.phases();
+  const auto count = to_index(phases.size());
+  SharpCourses found{VectorXd(count), VectorXd(count), MatrixXd(count, numerics::coefficient_count(harmonics)), {}};
+  for (Index n = 0; n < count; ++n) {
+    const double phase = phases[to_size(n)];
+    found.phases(n) = phase;
+    const double before = n > 0 ? phases[to_size(n - 1)] : phases.back() - foundation::two_pi,
+                 after = n + 1 < count ? phases[to_size(n + 1)] : phases.front() + foundation::two_pi;
+    found.weights(n) = (after - before) / 2 / foundation::two_pi;
+    found.rows.row(n) = numerics::fourier_row(harmonics, phase);
+    const Eigen::RowVectorXd here = forces.at(phase);
+    if (n == 0) found.sharp.resize(count, here.size());
+    found.sharp.row(n) = here;
+  }
+  return found;
+}
+
+/// Largest of values over a period: of the samples, then of the parabolas through them.
+template <typename At>
+double largest_at(const VectorXd& phases, const VectorXd& values, const At& at) {
+  Index place = 0;
+  double largest = values.maxCoeff(&place);
+  const Index count = values.size();
+  const Index before = (place + count - 1) % count, after = (place + 1) % count;
+  double x[3] = {phases(before), phases(place), phases(after)}, y[3] = {values(before), largest, values(after)};
+  if (before > place) x[0] -= foundation::two_pi;
+  if (after < place) x[2] += foundation::two_pi;
+  constexpr double apart = 1e-8;  // on both sides of a jump
+  constexpr int steps = 3;
+  for (int i = 0; i < steps && x[1] - x[0] > apart && x[2] - x[1] > apart; ++i) {
+    const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[2] - y[1]) / (x[2] - x[1]),
+                 bend = (right - left) / (x[2] - x[0]);
+    if (!(bend < 0)) break;
+    const double vertex = (x[0] + x[1]) / 2 - left / (2 * bend);
+    if (!(vertex > x[0] && vertex < x[2])) break;
+    const double there = at(vertex);
+    if (!(there > y[1])) break;
+    (vertex < x[1] ? x[2] : x[0]) = x[1];
+    (vertex < x[1] ? y[2] : y[0]) = y[1];
+    x[1] = vertex;
+    y[1] = largest = there;
+  }
+  return largest;
+}
+
 }  // namespace
 
 Observer::Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
-                   const std::vector<std::string>& of, assembly::MotionQuantity quantity)
+                   const std::vector<Deflection>& deflections, const std::vector<std::string>& of,
+                   assembly::MotionQuantity quantity)
     : assembled_(assembled),
       excitation_(std::move(excitation)),
       channels_(assembly::channels(system, assembled, of, quantity)),
-      direct_(direct_forces(system, assembled, of, quantity)) {}
+      direct_(direct_forces(system, assembled, of, quantity)),
+      at_once_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
+  constexpr int acceleration = 2;
+  if (std::none_of(channels_.begin(), channels_.end(),
+                   [](const assembly::Channel& channel) { return channel.derivative == acceleration; }))
+    return;
+  for (Index j = 0; j < at_once_.cols(); ++j) {
+    const VectorXd per_force = accelerations_per_force(assembled.matrices, deflections[to_size(j)].on_coordinates);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      if (channels_[c].derivative != acceleration) continue;
+      const double found = -channels_[c].on_displacement.real().dot(per_force);
+      if (std::isfinite(found)) at_once_(to_index(c), j) = found;  // beyond that, of a node without mass
+    }
+  }
+}
 
 /// Without the forces of nonlinear parts.
 Complex Observer::value(std::size_t c, Complex s, const VectorXcd& coordinates, const VectorXcd& ground) const {
@@ -118,7 +185,7 @@ Complex Observer::value(std::size_t c, Complex s, const VectorXcd& coordinates, 
 }
 
 std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, const MatrixXd& forces, double omega,
-                                         double factor) const {
+                                         double factor, const SharpForces* sharp) const {
   const Index harmonics = (forces.rows() - 1) / 2;
   std::vector<VectorXd> courses(channels_.size(), VectorXd::Zero(forces.rows()));
   for (Index k = 0; k <= harmonics; ++k) {
@@ -157,6 +224,20 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
     motion.smallest = -largest_of(-course, samples);
     motion.rms = course.tail(course.size() - 1).norm() / std::sqrt(2.0);
     results.push_back(std::move(motion));
+  }
+  if (!sharp || !follows_forces()) return results;
+  const SharpCourses all = sharp_courses(*sharp, harmonics);
+  for (std::size_t c = 0; c < courses.size(); ++c) {
+    const Eigen::RowVectorXd direct = direct_.row(to_index(c)) + at_once_.row(to_index(c));
+    if (direct.isZero(0)) continue;
+    const VectorXd left_out = all.sharp.leftCols(direct.size()) * direct.transpose(),
+                   values = all.rows * courses[c] + left_out;
+    const auto at = [&](double phase) {
+      return numerics::motion_at(harmonics, phase, courses[c]) + direct.dot(sharp->at(phase).head(direct.size()));
+    };
+    results[c].largest = largest_at(all.phases, values, at);
+    results[c].smallest = -largest_at(all.phases, -values, [&](double phase) { return -at(phase); });
+    results[c].rms = std::sqrt(results[c].rms * results[c].rms + all.weights.dot(left_out.cwiseAbs2()));
   }
   return results;
 }

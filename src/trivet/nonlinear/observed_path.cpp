@@ -143,8 +143,8 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
   }
 }
 
-/// The only stable motion that is known at the parameter of a fold, besides those that meet there.
-std::optional<SteadyPoint> ObservedPath::landing(const MotionsAt& known, const BranchPoint& fold) const {
+/// Stable motions that are known at the parameter of a fold, besides those that meet there.
+std::vector<SteadyPoint> ObservedPath::landings(const MotionsAt& known, const BranchPoint& fold) const {
   constexpr double same = 1e-2;  // of the motion
   std::vector<SteadyPoint> stable;
   for (const BranchPoint& other : known(fold.parameter)) {
@@ -152,11 +152,15 @@ std::optional<SteadyPoint> ObservedPath::landing(const MotionsAt& known, const B
     SteadyPoint point = steady(other);
     if (point.stable) stable.push_back(std::move(point));
   }
-  return stable.size() == 1 ? std::optional(std::move(stable.front())) : std::nullopt;
+  return stable;
 }
 
 void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) const {
-  for (std::size_t i = 0; i < branch.folds.size(); ++i) branch.folds[i].lands = landing(known, path_.turns()[i].point);
+  for (std::size_t i = 0; i < branch.folds.size(); ++i) {
+    std::vector<SteadyPoint> there = landings(known, path_.turns()[i].point);
+    branch.folds[i].stable_there = there.size();
+    if (there.size() == 1) branch.folds[i].lands = std::move(there.front());
+  }
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {
@@ -169,7 +173,7 @@ void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) 
       continue;
     const LawCourse course = law.course(point.unknowns.segment(j * C, C), path_.driving(point.parameter).omega);
     if (std::any_of(course.loops().begin(), course.loops().end(),
-                    [](const HystereticLoop& loop) { return loop.sticks(); }))
+                    [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
       found.sticking.push_back(name);
   }
   const MachineLaws& laws = path_.balance().laws();
@@ -205,7 +209,7 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
     return observer_.stability()
                .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
                             of_multipliers)
-               .cwiseAbs()
+               .values.cwiseAbs()
                .maxCoeff() -
         1;
   };

@@ -2,6 +2,8 @@
 #include "trivet/nonlinear/observed_point.h"
 
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/contact_share.h"
@@ -23,7 +25,8 @@ bool is_behind_fold(const HarmonicBalance& balance, const Eigen::VectorXd& unkno
 PointObserver::PointObserver(const ReferenceMachine& machine, const SteadyOptions& options)
     : machine_(machine),
       options_(options),
-      observer_(machine.system, machine.assembled, machine.excitation, options.of, options.quantity),
+      observer_(machine.system, machine.assembled, machine.excitation, machine.deflections, options.of,
+                options.quantity),
       stability_(machine.assembled, machine.deflections),
       winding_(machine.condensed, machine.deflections) {
   for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
@@ -66,9 +69,15 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   result.load_factor = factor;
   result.deflections = unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
   const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
-  if (!observer_.channels().empty())
-    result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor);
-  result.multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
+  if (!observer_.channels().empty()) {
+    std::optional<SharpForces> sharp;
+    if (observer_.follows_forces()) sharp.emplace(balance.laws(), result.deflections, forces, omega);
+    result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor,
+                                  sharp ? &*sharp : nullptr);
+  }
+  PeriodicStability::Multipliers multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
+  result.multipliers = std::move(multipliers.values);
+  result.multiplier_uncertainty = multipliers.uncertainty;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));
   result.stable = result.unstable_multipliers() == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));
   return result;

@@ -146,7 +146,8 @@ MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double t
   return y;
 }
 
-MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double to, double accurate) const {
+PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, double from, double to,
+                                                       double accurate) const {
   constexpr int per_period = 16, most = 2048;
   // The coarsest steps turn the mass that a law holds by its tangent alone by about a fifth of its period.
   TangentsAlong middle;
@@ -176,8 +177,10 @@ MatrixXd PeriodicStability::split(const LawsAlong& motion, double from, double t
       steps.push_back(count);
       row = std::move(next);
       const std::size_t last = row.size() - 1;
-      if (last > 0 && ((row[last] - row[last - 1]).norm() <= accurate * row[last].norm() || count > most))
-        return row.back();
+      if (last == 0) continue;
+      const double changed = (row[last] - row[last - 1]).norm() / row[last].norm();
+      if (changed <= accurate) return {row.back()};
+      if (count > most) return {row.back(), changed};
     }
   }
 }
@@ -252,8 +255,8 @@ void PeriodicStability::forget_unused(const LawsAlong& motion, MatrixXd& states)
   }
 }
 
-Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections, double omega,
-                                                double accurate) const {
+PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws& laws, const VectorXd& deflections,
+                                                              double omega, double accurate) const {
   const LawsAlong motion(laws, deflections, omega);
   std::vector<double> corners = {0, two_pi};
   for (const LawCourse& course : motion.courses)
@@ -265,6 +268,7 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
   std::sort(corners.begin(), corners.end());
   const Index all = F_.rows() + motion.memories();
   MatrixXd period = MatrixXd::Identity(all, all);
+  double uncertainty = 0;
   forget_unused(motion, period);
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
     const double from = corners[i], to = corners[i + 1];
@@ -277,11 +281,12 @@ Eigen::VectorXcd PeriodicStability::multipliers(const MachineLaws& laws, const V
       for (std::size_t r = 0; r < motion.rubbings.size(); ++r) change_rubbing(motion, r, from, period);
     constexpr double nothing = 1e-12;
     if (to - from < nothing) continue;
-    const MatrixXd piece =
-        motion.is_piecewise_linear ? with_constant_tangents(motion, from, to) : split(motion, from, to, accurate);
-    period = (piece * period).eval();
+    const Transition piece = motion.is_piecewise_linear ? Transition{with_constant_tangents(motion, from, to)}
+                                                        : split(motion, from, to, accurate);
+    period = (piece.states * period).eval();
+    uncertainty = std::max(uncertainty, piece.uncertainty);
   }
-  return numerics::general_eigenvalues(period).values;
+  return {numerics::general_eigenvalues(period).values, uncertainty};
 }
 
 }  // namespace trivet::nonlinear

@@ -32,10 +32,14 @@ class PeriodicStability {
 
   /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
   /// inside the unit circle.
+  struct Multipliers {
+    Eigen::VectorXcd values;
+    double uncertainty = 0;  ///< share of the transition that the smallest steps still change, if it is too much
+  };
   /// @param deflections  Fourier coefficients of one deflection after another
   /// @param accurate     at most this share of the transition changes by the last column of the extrapolation
-  [[nodiscard]] Eigen::VectorXcd multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,
-                                             double accurate = 1e-7) const;
+  [[nodiscard]] Multipliers multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,
+                                        double accurate = 1e-7) const;
 
   /// Is it that of the machine with its loss factors replaced?
   [[nodiscard]] bool is_of_viscous_machine() const { return replaced_losses_; }
@@ -43,7 +47,11 @@ class PeriodicStability {
  private:
   /// State transition between two phases: of constant tangents; by splitting.
   [[nodiscard]] Eigen::MatrixXd with_constant_tangents(const LawsAlong& motion, double from, double to) const;
-  [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, double accurate) const;
+  struct Transition {
+    Eigen::MatrixXd states;
+    double uncertainty = 0;  ///< as of the multipliers
+  };
+  [[nodiscard]] Transition split(const LawsAlong& motion, double from, double to, double accurate) const;
   [[nodiscard]] Eigen::MatrixXd split(const LawsAlong& motion, double from, double to, int steps) const;
   [[nodiscard]] numerics::RowMatrix elastic_answers(const LawsAlong& motion, double from, double to, int steps) const;
   void turn(const LawsAlong& motion, std::size_t loop, double phase, Eigen::MatrixXd& states) const;

@@ -23,17 +23,15 @@ namespace {
 
 constexpr double round_off = 1e-12;
 
-MatrixXd phase_derivatives(const MatrixXd& coefficients) {
-  MatrixXd found(coefficients.rows(), coefficients.cols());
-  for (Index j = 0; j < coefficients.cols(); ++j) found.col(j) = numerics::phase_derivative(coefficients.col(j));
-  return found;
-}
-
 }  // namespace
 
 RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const std::vector<double>& corners,
                          double omega, double longest)
-    : law_(law), course_(course), slope_(phase_derivatives(course)), bend_(phase_derivatives(slope_)), omega_(omega) {
+    : law_(law),
+      course_(course),
+      slope_(numerics::phase_derivatives(course)),
+      bend_(numerics::phase_derivatives(slope_)),
+      omega_(omega) {
   std::vector<double> ends = corners;
   if (ends.empty()) ends = {0};
   const auto is_open = [&](std::size_t i) {
@@ -237,18 +235,42 @@ Matrix2d RubbingLoop::kept() const {
   return all;
 }
 
-RubbingLoop::Moment RubbingLoop::moment(double phase) const {
+std::size_t RubbingLoop::point_after(double& phase) const {
   while (phase < points_.front().phase) phase += two_pi;
   while (phase >= points_.back().phase) phase -= two_pi;
   const auto after = std::upper_bound(points_.begin() + 1, points_.end() - 1, phase,
                                       [](double value, const Point& point) { return value < point.phase; });
-  Moment found{after->state};
+  return static_cast<std::size_t>(after - points_.begin());
+}
+
+Vector2d RubbingLoop::force(double phase) const {
+  if (points_.empty()) return Vector2d::Zero();
+  const std::size_t after = point_after(phase);
+  const Here here = at(phase);
+  const double k = law_.law().stiffness;
+  if (always_sticks_) return k * (here.across - place_.place);
+  const Point& before = points_[after - 1];
+  const Vector2d travel = here.across - across_[after - 1];
+  switch (points_[after].state) {
+    case State::open:
+      return Vector2d::Zero();
+    case State::sticks:
+      return before.force + k * travel;
+    case State::slips:
+      return elements::slip(k, before.force, travel, before.limit.value, here.limit.value).force;
+  }
+  return Vector2d::Zero();
+}
+
+RubbingLoop::Moment RubbingLoop::moment(double phase) const {
+  const std::size_t after = point_after(phase);
+  Moment found{points_[after].state};
   const Here here = at(phase);
   found.limit = here.limit;
   if (found.state != State::slips) return found;
-  const Point& before = *(after - 1);
+  const Point& before = points_[after - 1];
   const double k = law_.law().stiffness;
-  const Vector2d travel = here.across - across_[static_cast<std::size_t>(after - points_.begin()) - 1],
+  const Vector2d travel = here.across - across_[after - 1],
                  force = elements::slip(k, before.force, travel, before.limit.value, here.limit.value).force;
   if (const double size = force.norm(); size > 0) {
     found.direction = force / size;

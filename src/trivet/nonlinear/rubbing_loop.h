@@ -56,6 +56,7 @@ class RubbingLoop {
     Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< zero without a force
   };
   [[nodiscard]] std::vector<Change> changes() const;
+  [[nodiscard]] Eigen::Vector2d force(double phase) const;
   [[nodiscard]] State state_at(double phase) const { return moment(phase).state; }
 
   /// Variations of the two forces at the points, points × columns each, by variations of the limit or of one deflection
@@ -75,6 +76,8 @@ class RubbingLoop {
     double limit_slope;  ///< by the phase
   };
   [[nodiscard]] Here at(double phase) const;
+  /// Index of the first point at a phase or after it, which is brought between the first and the last one.
+  [[nodiscard]] std::size_t point_after(double& phase) const;
   [[nodiscard]] double step_of_stiffness() const;
   [[nodiscard]] bool settles(double start, const std::vector<double>& ends, double longest);
   void close(double start, const std::vector<double>& ends, double longest);

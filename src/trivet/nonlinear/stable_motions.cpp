@@ -72,4 +72,26 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   return without;
 }
 
+std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch) {
+  const std::vector<const SteadyPoint*> stable = stable_points(branch);
+  std::vector<StableExtremes> found;
+  if (stable.empty()) return found;
+  for (std::size_t c = 0; c < branch.results.size(); ++c) {
+    StableExtremes one{stable.front()};
+    for (const SteadyPoint* point : stable)
+      if (point->results[c].largest > one.at->results[c].largest) one.at = point;
+    one.largest = one.largest_of_all = one.at->results[c].largest;
+    one.smallest = one.at->results[c].smallest;
+    for (const SteadyPoint* point : stable) one.smallest = std::min(one.smallest, point->results[c].smallest);
+    const auto add_all = [&](const SteadyBranch& curve) {
+      for (const SteadyPoint& point : curve.points)
+        one.largest_of_all = std::max(one.largest_of_all, point.results[c].largest);
+    };
+    add_all(branch);
+    for (const SteadyBranch& curve : branch.further) add_all(curve);
+    found.push_back(one);
+  }
+  return found;
+}
+
 }  // namespace trivet::nonlinear

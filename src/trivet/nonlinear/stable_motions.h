@@ -11,6 +11,14 @@ namespace trivet::nonlinear {
 /// Stable motions of a curve and of its further ones, and folds beside a stable point, which are their ends.
 [[nodiscard]] std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch);
 
+/// Extremes of one result over the stable motions, and the largest value of all motions.
+struct StableExtremes {
+  const SteadyPoint* at = nullptr;  ///< the motion with the largest value
+  double largest = 0, smallest = 0, largest_of_all = 0;
+};
+/// One per result; empty without stable motions. The branch must outlive them.
+[[nodiscard]] std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch);
+
 /// Stretches of the parameter, between the ends of the branch, in which no motion of a known curve is stable.
 [[nodiscard]] std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch);
 

@@ -28,7 +28,8 @@ using Eigen::Index;
 void add_linear(const model::System& given, const SteadyOptions& options, SteadyBranch& found) {
   constexpr int count = 400;
   const ReferenceMachine about_rest(given, tangents_at_rest(given), options.excitations);
-  const Observer observer(about_rest.system, about_rest.assembled, about_rest.excitation, options.of, options.quantity);
+  const Observer observer(about_rest.system, about_rest.assembled, about_rest.excitation, about_rest.deflections,
+                          options.of, options.quantity);
   const PeriodicExcitation& excitation = about_rest.excitation;
   const Eigen::MatrixXd none =
       Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()), about_rest.condensed.size());

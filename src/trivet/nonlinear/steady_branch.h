@@ -21,6 +21,7 @@ struct SteadyPoint {
   Eigen::MatrixXd deflections;          ///< Fourier coefficients × nonlinear deflections
   std::vector<ObservedMotion> results;  ///< in the order of SteadyBranch::results
   Eigen::VectorXcd multipliers;
+  double multiplier_uncertainty = 0;  ///< PeriodicStability::Multipliers
   bool stable = true;
   std::vector<double> contact;             ///< shares of the period in which stops are touched, as SteadyBranch::stops
   std::optional<int> unstable_by_winding;  ///< Floquet exponents with Re > 0 (WindingStability), where computed
@@ -37,6 +38,7 @@ struct Fold {
   bool upper = false;                ///< the parameter is largest there: the jump as it rises
   std::optional<SteadyPoint> lands;  ///< the only stable motion of the same period known there; empty if there are
                                      ///< several or none
+  std::size_t stable_there = 0;      ///< their number
 };
 
 /// Where the stability changes without a fold: a multiplier leaves the unit circle.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 
@@ -18,7 +19,10 @@ using Eigen::VectorXd;
 
 SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
-    : options_(options), first_harmonic_(excitation.first_harmonic), balance_(machine, deflections, harmonics) {
+    : options_(options),
+      first_harmonic_(excitation.first_harmonic),
+      of_shaft_(excitation.of_shaft),
+      balance_(machine, deflections, harmonics) {
   constexpr double share = 1e-3;
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
   smallest_ = motion.size() > 0 ? share * motion.cwiseAbs().maxCoeff() : 0;
@@ -33,8 +37,9 @@ Driving SteadyEquations::driving(double parameter) const {
 }
 
 std::string SteadyEquations::place(double parameter) const {
-  return options_.over == Parameter::frequency ? fmt::format("{:.10g} rad/s", parameter)
-                                               : fmt::format("{:.10g} times the load", parameter);
+  if (options_.over == Parameter::load_factor) return fmt::format("{:.10g} times the load", parameter);
+  return of_shaft_ ? fmt::format("{:.10g} rpm", parameter * foundation::rpm_per_rad_s)
+                   : fmt::format("{:.10g} Hz", parameter / foundation::two_pi);
 }
 
 VectorXd SteadyEquations::scale(const VectorXd& unknowns) const {

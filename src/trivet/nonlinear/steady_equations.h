@@ -54,6 +54,7 @@ class SteadyEquations {
 
   const SteadyOptions& options_;
   double first_harmonic_;  ///< its frequency over the one that is varied
+  bool of_shaft_;
   HarmonicBalance balance_;
   double smallest_;  ///< scale of a harmonic
 };

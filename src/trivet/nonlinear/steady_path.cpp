@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/ending_cause.h"
 
 namespace trivet::nonlinear {
 
@@ -142,9 +143,21 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       break;
     }
     std::optional<numerics::Branch::Advance> advance = branch_.advance(now, step, control);
+    if (!advance) {
+      advance = across_corner(now);
+      step = first_step;
+    }
     if (!advance || !(advance->to.parameter > 0)) {
-      ended_ = fmt::format("no further motion beyond {}: the step of the branch became too short",
-                           equations_.place(now.parameter));
+      constexpr double ahead = 1e-3;
+      const VectorXd beyond = now.unknowns +
+          ahead * now.tangent.head(now.unknowns.size()).cwiseProduct(now.scale.head(now.unknowns.size()));
+      const auto courses = [&](const VectorXd& unknowns) {
+        return Eigen::MatrixXd(unknowns.reshaped(balance().coefficients(), unknowns.size() / balance().coefficients()));
+      };
+      ended_ = fmt::format("no further motion beyond {}: the step of the branch became too short{}",
+                           equations_.place(now.parameter),
+                           ending_cause(known_.deflections(), balance().laws(), courses(now.unknowns), courses(beyond),
+                                        equations_.driving(now.parameter).omega));
       break;
     }
     BranchPoint next = std::move(advance->to);
@@ -200,6 +213,22 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       progress("steady motion", std::clamp((next.parameter - options_.from) / equations_.width(), 0.0, 1.0));
   }
   return true;
+}
+
+/// Where the direction of the curve changes at once, Newton's method does not converge from the old direction: the next
+/// motion at a fixed parameter that is close to the last one.
+std::optional<numerics::Branch::Advance> SteadyPath::across_corner(const BranchPoint& now) const {
+  constexpr double near = 0.02;
+  const bool downwards = now.parameter_direction() < 0;
+  for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+    const std::optional<BranchPoint> there =
+        branch_.start(now.unknowns, now.parameter + (downwards ? -share : share) * equations_.width(), downwards);
+    if (!there) continue;
+    const VectorXd change = (there->unknowns - now.unknowns).cwiseQuotient(now.scale.head(now.unknowns.size()));
+    if (change.norm() > near) return std::nullopt;
+    return numerics::Branch::Advance{*there, std::max(numerics::Branch::length(now, *there), share)};
+  }
+  return std::nullopt;
 }
 
 /// Of a motion over which the forces are not known, with its place.

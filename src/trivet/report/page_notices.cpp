@@ -67,16 +67,17 @@ std::string exceeded_words(const std::vector<ShownCase>& cases) {
 }  // namespace
 
 std::string page_notices(const std::vector<ShownCase>& cases) {
-  std::vector<Notice> warnings, failed, rigid;
+  std::vector<Notice> warnings, failed, rigid, notes;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     for (const foundation::Problem& problem : cases[i].warnings())
       add(warnings, warning_words(problem, cases[i].answers.case_name), foundation::place(problem.origin), i);
     for (const std::string& text : cases[i].failed_checks()) add(failed, text, "", i);
     for (const std::string& text : cases[i].answers.free_motions) add(rigid, text, "", i);
+    for (const std::string& text : cases[i].answers.notes) add(notes, text, "", i);
   }
   std::string html = box("alert", "⚠ " + count_words(warnings.size(), "warning"), warnings, cases) +
       box("alert", "✗ " + count_words(failed.size(), "failed check"), failed, cases) +
-      box("note", "Rigid-body modes", rigid, cases);
+      box("note", "Rigid-body modes", rigid, cases) + box("note", "Notes", notes, cases);
   const std::string exceeded = exceeded_words(cases);
   if (!exceeded.empty())
     html += "<p class=\"alert\" role=\"note\"><span class=\"bad\">✗ Limits are exceeded: </span>" + escaped(exceeded) +

@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_tables.h"
@@ -14,6 +15,7 @@
 #include "trivet/report/curve_panel.h"
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/steady_changes_text.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.
@@ -219,6 +221,36 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
   return figures;
 }
 
+namespace {
+
+std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& display) {
+  std::vector<std::vector<Cell>> rows;
+  const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
+  for (std::size_t c = 0; c < extremes.size(); ++c) {
+    const std::string& unit = branch.units[c];
+    rows.push_back({{branch.results[c]},
+                    quantity_cell(extremes[c].largest, unit),
+                    right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
+                    quantity_cell(extremes[c].smallest, unit),
+                    quantity_cell(extremes[c].largest_of_all, unit)});
+  }
+  if (rows.empty()) return hint("No motion of this branch is stable.");
+  return html_table({{"deviation from rest"},
+                     right("largest stable"),
+                     right("at [" + results::varied_unit(branch, display) + "]"),
+                     right("smallest stable"),
+                     right("largest, also unstable")},
+                    rows);
+}
+
+/// Detached curves, changes of stability and stretches without stable motion.
+std::string stability_block(const SteadyBranch& branch, const project::ShownUnits& display) {
+  const std::string text = results::detached_text(branch, display) + results::changes_text(branch, display);
+  return text.empty() ? "" : "<pre>" + escaped(text) + "</pre>\n";
+}
+
+}  // namespace
+
 std::string steady_tables(const study::Answers& answers) {
   const auto* branch = answers.find<SteadyBranch>("steady");
   if (!branch) return "";
@@ -246,8 +278,9 @@ std::string steady_tables(const study::Answers& answers) {
                         branch->at_phase->of, 360 / foundation::two_pi * branch->at_phase->lag)
           : "",
       branch->ended.empty() ? "" : " " + branch->ended + "."));
+  const std::string stability = stable_table(*branch, answers.display) + stability_block(*branch, answers.display);
   if (rows.empty())
-    return about +
+    return stability + about +
         hint(branch->changes.empty() && branch->further.empty()
                  ? "No folds: one motion at each place of this branch, no jumps."
                  : "No folds on this branch.");
@@ -257,7 +290,7 @@ std::string steady_tables(const study::Answers& answers) {
                      right("before"),
                      right("after")},
                     rows) +
-      about;
+      stability + about;
 }
 
 }  // namespace trivet::report

@@ -240,22 +240,16 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
                    "largest of all"});
-  const std::vector<const SteadyPoint*> stable = nonlinear::stable_points(branch);
-  if (stable.empty()) return text + "  no motion of this branch is stable\n";
-  for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    const auto is_lower = [c](const SteadyPoint* a, const SteadyPoint* b) {
-      return a->results[c].largest < b->results[c].largest;
-    };
-    const SteadyPoint& top = **std::max_element(stable.begin(), stable.end(), is_lower);
-    double smallest = top.results[c].smallest, of_all = top.results[c].largest;
-    for (const SteadyPoint* point : stable) smallest = std::min(smallest, point->results[c].smallest);
-    for (const SteadyBranch* curve : all_curves(branch))
-      for (const SteadyPoint& point : curve->points) of_all = std::max(of_all, point.results[c].largest);
+  const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
+  if (nonlinear::stable_points(branch).empty()) return text + "  no motion of this branch is stable\n";
+  for (std::size_t c = 0; c < extremes.size(); ++c) {
     const DisplayUnit shown = display_unit(display, branch.units[c]);
-    table.add({branch.results[c], value_text(top.results[c].largest, shown), place_text(branch, top, display, 5),
-               value_text(smallest, shown),
-               value_text(without_round_off(top.results[c].mean, top.results[c].half_of_range()), shown),
-               value_text(of_all, shown)});
+    const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
+    table.add({branch.results[c], value_text(extremes[c].largest, shown),
+               place_text(branch, *extremes[c].at, display, 5),
+               value_text(without_round_off(extremes[c].smallest, top.half_of_range()), shown),
+               value_text(without_round_off(top.mean, top.half_of_range()), shown),
+               value_text(extremes[c].largest_of_all, shown)});
   }
   return text + table.text();
 }

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
@@ -62,6 +64,39 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
 
 namespace {
 
+/// Multipliers that are not accurate enough, and motions that creep.
+void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
+  constexpr double accurate = 1e-5, slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
+  int uncertain = 0, stable = 0, creep = 0;
+  double worst = 0, slowest = 0;
+  for (const nonlinear::SteadyPoint& point : branch.points) {
+    if (point.multiplier_uncertainty > accurate) ++uncertain;
+    worst = std::max(worst, point.multiplier_uncertainty);
+    if (!point.stable) continue;
+    ++stable;
+    double largest = 0;
+    for (const std::complex<double>& multiplier : point.multipliers)
+      if (std::abs(multiplier.imag()) <= real_axis) largest = std::max(largest, multiplier.real());
+    if (largest > slow && largest < free) {
+      ++creep;
+      slowest = std::max(slowest, largest);
+    }
+  }
+  if (uncertain > 0)
+    warnings.warning("analyses.steady",
+                     fmt::format("the multipliers of {} of {} motions are uncertain, by up to {:.1g}", uncertain,
+                                 branch.points.size(), worst),
+                     "their steps did not become short enough for the stiffness of the laws in motion",
+                     "do not trust a stability that is close; compare the second verdict (--deep)");
+  if (2 * creep > stable)
+    warnings.warning("analyses.steady",
+                     fmt::format("{} of {} stable motions are reached slowly: a deviation falls to 1/e in up to {:.2g} "
+                                 "periods",
+                                 creep, stable, -1 / std::log(slowest)),
+                     "a multiplier is real and close to 1, for instance of friction that slips little",
+                     "a machine may run with another mean for a long time");
+}
+
 nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
                                       foundation::Problems& warnings) {
   const nonlinear::SteadyBranch branch = steady_motions(c, asked);
@@ -91,6 +126,7 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
             ? fmt::format("the first at {:.6g} times the load", branch.winding.differs_at.front())
             : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
         "take more harmonics; close to a change of stability both are uncertain");
+  warn_of_multipliers(branch, warnings);
   for (std::size_t i = 0; i < branch.further.size(); ++i) {
     const nonlinear::SteadyBranch& curve = branch.further[i];
     if (curve.left_out > asked.tolerance)

@@ -58,6 +58,7 @@ double share_of_distance(const SteadyPoint& point, const Stop& stop) {
   const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 32 * (harmonics + 1);
   const elements::DistanceForce& law = stop.distance->law;
   const double from = law.across ? 0 : law.distance(stop.distance->at_rest);
+  if (law.across && law.distance(stop.distance->at_rest) >= stop.above) return infinity;  // it bears at rest
   double largest = 0;
   for (Eigen::Index n = 0; n < samples; ++n) {
     const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
@@ -144,14 +145,23 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
 
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
 void tell_limits(const SteadyBranch& branch, RequirementResult& result) {
-  if (!branch.search)
+  const bool bears = result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value);
+  if (bears) result.detail = "it bears at rest";
+  else if (!branch.search)
     result.detail = "motions connected with the lower end of the band only; branches = \"all\" of steady seeks others";
+  if (!branch.sticking.empty())
+    result.detail += fmt::format(
+        "{}the friction of {} sticks all the time at some frequencies, so that the mean there is "
+        "one of many",
+        result.detail.empty() ? "" : "; ", branch.sticking.front());
   const auto without = nonlinear::without_stable_motion(branch);
   if (without.empty()) return;
-  const auto [from, to] = without.front();
-  const std::string unknown = fmt::format(
-      "no periodic motion is known to be stable from {:.5g} to {:.5g} Hz; what happens there is not computed",
-      from / foundation::two_pi, to / foundation::two_pi);
+  std::string stretches;
+  for (const auto& [from, to] : without)
+    stretches += fmt::format("{}{:.5g} to {:.5g}", stretches.empty() ? "" : ", ", from / foundation::two_pi,
+                             to / foundation::two_pi);
+  const std::string unknown =
+      fmt::format("no periodic motion is known to be stable from {} Hz; what happens there is not computed", stretches);
   const bool is_violated = result.margin < 1;
   if (is_violated) {
     result.detail = unknown;

@@ -52,5 +52,11 @@ inline void set_fourier_row(Eigen::Index harmonics, double phase, Eigen::RowVect
   }
   return result;
 }
+/// The same column by column.
+[[nodiscard]] inline Eigen::MatrixXd phase_derivatives(const Eigen::MatrixXd& coefficients) {
+  Eigen::MatrixXd result(coefficients.rows(), coefficients.cols());
+  for (Eigen::Index j = 0; j < coefficients.cols(); ++j) result.col(j) = phase_derivative(coefficients.col(j));
+  return result;
+}
 
 }  // namespace trivet::numerics

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/ending_cause.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/level_crossings.h"
+
+namespace trivet::nonlinear {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using foundation::two_pi;
+
+/// Smallest and largest deviation over a period.
+std::pair<double, double> extremes(const VectorXd& motion) {
+  const Index harmonics = (motion.size() - 1) / 2, samples = 8 * motion.size();
+  MatrixXd rows(samples, motion.size());
+  for (Index n = 0; n < samples; ++n)
+    rows.row(n) = numerics::fourier_row(harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
+  std::pair<double, double> found = {motion(0), motion(0)};
+  for (const double phase : numerics::level_crossings(numerics::phase_derivative(motion), {0}, rows)) {
+    const double here = numerics::motion_at(harmonics, phase, motion);
+    found = {std::min(found.first, here), std::max(found.second, here)};
+  }
+  return found;
+}
+
+std::string just_touched(const Deflection& deflection, const VectorXd& motion) {
+  constexpr double near = 2e-3;  // of the amplitude
+  const auto [below, above] = deflection.law.untouched();
+  const auto [low, high] = extremes(motion);
+  for (const auto& [reached, gap] : {std::pair{low, below}, std::pair{high, above}})
+    if (std::isfinite(gap) && std::abs(reached - gap) < near * (high - low) / 2)
+      return fmt::format(
+          "; {} just touches its stop, {:.4g} {} from rest, where few harmonics are not enough: take more",
+          deflection.name, gap, deflection.is_rotation ? "rad" : "m");
+  return "";
+}
+
+double share_of_slip(const RubbingLoop& loop) {
+  double found = 0;
+  for (const RubbingLoop::Point& point : loop.points())
+    if (point.state == RubbingLoop::State::slips) found += point.weight / two_pi;
+  return found;
+}
+
+std::string of_friction(const std::string& contact, const RubbingLoop& here, const RubbingLoop& beyond) {
+  const auto& points = beyond.points();
+  if (std::any_of(points.begin(), points.end(),
+                  [](const RubbingLoop::Point& point) { return !point.force.allFinite(); }))
+    return fmt::format("; the friction of {} finds no closed loop: it is too stiff for these motions", contact);
+  constexpr double little = 0.1;
+  if (here.points().empty() || share_of_slip(here) > little) return "";
+  return fmt::format(
+      "; the friction of {} just begins to slip, where its mean changes quickly: begin beyond, or follow the curve "
+      "from "
+      "the other end",
+      contact);
+}
+
+std::string of_loops(const std::string& name, const LawCourse& here, const LawCourse& beyond) {
+  for (std::size_t i = 0; i < std::min(here.loops().size(), beyond.loops().size()); ++i) {
+    const HystereticLoop &now = here.loops()[i], &next = beyond.loops()[i];
+    if (now.branches().size() != next.branches().size())
+      return fmt::format("; {} turns more or less often in a period beyond, where its friction begins anew", name);
+    if (now.sticks() != next.sticks() || now.just_reaches_slip())
+      return fmt::format("; the friction of {} just begins to slip, where its mean changes at once: begin beyond",
+                         name);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string ending_cause(const std::vector<Deflection>& deflections, const MachineLaws& laws, const MatrixXd& motion,
+                         const MatrixXd& beyond, double omega) {
+  for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+    const std::string& name = deflections[to_size(one.across)].name;
+    const std::string found =
+        of_friction(name.substr(0, name.find('.')), laws.loop(one, motion, omega), laws.loop(one, beyond, omega));
+    if (!found.empty()) return found;
+  }
+  for (Index j = 0; j < motion.cols(); ++j) {
+    const Deflection& deflection = deflections[to_size(j)];
+    if (std::string found = just_touched(deflection, motion.col(j)); !found.empty()) return found;
+    if (deflection.law.hysteretic().empty()) continue;
+    const LawHarmonics& law = laws.single()[to_size(j)];
+    if (std::string found =
+            of_loops(deflection.name, law.course(motion.col(j), omega), law.course(beyond.col(j), omega));
+        !found.empty())
+      return found;
+  }
+  return "";
+}
+
+}  // namespace trivet::nonlinear

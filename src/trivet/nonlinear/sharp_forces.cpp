@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/nonlinear/sharp_forces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
+#include "trivet/numerics/periodic/fourier_basis.h"
+
+namespace trivet::nonlinear {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using foundation::two_pi;
+
+SharpForces::SharpForces(const MachineLaws& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
+    : course_(course), harmonics_(harmonics), omega_(omega), known_(to_size(course.cols()), false) {
+  std::vector<double> corners;
+  for (Index j = 0; j < course.cols(); ++j) {
+    const LawHarmonics& law = laws.single()[to_size(j)];
+    if (law.law().is_empty()) continue;
+    LawCourse along = law.course(course.col(j), omega);
+    // Bristles that rest are springs, and have the harmonics of the motion.
+    if (std::any_of(along.bristles().begin(), along.bristles().end(),
+                    [](const BristleLoop& loop) { return !loop.moves(); }))
+      continue;
+    known_[to_size(j)] = true;
+    corners.insert(corners.end(), along.corners().begin(), along.corners().end());
+    for (const HystereticLoop& loop : along.loops())
+      for (const HystereticLoop::Branch& branch : loop.branches()) {
+        corners.push_back(branch.from);
+        if (branch.kink) corners.push_back(std::fmod(*branch.kink, two_pi));
+      }
+    singles_.push_back({j, std::move(along)});
+  }
+  for (const MachineLaws::Distance& one : laws.distances()) {
+    distances_.push_back(&one);
+    for (Index a = 0; a < 3; ++a) known_[to_size(one.first + a)] = true;
+    const std::vector<double> own = one.law.corners(course.middleCols(one.first, 3));
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  for (const MachineLaws::Rubbing& one : laws.rubbings()) {
+    rubbings_.push_back({one.across, laws.loop(one, course, omega)});
+    for (Index a = 0; a < 2; ++a) known_[to_size(one.across + a)] = true;
+    for (const RubbingLoop::Change& change : rubbings_.back().loop.changes()) corners.push_back(change.phase);
+  }
+  add_phases(std::move(corners));
+}
+
+void SharpForces::add_phases(std::vector<double> corners) {
+  constexpr int per_harmonic = 8, between_corners = 12;
+  constexpr double beside = 1e-9;
+  const auto harmonics = static_cast<int>((course_.rows() - 1) / 2), even = per_harmonic * (harmonics + 1);
+  for (int n = 0; n < even; ++n) phases_.push_back(two_pi * n / even);
+  std::sort(corners.begin(), corners.end());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double from = corners[i], to = i + 1 < corners.size() ? corners[i + 1] : corners.front() + two_pi;
+    if (to - from < 4 * beside) continue;
+    phases_.push_back(from + beside);
+    phases_.push_back(to - beside);
+    for (int n = 1; n < between_corners; ++n) phases_.push_back(from + (to - from) * n / between_corners);
+  }
+  for (double& phase : phases_) phase = std::fmod(phase, two_pi);
+  std::sort(phases_.begin(), phases_.end());
+}
+
+Eigen::RowVectorXd SharpForces::at(double phase) const {
+  Eigen::RowVectorXd found = Eigen::RowVectorXd::Zero(course_.cols());
+  for (const Single& one : singles_) {
+    const double deflection = one.course.deflection_at(phase);
+    found(one.deflection) += one.course.at(phase).force;
+    for (const HystereticLoop& loop : one.course.loops())
+      found(one.deflection) += loop.at(loop.branch_at(phase), deflection).force;
+    for (const BristleLoop& loop : one.course.bristles()) found(one.deflection) += loop.at(phase).force;
+  }
+  for (const MachineLaws::Distance* one : distances_)
+    found.segment<3>(one->first) +=
+        one->law.at_phase(course_.middleCols(one->first, 3), omega_, phase).force.transpose();
+  const Eigen::RowVectorXd row = numerics::fourier_row((course_.rows() - 1) / 2, phase);
+  for (const Rubbing& one : rubbings_)
+    found.segment<2>(one.across) +=
+        one.loop.force(phase).transpose() - one.loop.law().own_stiffness() * (row * course_.middleCols<2>(one.across));
+  const Eigen::RowVectorXd smooth = row * harmonics_;
+  for (Index j = 0; j < found.size(); ++j) found(j) = known_[to_size(j)] ? found(j) - smooth(j) : 0;
+  return found;
+}
+
+}  // namespace trivet::nonlinear

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "trivet/nonlinear/machine_laws.h"
+
+namespace trivet::nonlinear {
+
+/// What the harmonics of the forces of nonlinear parts leave out over a period: the laws themselves along the
+/// deflections, less their harmonics. A stop that is touched briefly has most of its force there.
+class SharpForces {
+ public:
+  /// @param course    Fourier coefficients × deflections
+  /// @param harmonics  of the forces, coefficients × deflections
+  /// @param omega     of the first harmonic [rad/s]
+  SharpForces(const MachineLaws& laws, const Eigen::MatrixXd& course, const Eigen::MatrixXd& harmonics, double omega);
+
+  /// Ascending in [0, 2π): evenly spaced, more of them between the instants at which a force is not smooth, and both
+  /// sides of these.
+  [[nodiscard]] const std::vector<double>& phases() const { return phases_; }
+  /// One number per deflection.
+  [[nodiscard]] Eigen::RowVectorXd at(double phase) const;
+
+ private:
+  void add_phases(std::vector<double> corners);
+
+  Eigen::MatrixXd course_, harmonics_;
+  double omega_;
+  struct Single {
+    Eigen::Index deflection;
+    LawCourse course;
+  };
+  std::vector<Single> singles_;
+  std::vector<const MachineLaws::Distance*> distances_;
+  struct Rubbing {
+    Eigen::Index across;
+    RubbingLoop loop;
+  };
+  std::vector<Rubbing> rubbings_;
+  std::vector<bool> known_;  ///< deflections with a force that is not a sum of the harmonics
+  std::vector<double> phases_;
+};
+
+}  // namespace trivet::nonlinear
