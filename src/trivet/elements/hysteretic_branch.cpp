@@ -36,7 +36,7 @@ std::optional<double> kink_upwards(const CoulombFriction&, double) { return std:
 std::optional<double> kink_upwards(const BoucWenBranch& branch, double) { return branch.to_zero(); }
 
 template <typename Odd>
-const Odd& branch_upwards(const Odd& law, bool, double) {
+Odd branch_upwards(const Odd& law, bool, double) {
   return law;
 }
 BoucWenBranch branch_upwards(const BoucWen& law, bool downwards, double start) {

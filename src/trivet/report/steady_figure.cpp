@@ -16,6 +16,7 @@
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.
@@ -231,7 +232,7 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
     rows.push_back({{branch.results[c]},
                     quantity_cell(extremes[c].largest, unit),
                     right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
-                    quantity_cell(extremes[c].smallest, unit),
+                    quantity_cell(results::without_round_off(extremes[c].smallest, extremes[c].largest), unit),
                     quantity_cell(extremes[c].largest_of_all, unit)});
   }
   if (rows.empty()) return hint("No motion of this branch is stable.");
