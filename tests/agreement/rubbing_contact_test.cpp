@@ -15,6 +15,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/nonlinear/backbone.h"
 #include "trivet/nonlinear/rest_position.h"
 #include "trivet/nonlinear/steady_branch.h"
 
@@ -243,6 +244,22 @@ force = [300, 0, 0]
   ASSERT_EQ(beyond.at.size(), 2u);
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_LT((whole.at[i].deflections - beyond.at[i].deflections).norm(), 1e-9 * beyond.at[i].deflections.norm());
+}
+
+/// They leave the friction out, whose forces are the last ones.
+TEST(RubbingContact, UndampedModesHaveForcesAndAccelerations) {
+  const nonlinear::RestPosition rest =
+      nonlinear::rest_position(test::project(Machine{0, 9.81}.project()).base().system);
+  nonlinear::BackboneOptions options;
+  options.up_to = 1e-3;
+  options.of = {"casing.x", "stop.force.x", "ground.force.x"};
+  options.quantity = assembly::MotionQuantity::acceleration;
+  const nonlinear::Backbone found = nonlinear::backbone(rest.system, options);
+  ASSERT_GT(found.points.size(), 3u);
+  for (const nonlinear::ObservedMotion& result : found.points.back().results) {
+    EXPECT_TRUE(std::isfinite(result.largest));
+    EXPECT_GE(result.largest, result.smallest);
+  }
 }
 
 nonlinear::SteadyPoint only_point(const std::string& text, double at) {

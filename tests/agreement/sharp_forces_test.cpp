@@ -54,7 +54,7 @@ Marched marched(double omega) {
   return found;
 }
 
-TEST(SharpForces, AreThoseOfTheLawsWhereHarmonicsLeaveThemOut) {
+TEST(ForceRemainder, AreThoseOfTheLawsWhereHarmonicsLeaveThemOut) {
   nonlinear::SteadyOptions options;
   options.from = 2 * std::numbers::pi * 9;
   options.to = 2 * std::numbers::pi * 11;

@@ -12,7 +12,8 @@ namespace {
 /// ∫ dx/(1 + c xⁿ) from 0 to z, c ≥ 0.
 double travel_against(double c, double n, double z) {
   const double ratio = c * std::pow(z, n);
-  constexpr double by_series = 0.5, smallest = 1e-17, longest = 0.5;  // the error of 8 nodes is below 1e-12
+  constexpr double by_series = 0.5, smallest = 1e-17;
+  const double longest = 0.5 / std::max(1.0, n / 5);  // the error of 8 nodes is below 1e-12
   const double there = ratio <= by_series ? z : z * std::pow(by_series / ratio, 1 / n);
   double sum = 0, power = 1;
   for (int j = 0; std::abs(power) > smallest; ++j, power *= -std::min(ratio, by_series)) sum += power / (n * j + 1);
@@ -62,12 +63,16 @@ BoucWenBranch::BoucWenBranch(const BoucWen& law, double start)
       from_(std::clamp(start / law.force, -z_limit(mirrored(law)), limit_)) {
   if (from_ < 0) {
     rate_at_start_ = 1 + (against_ == 0 ? 0 : against_ * std::pow(-from_, exponent_));
-    offset_ = against_ == 0 ? from_ : -travel_against(against_, exponent_, -from_);
+    offset_ = against_ == 0 ? from_
+        : against_ > 0      ? -travel_against(against_, exponent_, -from_)
+                            : -limit_against() * grows_->travel(-from_ / limit_against());
   } else {
     rate_at_start_ = 1 - std::pow(from_ / limit_, exponent_);
     offset_ = limit_ * grows_->travel(from_ / limit_);
   }
 }
+
+double BoucWenBranch::limit_against() const { return std::pow(-against_, -1 / exponent_); }
 
 ForceOnTravel BoucWenBranch::at(double travel) const {
   const double reached = offset_ + travel * stiffness_ / force_;  // since z = 0
@@ -75,6 +80,10 @@ ForceOnTravel BoucWenBranch::at(double travel) const {
   if (reached >= 0) {
     const Saturation::Reached found = grows_->at(reached / limit_);
     z = limit_ * found.value;
+    rate = found.rate;
+  } else if (against_ < 0) {
+    const Saturation::Reached found = grows_->at(-reached / limit_against());
+    z = -limit_against() * found.value;
     rate = found.rate;
   } else if (against_ > 0) {
     z = -reached_against(against_, exponent_, -reached, -from_);

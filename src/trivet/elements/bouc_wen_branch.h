@@ -21,6 +21,9 @@ class BoucWenBranch {
   [[nodiscard]] std::optional<double> to_zero() const;
 
  private:
+  /// Of |z| on the way to zero, if γ > β: such a loop feeds energy.
+  [[nodiscard]] double limit_against() const;
+
   std::shared_ptr<const Saturation> grows_;
   double stiffness_, force_, exponent_;
   double against_;  ///< β − γ

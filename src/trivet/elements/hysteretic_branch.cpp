@@ -52,8 +52,8 @@ HystereticBranch::HystereticBranch(const HystereticForce& law, double start, dou
           [this](const auto& one) -> decltype(upwards_) { return branch_upwards(one, sign_ < 0, start_); }, law)) {}
 
 ForceOnTravel HystereticBranch::at(double travel) const {
-  ForceOnTravel found =
-      std::visit([&](const auto& one) { return upwards(one, start_, std::max(0.0, sign_ * travel)); }, upwards_);
+  const double along = sign_ * travel < 0 ? 0 : sign_ * travel;
+  ForceOnTravel found = std::visit([&](const auto& one) { return upwards(one, start_, along); }, upwards_);
   found.force *= sign_;
   return found;
 }

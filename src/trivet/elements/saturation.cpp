@@ -56,8 +56,9 @@ std::array<double, 2> at_both(const std::array<double, count>& a, const std::arr
 
 }  // namespace
 
-/// Both parts are analytic functions of their variables: next to their intervals they are singular at −1 or beyond, so
-/// that the coefficients of Chebyshev's polynomials fall by 5.8 from one to the next.
+/// Both parts are analytic functions of their variables. w/s is singular next where w is infinite, at sⁿ =
+/// −(π/n / sin π/n)ⁿ ≤ −1; (1 − w)/e at −e² for n = 2 and at −1 for n → ∞. So the coefficients of Chebyshev's
+/// polynomials fall by 5.8 from one to the next.
 Saturation::Saturation(double exponent) : n_(exponent) {
   Coefficients value, rate, missing, rate_over_missing;
   for (std::size_t i = 0; i < value.size(); ++i) {

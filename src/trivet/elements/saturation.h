@@ -15,7 +15,7 @@ class Saturation {
   struct Reached {
     double value = 0, rate = 0;  ///< w and dw/ds
   };
-  /// @param travel  s ≥ 0. Errors are below 1e-14.
+  /// @param travel  s ≥ 0. Errors are below 1e-14, of the rate n times that.
   [[nodiscard]] Reached at(double travel) const;
   /// s at w in [0, 1); at 1 that at which w is 1 but for round-off.
   [[nodiscard]] double travel(double value) const;
@@ -34,7 +34,7 @@ class Saturation {
   Coefficients missing_ = {}, rate_over_missing_ = {};  ///< beyond: (1 − w)/e and (dw/ds)/e over e = e^{n (1 − s)}
 };
 
-/// Kept for the exponents of which it was last asked.
+/// The last eight exponents are kept, per thread.
 [[nodiscard]] std::shared_ptr<const Saturation> saturation(double exponent);
 
 }  // namespace trivet::elements

@@ -278,8 +278,8 @@ class FreeCourse {
         const VectorXd beyond = now.unknowns +
             ahead * now.tangent.head(now.unknowns.size()).cwiseProduct(now.scale.head(now.unknowns.size()));
         found.ended =
-            fmt::format("no further motion beyond {:.6g} rad/s and {:.4g} J: the step of the branch became too short{}",
-                        now.parameter, found.points.back().energy,
+            fmt::format("no further motion beyond {:.6g} Hz and {:.4g} J: the step of the branch became too short{}",
+                        now.parameter / foundation::two_pi, found.points.back().energy,
                         ending_cause(deflections_, motion_.laws(), motion_.deflections(now.unknowns),
                                      motion_.deflections(beyond), now.parameter));
         break;
@@ -294,7 +294,7 @@ class FreeCourse {
       found.points.push_back(observed(now, found));
       constexpr double back = 0.5;  // of where it began
       if (found.points.back().deflection < back * found.points.front().deflection) {
-        found.ended = fmt::format("the branch returns to rest at {:.6g} rad/s", now.parameter);
+        found.ended = fmt::format("the branch returns to rest at {:.6g} Hz", now.parameter / foundation::two_pi);
         break;
       }
       if (progress) progress("backbone", std::clamp(found.points.back().share, 0.0, 1.0));
@@ -392,9 +392,9 @@ class FreeCourse {
     }
     result.share = std::max(result.share, result.energy / options_.up_to_energy);
     const MatrixXd forces = motion_.forces(point.unknowns, point.parameter);
-    std::optional<SharpForces> sharp;
-    if (observer_.follows_forces()) sharp.emplace(motion_.laws(), course, forces, point.parameter);
-    result.results = observer_.at(result.coordinates, forces, point.parameter, 0, sharp ? &*sharp : nullptr);
+    std::optional<ForceRemainder> remainder;
+    if (observer_.follows_forces()) remainder.emplace(motion_.laws(), course, forces, point.parameter);
+    result.results = observer_.at(result.coordinates, forces, point.parameter, 0, remainder ? &*remainder : nullptr);
     found.left_out = std::max(found.left_out, motion_.left_out(point.unknowns, point.parameter));
     return result;
   }

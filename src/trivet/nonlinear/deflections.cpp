@@ -191,20 +191,23 @@ bool has_coulomb_friction(const model::NonlinearPart& part) {
 
 }  // namespace
 
-Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrices,
-                                        const Eigen::VectorXd& on_coordinates) {
-  constexpr double beyond = 1e6, farther = 10, grows = 2;
+Eigen::MatrixXd accelerations_per_force(const numerics::DynamicMatrices& matrices, const Eigen::MatrixXd& across) {
+  constexpr double beyond = 1e6, farther = 10, grows = 2, round_off = 1e-12;
   double fastest = 1;
   for (Eigen::Index i = 0; i < matrices.size(); ++i)
     if (matrices.A(i, i) > 0) fastest = std::max(fastest, std::sqrt(std::abs(matrices.K(i, i)) / matrices.A(i, i)));
   const auto at = [&](double s) {
     const Eigen::MatrixXd dynamic = matrices.K + s * matrices.B + s * s * matrices.A;
-    return Eigen::VectorXd(s * s * numerics::PivotedLu<double>(dynamic).solve(on_coordinates));
+    return Eigen::MatrixXd(s * s * numerics::PivotedLu<double>(dynamic).solve(across));
   };
-  const Eigen::VectorXd near = at(beyond * fastest);
-  Eigen::VectorXd far = at(farther * beyond * fastest);
-  if (on_coordinates.dot(far) > grows * on_coordinates.dot(near))
-    return std::numeric_limits<double>::infinity() * on_coordinates.cwiseSign();
+  const Eigen::MatrixXd near = at(beyond * fastest);
+  Eigen::MatrixXd far = at(farther * beyond * fastest);
+  for (Eigen::Index j = 0; j < far.cols(); ++j) {
+    const double least = round_off * near.col(j).cwiseAbs().maxCoeff();
+    for (Eigen::Index i = 0; i < far.rows(); ++i)
+      if (std::abs(far(i, j)) > grows * std::abs(near(i, j)) + least)
+        far(i, j) = std::copysign(std::numeric_limits<double>::infinity(), far(i, j));
+  }
   return far;
 }
 

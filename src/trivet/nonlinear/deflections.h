@@ -57,10 +57,11 @@ using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear p
 /// Appends the two deflections across each contact that rubs.
 void add_rubbings(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found);
 
-/// Accelerations of the coordinates per force on a deflection: s² (K + s B + s² A)⁻¹ w for large s. Infinite if they
-/// grow with s: on a node without mass.
-[[nodiscard]] Eigen::VectorXd accelerations_per_force(const numerics::DynamicMatrices& matrices,
-                                                      const Eigen::VectorXd& on_coordinates);
+/// Accelerations of the coordinates per force on each deflection: s² (K + s B + s² A)⁻¹ W for large s. Infinite where
+/// they grow with s: of nodes without mass.
+/// @param across  coordinates × deflections
+[[nodiscard]] Eigen::MatrixXd accelerations_per_force(const numerics::DynamicMatrices& matrices,
+                                                      const Eigen::MatrixXd& across);
 
 /// Has any part dampers without damping at small rates?
 [[nodiscard]] bool has_slack_dampers(const model::System& system);

@@ -58,7 +58,8 @@ std::string of_friction(const std::string& contact, const RubbingLoop& here, con
                   [](const RubbingLoop::Point& point) { return !point.force.allFinite(); }))
     return fmt::format("; the friction of {} finds no closed loop: it is too stiff for these motions", contact);
   constexpr double little = 0.1;
-  if (here.points().empty() || share_of_slip(here) > little) return "";
+  const double slips = share_of_slip(here);
+  if (here.always_sticks() == beyond.always_sticks() && !(slips > 0 && slips < little)) return "";
   return fmt::format(
       "; the friction of {} just begins to slip, where its mean changes quickly: begin beyond, or follow the curve "
       "from "
@@ -67,7 +68,8 @@ std::string of_friction(const std::string& contact, const RubbingLoop& here, con
 }
 
 std::string of_loops(const std::string& name, const LawCourse& here, const LawCourse& beyond) {
-  for (std::size_t i = 0; i < std::min(here.loops().size(), beyond.loops().size()); ++i) {
+  if (here.loops().size() != beyond.loops().size()) return "";  // one begins to move
+  for (std::size_t i = 0; i < here.loops().size(); ++i) {
     const HystereticLoop &now = here.loops()[i], &next = beyond.loops()[i];
     if (now.branches().size() != next.branches().size())
       return fmt::format("; {} turns more or less often in a period beyond, where its friction begins anew", name);

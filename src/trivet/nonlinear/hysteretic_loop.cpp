@@ -163,12 +163,15 @@ void HystereticLoop::set_slopes_of_sticking(const ForceOnTravel& first, const Ve
 bool HystereticLoop::just_reaches_slip() const {
   if (!std::holds_alternative<elements::Slider>(part_.law)) return false;
   constexpr double little = 1e-6;  // of the travel
+  bool reaches = false;
   for (std::size_t i = 0; i < branches_.size(); ++i) {
     const double travel = branches_[(i + 1) % branches_.size()].deflection - branches_[i].deflection;
     const std::optional<double> kink = branches_[i].course->kink();
-    if (kink && std::abs(travel) - std::abs(*kink) > little * std::abs(travel)) return false;
+    const double beyond = kink ? std::abs(travel) - std::abs(*kink) : -std::abs(travel);
+    if (beyond > little * std::abs(travel)) return false;
+    reaches = reaches || beyond >= -little * std::abs(travel);
   }
-  return !branches_.empty();
+  return reaches;
 }
 
 const HystereticLoop::Branch& HystereticLoop::branch_at(double phase) const {

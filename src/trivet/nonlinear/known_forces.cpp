@@ -136,9 +136,10 @@ std::string KnownForces::rests_at_turn(const std::vector<Turn>& turns, std::size
   for (Index i = 0; i < count; ++i)
     if (std::abs(holds(i)) > here[to_size(i)]->limit) return "";
   return fmt::format(
-      "the friction of {} rests for a part of the period: {:.4g} would hold it where it turns, and it "
+      "the friction of {} rests for a part of the period: {:.4g} {} would hold it where it turns, and it "
       "holds up to {:.4g}; give it a stiffness, with which it can stick",
-      deflections_[here.front()->deflection].name, std::abs(holds(0)), here.front()->limit);
+      deflections_[here.front()->deflection].name, std::abs(holds(0)),
+      deflections_[here.front()->deflection].is_rotation ? "N m" : "N", here.front()->limit);
 }
 
 }  // namespace trivet::nonlinear

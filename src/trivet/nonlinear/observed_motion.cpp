@@ -90,16 +90,16 @@ double largest_of(const VectorXd& coefficients, const MatrixXd& samples) {
   return std::max(sampled, numerics::motion_at(harmonics, phase, coefficients));
 }
 
-/// Courses of forces at the phases of the sharp ones, with these.
-struct SharpCourses {
+/// The basis and the remainders of all forces at the phases of these.
+struct RemainderCourses {
   Eigen::VectorXd phases, weights;  ///< weights of means
-  MatrixXd rows, sharp;             ///< of the basis; phases × nonlinear deflections
+  MatrixXd rows, remainder;         ///< of the basis; phases × nonlinear deflections
 };
 
-SharpCourses sharp_courses(const SharpForces& forces, Index harmonics) {
+RemainderCourses remainder_courses(const ForceRemainder& forces, Index harmonics) {
   const std::vector<double>& phases = forces.phases();
   const auto count = to_index(phases.size());
-  SharpCourses found{VectorXd(count), VectorXd(count), MatrixXd(count, numerics::coefficient_count(harmonics)), {}};
+  RemainderCourses found{VectorXd(count), VectorXd(count), MatrixXd(count, numerics::coefficient_count(harmonics)), {}};
   for (Index n = 0; n < count; ++n) {
     const double phase = phases[to_size(n)];
     found.phases(n) = phase;
@@ -108,8 +108,8 @@ SharpCourses sharp_courses(const SharpForces& forces, Index harmonics) {
     found.weights(n) = (after - before) / 2 / foundation::two_pi;
     found.rows.row(n) = numerics::fourier_row(harmonics, phase);
     const Eigen::RowVectorXd here = forces.at(phase);
-    if (n == 0) found.sharp.resize(count, here.size());
-    found.sharp.row(n) = here;
+    if (n == 0) found.remainder.resize(count, here.size());
+    found.remainder.row(n) = here;
   }
   return found;
 }
@@ -120,13 +120,19 @@ double largest_at(const VectorXd& phases, const VectorXd& values, const At& at) 
   Index place = 0;
   double largest = values.maxCoeff(&place);
   const Index count = values.size();
-  const Index before = (place + count - 1) % count, after = (place + 1) % count;
+  constexpr double apart = 1e-8;  // farther than both sides of a jump
+  const auto neighbour = [&](Index step) {
+    Index other = (place + step + count) % count;
+    while (other != place && std::abs(std::remainder(phases(other) - phases(place), foundation::two_pi)) <= apart)
+      other = (other + step + count) % count;
+    return other;
+  };
+  const Index before = neighbour(-1), after = neighbour(1);
   double x[3] = {phases(before), phases(place), phases(after)}, y[3] = {values(before), largest, values(after)};
-  if (before > place) x[0] -= foundation::two_pi;
-  if (after < place) x[2] += foundation::two_pi;
-  constexpr double apart = 1e-8;  // on both sides of a jump
+  if (x[0] > x[1]) x[0] -= foundation::two_pi;
+  if (x[2] < x[1]) x[2] += foundation::two_pi;
   constexpr int steps = 3;
-  for (int i = 0; i < steps && x[1] - x[0] > apart && x[2] - x[1] > apart; ++i) {
+  for (int i = 0; i < steps && x[1] > x[0] && x[2] > x[1]; ++i) {
     const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[2] - y[1]) / (x[2] - x[1]),
                  bend = (right - left) / (x[2] - x[0]);
     if (!(bend < 0)) break;
@@ -150,18 +156,24 @@ Observer::Observer(const model::System& system, const assembly::Assembled& assem
     : assembled_(assembled),
       excitation_(std::move(excitation)),
       channels_(assembly::channels(system, assembled, of, quantity)),
-      direct_(direct_forces(system, assembled, of, quantity)),
-      at_once_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
+      // Undamped free motion has no friction of stops, whose columns are the last.
+      direct_(direct_forces(system, assembled, of, quantity).leftCols(to_index(deflections.size()))),
+      feedthrough_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
   constexpr int acceleration = 2;
   if (std::none_of(channels_.begin(), channels_.end(),
                    [](const assembly::Channel& channel) { return channel.derivative == acceleration; }))
     return;
-  for (Index j = 0; j < at_once_.cols(); ++j) {
-    const VectorXd per_force = accelerations_per_force(assembled.matrices, deflections[to_size(j)].on_coordinates);
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      if (channels_[c].derivative != acceleration) continue;
-      const double found = -channels_[c].on_displacement.real().dot(per_force);
-      if (std::isfinite(found)) at_once_(to_index(c), j) = found;  // beyond that, of a node without mass
+  MatrixXd across(assembled.matrices.size(), direct_.cols());
+  for (Index j = 0; j < across.cols(); ++j) across.col(j) = deflections[to_size(j)].on_coordinates;
+  const MatrixXd per_force = accelerations_per_force(assembled.matrices, across);
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    if (channels_[c].derivative != acceleration) continue;
+    const VectorXd row = channels_[c].on_displacement.real();
+    for (Index j = 0; j < across.cols(); ++j) {
+      double found = 0;
+      for (Index i = 0; i < row.size(); ++i)
+        if (row(i) != 0) found -= row(i) * per_force(i, j);
+      if (std::isfinite(found)) feedthrough_(to_index(c), j) = found;  // else on a node without mass
     }
   }
 }
@@ -185,7 +197,7 @@ Complex Observer::value(std::size_t c, Complex s, const VectorXcd& coordinates, 
 }
 
 std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, const MatrixXd& forces, double omega,
-                                         double factor, const SharpForces* sharp) const {
+                                         double factor, const ForceRemainder* remainder) const {
   const Index harmonics = (forces.rows() - 1) / 2;
   std::vector<VectorXd> courses(channels_.size(), VectorXd::Zero(forces.rows()));
   for (Index k = 0; k <= harmonics; ++k) {
@@ -225,15 +237,15 @@ std::vector<ObservedMotion> Observer::at(const Eigen::MatrixXcd& coordinates, co
     motion.rms = course.tail(course.size() - 1).norm() / std::sqrt(2.0);
     results.push_back(std::move(motion));
   }
-  if (!sharp || !follows_forces()) return results;
-  const SharpCourses all = sharp_courses(*sharp, harmonics);
+  if (!remainder || !follows_forces()) return results;
+  const RemainderCourses all = remainder_courses(*remainder, harmonics);
   for (std::size_t c = 0; c < courses.size(); ++c) {
-    const Eigen::RowVectorXd direct = direct_.row(to_index(c)) + at_once_.row(to_index(c));
+    const Eigen::RowVectorXd direct = direct_.row(to_index(c)) + feedthrough_.row(to_index(c));
     if (direct.isZero(0)) continue;
-    const VectorXd left_out = all.sharp.leftCols(direct.size()) * direct.transpose(),
+    const VectorXd left_out = all.remainder.leftCols(direct.size()) * direct.transpose(),
                    values = all.rows * courses[c] + left_out;
     const auto at = [&](double phase) {
-      return numerics::motion_at(harmonics, phase, courses[c]) + direct.dot(sharp->at(phase).head(direct.size()));
+      return numerics::motion_at(harmonics, phase, courses[c]) + direct.dot(remainder->at(phase).head(direct.size()));
     };
     results[c].largest = largest_at(all.phases, values, at);
     results[c].smallest = -largest_at(all.phases, -values, [&](double phase) { return -at(phase); });

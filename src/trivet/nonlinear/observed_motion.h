@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "trivet/assembly/channels.h"
+#include "trivet/nonlinear/force_remainder.h"
 #include "trivet/nonlinear/periodic_excitation.h"
-#include "trivet/nonlinear/sharp_forces.h"
 
 namespace trivet::nonlinear {
 
@@ -36,12 +36,13 @@ class Observer {
   /// @param forces       Fourier coefficients × nonlinear deflections, beyond the tangents of the machine
   /// @param omega        of the first harmonic [rad/s]
   /// @param factor       on the motion of the ground
-  /// @param sharp        what the harmonics of the forces leave out, which the extremes and root mean squares of
+  /// @param remainder    what the harmonics of the forces leave out, which the extremes and root mean squares of
   ///                     forces and accelerations contain; null: nothing
   [[nodiscard]] std::vector<ObservedMotion> at(const Eigen::MatrixXcd& coordinates, const Eigen::MatrixXd& forces,
-                                               double omega, double factor, const SharpForces* sharp = nullptr) const;
+                                               double omega, double factor,
+                                               const ForceRemainder* remainder = nullptr) const;
   /// Does any result follow the forces of nonlinear parts at once: forces and accelerations?
-  [[nodiscard]] bool follows_forces() const { return !direct_.isZero(0) || !at_once_.isZero(0); }
+  [[nodiscard]] bool follows_forces() const { return !direct_.isZero(0) || !feedthrough_.isZero(0); }
 
  private:
   [[nodiscard]] std::complex<double> value(std::size_t channel, std::complex<double> s,
@@ -50,8 +51,8 @@ class Observer {
   const assembly::Assembled& assembled_;
   PeriodicExcitation excitation_;
   std::vector<assembly::Channel> channels_;
-  Eigen::MatrixXd direct_;   ///< channels × nonlinear deflections: their forces in results that are forces
-  Eigen::MatrixXd at_once_;  ///< the same of accelerations, as of forces that are quick
+  Eigen::MatrixXd direct_;       ///< channels × nonlinear deflections: their forces in results that are forces
+  Eigen::MatrixXd feedthrough_;  ///< accelerations per such force that is quick: by the masses alone
 };
 
 }  // namespace trivet::nonlinear

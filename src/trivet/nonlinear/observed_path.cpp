@@ -24,6 +24,7 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   found.held_share = path_.held_share();
   found.ended = path_.ended();
   found.closed = path_.closed();
+  found.corners = path_.corners();
   for (const BranchPoint& point : path_.points()) {
     found.points.push_back(steady(point));
     note_sticking(point, found);

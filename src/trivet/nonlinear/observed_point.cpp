@@ -70,10 +70,10 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   result.deflections = unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
   const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
   if (!observer_.channels().empty()) {
-    std::optional<SharpForces> sharp;
-    if (observer_.follows_forces()) sharp.emplace(balance.laws(), result.deflections, forces, omega);
+    std::optional<ForceRemainder> remainder;
+    if (observer_.follows_forces()) remainder.emplace(balance.laws(), result.deflections, forces, omega);
     result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor,
-                                  sharp ? &*sharp : nullptr);
+                                  remainder ? &*remainder : nullptr);
   }
   PeriodicStability::Multipliers multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
   result.multipliers = std::move(multipliers.values);

@@ -178,9 +178,9 @@ PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, 
       row = std::move(next);
       const std::size_t last = row.size() - 1;
       if (last == 0) continue;
-      const double changed = (row[last] - row[last - 1]).norm() / row[last].norm();
-      if (changed <= accurate) return {row.back()};
-      if (count > most) return {row.back(), changed};
+      const double change = (row[last] - row[last - 1]).norm(), size = row[last].norm();
+      if (change <= accurate * size) return {row.back()};
+      if (count > most) return {row.back(), change / size};
     }
   }
 }

@@ -30,12 +30,12 @@ class PeriodicStability {
   /// its own frequency. @throws foundation::NotComputable if a law acts on a coordinate without mass
   PeriodicStability(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections);
 
-  /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
-  /// inside the unit circle.
   struct Multipliers {
     Eigen::VectorXcd values;
     double uncertainty = 0;  ///< share of the transition that the smallest steps still change, if it is too much
   };
+  /// Floquet multipliers: eigenvalues of the state transition over one period 2π/ω. The motion is stable if all are
+  /// inside the unit circle.
   /// @param deflections  Fourier coefficients of one deflection after another
   /// @param accurate     at most this share of the transition changes by the last column of the extrapolation
   [[nodiscard]] Multipliers multipliers(const MachineLaws& laws, const Eigen::VectorXd& deflections, double omega,

@@ -56,7 +56,7 @@ class RubbingLoop {
     Eigen::Vector2d direction = Eigen::Vector2d::Zero();  ///< zero without a force
   };
   [[nodiscard]] std::vector<Change> changes() const;
-  [[nodiscard]] Eigen::Vector2d force(double phase) const;
+  [[nodiscard]] Eigen::Vector2d force(double phase) const;  ///< across
   [[nodiscard]] State state_at(double phase) const { return moment(phase).state; }
 
   /// Variations of the two forces at the points, points × columns each, by variations of the limit or of one deflection
@@ -76,7 +76,7 @@ class RubbingLoop {
     double limit_slope;  ///< by the phase
   };
   [[nodiscard]] Here at(double phase) const;
-  /// Index of the first point at a phase or after it, which is brought between the first and the last one.
+  /// Index of the first point after a phase, which is brought between the first and the last point.
   [[nodiscard]] std::size_t point_after(double& phase) const;
   [[nodiscard]] double step_of_stiffness() const;
   [[nodiscard]] bool settles(double start, const std::vector<double>& ends, double longest);

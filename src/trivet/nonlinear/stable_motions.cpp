@@ -89,6 +89,9 @@ std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch) {
     };
     add_all(branch);
     for (const SteadyBranch& curve : branch.further) add_all(curve);
+    constexpr double round_off = 1e-12;  // of a stop that is not touched, or that does not pull
+    for (double* end : {&one.largest, &one.smallest})
+      if (std::abs(*end) <= round_off * std::max(std::abs(one.largest), std::abs(one.smallest))) *end = 0;
     found.push_back(one);
   }
   return found;

@@ -161,7 +161,10 @@ class Curves {
           curve);
       // A motion of one period cannot be said to jump to one of two: there are several.
       for (Fold& fold : found.folds)
-        if (is_stable_at(curve, found.parameter(fold.point))) fold.lands.reset();
+        if (is_stable_at(curve, found.parameter(fold.point))) {
+          fold.lands.reset();
+          ++fold.stable_there;
+        }
     }
     found.further.push_back(std::move(curve));
   }

@@ -38,7 +38,7 @@ struct Fold {
   bool upper = false;                ///< the parameter is largest there: the jump as it rises
   std::optional<SteadyPoint> lands;  ///< the only stable motion of the same period known there; empty if there are
                                      ///< several or none
-  std::size_t stable_there = 0;      ///< their number
+  std::size_t stable_there = 0;      ///< number of stable motions known there, those of twice the period included
 };
 
 /// Where the stability changes without a fold: a multiplier leaves the unit circle.
@@ -98,6 +98,7 @@ struct SteadyBranch {
                                         ///< force depends on what happened before
   std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion
   std::string ended;                    ///< why the branch ends before the end of the band; empty: it does not
+  std::vector<double> corners;          ///< parameters at which its direction changes at once
   bool closed = false;                  ///< a detached one that returns to its first point
   /// How a further curve was found: by the search for detached ones, or followed from a change of stability.
   enum class Found { detached, branched };

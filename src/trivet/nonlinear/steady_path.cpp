@@ -143,9 +143,11 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       break;
     }
     std::optional<numerics::Branch::Advance> advance = branch_.advance(now, step, control);
-    if (!advance) {
+    const bool at_corner = !advance;
+    if (at_corner) {
       advance = across_corner(now);
       step = first_step;
+      if (advance) corners_.push_back(now.parameter);
     }
     if (!advance || !(advance->to.parameter > 0)) {
       constexpr double ahead = 1e-3;
@@ -196,7 +198,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     if (ended_ = unknown_forces(next); !ended_.empty()) break;
     const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next);
     constexpr double least = 1e-5;
-    if (!on_the_way && length > least) {
+    if (!on_the_way && length > least && !at_corner) {
       step = length / 2;
       continue;
     }
@@ -221,12 +223,15 @@ std::optional<numerics::Branch::Advance> SteadyPath::across_corner(const BranchP
   constexpr double near = 0.02;
   const bool downwards = now.parameter_direction() < 0;
   for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
-    const std::optional<BranchPoint> there =
-        branch_.start(now.unknowns, now.parameter + (downwards ? -share : share) * equations_.width(), downwards);
+    double parameter = std::min(now.parameter + (downwards ? -share : share) * equations_.width(), options_.to);
+    if (leaves_downwards_) parameter = std::max(parameter, options_.from);
+    const std::optional<BranchPoint> there = branch_.start(now.unknowns, parameter, downwards);
     if (!there) continue;
-    const VectorXd change = (there->unknowns - now.unknowns).cwiseQuotient(now.scale.head(now.unknowns.size()));
-    if (change.norm() > near) return std::nullopt;
-    return numerics::Branch::Advance{*there, std::max(numerics::Branch::length(now, *there), share)};
+    VectorXd change(now.scale.size());
+    change << there->unknowns - now.unknowns, there->parameter - now.parameter;
+    const double length = change.cwiseQuotient(now.scale).norm();
+    if (length > near) return std::nullopt;
+    return numerics::Branch::Advance{*there, length};
   }
   return std::nullopt;
 }

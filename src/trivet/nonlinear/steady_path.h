@@ -65,6 +65,8 @@ class SteadyPath {
   /// Motions at the parameters of SteadyOptions::at, in the order of the path.
   [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }
+  /// Parameters at which the direction of the curve changes at once.
+  [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   [[nodiscard]] double left_out() const { return left_out_; }
   [[nodiscard]] double held_share() const { return held_share_; }
 
@@ -107,7 +109,7 @@ class SteadyPath {
   KnownForces known_;
   numerics::Branch branch_;
   std::vector<numerics::BranchPoint> points_, asked_for_;
-  std::vector<double> lengths_;
+  std::vector<double> lengths_, corners_;
   std::vector<Turn> turns_;
   std::vector<Piece> pieces_;
   double left_out_ = 0, held_share_ = 0;

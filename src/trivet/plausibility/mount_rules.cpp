@@ -237,6 +237,19 @@ std::vector<std::size_t> judge_mounts(const model::System& system, const std::ve
   return blamed;
 }
 
+void judge_struts(const model::System& system, Suspicions& found) {
+  constexpr double longer = 10;
+  for (const model::Element& element : system.elements())
+    for (const model::DistancePart& part : element.distance_parts) {
+      const double between = part.law.distance(Eigen::Vector3d::Zero());
+      if (part.law.across || !(part.law.length > longer * between)) continue;
+      found.push_back(
+          {"places", "elements." + element.name + ".free_length", fmt::format("{:.6g} m", part.law.length),
+           fmt::format("its ends are {:.4g} m apart, so that it is pressed together by most of its length", between),
+           "check its unit, and the places of the ends"});
+    }
+}
+
 void judge_undamped(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found) {
   constexpr double equal = 1e-6;
   const auto is_damped = [&](std::size_t e) {

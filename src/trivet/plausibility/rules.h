@@ -53,6 +53,9 @@ void judge_engines(const model::System& system, const std::vector<Engine>& engin
 /// Motions of the ground far larger than the machine.
 void judge_ground_motion(const model::System& system, const std::vector<BodyPicture>& pictures, Suspicions& found);
 
+/// Struts whose free length is far from the distance of their ends.
+void judge_struts(const model::System& system, Suspicions& found);
+
 /// Dampers of one kind of which one is far stronger or weaker.
 void judge_dampers(const model::System& system, Suspicions& found);
 

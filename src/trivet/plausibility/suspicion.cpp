@@ -95,6 +95,7 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_rotors(system, stated.rotors, found);
   judge_engines(system, stated.engines, found);
   judge_dampers(system, found);
+  judge_struts(system, found);
   if (!machine_doubtful) {
     judge_limits(system, stated.allowed_motions, all, found);
     judge_foundations(system, all, found);

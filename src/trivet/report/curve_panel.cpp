@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "trivet/report/mark_texts.h"
+
 namespace trivet::report {
 namespace {
 
@@ -89,20 +91,6 @@ double key_height(const std::vector<PanelCurve>& curves) {
 
 double height_of(const PanelRow& row) { return std::max(row_height + below_panel, key_height(row.curves) + 16); }
 
-void draw_mark(SvgCanvas& canvas, const PlotPanel& p, const PanelMark& mark) {
-  const PixelPoint at = p.at(mark.x, mark.y);
-  canvas.circle(at, 3, fmt::format("fill=\"white\" stroke=\"{}\" stroke-width=\"1.4\"", mark.colour));
-  if (mark.text.empty()) return;
-  const double share = p.x.share(mark.x);
-  const double height = p.y.share(mark.y);
-  const bool below = height < 0.4 && height > 0.15;  // not on the ticks of the axis
-  const char* anchor = share > 0.9 ? "end" : share < 0.1 ? "start" : "middle";
-  canvas.text({at.x, at.y + (below ? 17 : -8)}, mark.text,
-              fmt::format("text-anchor=\"{}\" fill=\"{}\" paint-order=\"stroke\" stroke=\"white\" stroke-width=\"3\" "
-                          "stroke-linejoin=\"round\"",
-                          anchor, mark.colour));
-}
-
 }  // namespace
 
 std::vector<std::vector<PixelPoint>> visible_pieces(const PlotPanel& p, const std::vector<double>& x,
@@ -155,7 +143,7 @@ void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
     canvas.line(panel.at(panel.x.from, level), panel.at(panel.x.to, level), "stroke=\"#333\" stroke-width=\"0.9\"");
   for (const PanelCurve& curve : row.curves)
     for (const auto& piece : visible_pieces(panel, curve.x, curve.y)) canvas.polyline(piece, curve.stroke);
-  for (const PanelMark& mark : row.marks) draw_mark(canvas, panel, mark);
+  draw_panel_marks(canvas, panel, row.marks);
 }
 
 Figure stacked_rows(const std::string& title, const std::string& file_name, const std::vector<PanelRow>& rows) {

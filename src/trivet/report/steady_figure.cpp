@@ -16,7 +16,6 @@
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
-#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.
@@ -86,34 +85,16 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
   return curves;
 }
 
-/// Is there room for a text of a fold, beside those of the folds before it?
-bool has_room(const SteadyBranch& branch, std::size_t fold, std::size_t result, double width, double height) {
-  constexpr double room = 0.12;  // of the picture
-  const SteadyPoint& here = branch.folds[fold].point;
-  for (std::size_t i = 0; i < fold; ++i) {
-    const SteadyPoint& other = branch.folds[i].point;
-    const bool near_x = std::abs(branch.parameter(other) - branch.parameter(here)) < room * width,
-               near_y = std::abs(other.results[result].half_of_range() - here.results[result].half_of_range()) <
-        room * height;
-    if (near_x && near_y) return false;
-  }
-  return true;
-}
-
 /// Dotted lines from the folds to where the motion lands.
 void add_jumps(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
-               const UnitPrefix& unit, double largest, PanelRow& row) {
+               const UnitPrefix& unit, PanelRow& row) {
   bool key = true;
-  const double width = std::abs(branch.parameter(branch.points.back()) - branch.parameter(branch.points.front()));
   const std::string unit_of_place =
       branch.over == nonlinear::Parameter::frequency ? " " + results::varied_unit(branch, display) : "";
-  for (std::size_t i = 0; i < branch.folds.size(); ++i) {
-    const Fold& fold = branch.folds[i];
+  for (const Fold& fold : branch.folds) {
     const double at = place(branch, fold.point, display),
                  from = unit.factor * fold.point.results[result].half_of_range();
-    const bool has_text = has_room(branch, i, result, width, largest / unit.factor);
-    row.marks.push_back(
-        {at, from, "#D55E00", has_text ? fmt::format("{} {:.4g}{}", fold.upper ? "▶" : "◀", at, unit_of_place) : ""});
+    row.marks.push_back({at, from, "#D55E00", fmt::format("{} {:.4g}{}", fold.upper ? "▶" : "◀", at, unit_of_place)});
     if (!fold.lands) continue;
     const double to = unit.factor * fold.lands->results[result].half_of_range();
     PanelCurve jump{{}, {at, at}, {from, to}, "stroke=\"#D55E00\" stroke-width=\"1.2\" stroke-dasharray=\"1,3\""};
@@ -153,7 +134,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
       row.curves.push_back(std::move(piece));
     }
   }
-  add_jumps(branch, result, display, unit, largest, row);
+  add_jumps(branch, result, display, unit, row);
   std::set<std::string> named;  // once each: names beside each other would overlap
   for (const nonlinear::StabilityChange& change : branch.changes) {
     const std::string name = nonlinear::words(change.kind);
@@ -232,10 +213,11 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
     rows.push_back({{branch.results[c]},
                     quantity_cell(extremes[c].largest, unit),
                     right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
-                    quantity_cell(results::without_round_off(extremes[c].smallest, extremes[c].largest), unit),
+                    quantity_cell(extremes[c].smallest, unit),
                     quantity_cell(extremes[c].largest_of_all, unit)});
   }
-  if (rows.empty()) return hint("No motion of this branch is stable.");
+  if (nonlinear::stable_points(branch).empty()) return hint("No motion of this branch is stable.");
+  if (rows.empty()) return "";
   return html_table({{"deviation from rest"},
                      right("largest stable"),
                      right("at [" + results::varied_unit(branch, display) + "]"),

@@ -79,10 +79,11 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
   const std::string from =
       fmt::format("{} from {}", branch.results[*told], value_text(fold.point.results[*told].half_of_range(), unit));
   return from +
-      (fold.lands
-           ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
-           : (fold.stable_there == 0 ? "; no other stable motion is known there"
-                                     : fmt::format("; {} other stable motions are known there", fold.stable_there)));
+      (fold.lands ? " to " + value_text(fold.lands->results[*told].half_of_range(), unit)
+                  : (fold.stable_there == 0 ? "; no other stable motion is known there"
+                         : fold.stable_there == 1
+                         ? "; another stable motion is known there"
+                         : fmt::format("; {} other stable motions are known there", fold.stable_there)));
 }
 
 /// Is a motion beside the fold stable, so that it jumps there?

@@ -236,6 +236,9 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
                   branch.search ? "" : " (detached ones are not sought)", branch.points.size(), unstable_points(branch),
                   branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
+  for (const double corner : branch.corners)
+    text += fmt::format("  corner at {} {}: the curve turns at once, and was sought beyond at a fixed {}\n",
+                        number_text(shown_varied(branch, corner, display), 6), unit, varied_word(branch));
   text += stability_text(branch) + phase_text(branch, display);
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
   TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
@@ -246,8 +249,7 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
     table.add({branch.results[c], value_text(extremes[c].largest, shown),
-               place_text(branch, *extremes[c].at, display, 5),
-               value_text(without_round_off(extremes[c].smallest, top.half_of_range()), shown),
+               place_text(branch, *extremes[c].at, display, 5), value_text(extremes[c].smallest, shown),
                value_text(without_round_off(top.mean, top.half_of_range()), shown),
                value_text(extremes[c].largest_of_all, shown)});
   }

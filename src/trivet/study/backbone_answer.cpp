@@ -52,6 +52,7 @@ std::vector<nonlinear::Backbone> answer_backbone(const CaseContext& c, const pro
 }  // namespace
 
 const QuestionAnswer backbone_answer = answered_by<answer_backbone>(
-    "nonlinear modes: frequency and damping over amplitude", "backbone = {up_to = \"10 mm\"}");
+    "nonlinear modes: frequency and damping over amplitude",
+    "backbone: no end of the amplitude given; add backbone = {up_to = \"10 mm\"} to [analyses]");
 
 }  // namespace trivet::study

@@ -76,17 +76,17 @@ void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Prob
     ++stable;
     double largest = 0;
     for (const std::complex<double>& multiplier : point.multipliers)
-      if (std::abs(multiplier.imag()) <= real_axis) largest = std::max(largest, multiplier.real());
-    if (largest > slow && largest < free) {
+      if (std::abs(multiplier.imag()) <= real_axis && multiplier.real() < free)
+        largest = std::max(largest, multiplier.real());
+    if (largest > slow) {
       ++creep;
       slowest = std::max(slowest, largest);
     }
   }
   if (uncertain > 0)
     warnings.warning("analyses.steady",
-                     fmt::format("the multipliers of {} of {} motions are uncertain, by up to {:.1g}", uncertain,
-                                 branch.points.size(), worst),
-                     "their steps did not become short enough for the stiffness of the laws in motion",
+                     fmt::format("the multipliers of {} of {} motions are uncertain", uncertain, branch.points.size()),
+                     fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst),
                      "do not trust a stability that is close; compare the second verdict (--deep)");
   if (2 * creep > stable)
     warnings.warning("analyses.steady",

@@ -144,16 +144,13 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
 }
 
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
-void tell_limits(const SteadyBranch& branch, RequirementResult& result) {
-  const bool bears = result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value);
-  if (bears) result.detail = "it bears at rest";
+void add_limits(const SteadyBranch& branch, RequirementResult& result) {
+  const auto add = [&](const std::string& words) { result.detail += (result.detail.empty() ? "" : "; ") + words; };
+  if (result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value)) add("it bears at rest");
   else if (!branch.search)
-    result.detail = "motions connected with the lower end of the band only; branches = \"all\" of steady seeks others";
-  if (!branch.sticking.empty())
-    result.detail += fmt::format(
-        "{}the friction of {} sticks all the time at some frequencies, so that the mean there is "
-        "one of many",
-        result.detail.empty() ? "" : "; ", branch.sticking.front());
+    add("motions connected with the lower end of the band only; branches = \"all\" of steady seeks others");
+  for (const std::string& name : branch.sticking)
+    add("the friction of " + name + " sticks all the time at some frequencies, so that the mean there is one of many");
   const auto without = nonlinear::without_stable_motion(branch);
   if (without.empty()) return;
   std::string stretches;
@@ -164,7 +161,7 @@ void tell_limits(const SteadyBranch& branch, RequirementResult& result) {
       fmt::format("no periodic motion is known to be stable from {} Hz; what happens there is not computed", stretches);
   const bool is_violated = result.margin < 1;
   if (is_violated) {
-    result.detail = unknown;
+    add(unknown);
     return;
   }
   result.value.reset();
@@ -207,7 +204,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       result.margin = margin_of(result.allowed, largest);
       result.quantity = required.steady[i].quantity;
     }
-    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) tell_limits(branch, list[i]);
+    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) add_limits(branch, list[i]);
   });
 }
 

@@ -20,6 +20,8 @@ const std::vector<HystereticForce>& laws() {
       BoucWen{.stiffness = 45e3, .force = 180, .exponent = 1.5, .beta = 0.6, .gamma = 0.4},
       BoucWen{.stiffness = 45e3, .force = 180, .exponent = 2, .beta = 0.8, .gamma = -0.5},
       BoucWen{.stiffness = 45e3, .force = 180, .exponent = 7.3, .beta = 0.3, .gamma = 0.3},
+      BoucWen{.stiffness = 45e3, .force = 180, .exponent = 1.2, .beta = 0.5, .gamma = 0.4, .asymmetry = 0.1},
+      BoucWen{.stiffness = 45e3, .force = 180, .exponent = 1, .beta = 0.3, .gamma = 0.7},  // feeds energy
   };
   return all;
 }
@@ -63,7 +65,9 @@ TEST(Hysteresis, BoucWenForcesObeyTheirDifferentialEquation) {
     double z = -0.8 * force_limit(one) / law->force;
     const auto slope = [&](double at) {
       return law->stiffness / law->force *
-          (1 - (law->gamma + (at > 0 ? law->beta : -law->beta)) * std::pow(std::abs(at), law->exponent));
+          (1 -
+           (law->gamma + (at > 0 ? law->beta + 2 * law->asymmetry : -law->beta)) *
+               std::pow(std::abs(at), law->exponent));
     };
     constexpr int steps = 20'000;
     const double h = travel / steps, start = z * law->force;

@@ -340,4 +340,15 @@ TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   EXPECT_THAT(kinds(far), ElementsAre("products of inertia"));
 }
 
+TEST(Plausibility, DetectsAStrutWhoseFreeLengthIsInMillimetres) {
+  const auto with = [](const std::string& length) {
+    return Cube{}.text() +
+        "[elements.strut]\ntype = \"strut\"\non = \"cube\"\nat = [0, 0, 0.2]\nfrom_at = [0, 0, 0.8]\n"
+        "stiffness = 1e3\nfree_length = " +
+        length + "\n";
+  };
+  EXPECT_THAT(kinds(with("560")), testing::Contains("places"));
+  EXPECT_THAT(kinds(with("0.56")), testing::Not(testing::Contains("places")));
+}
+
 }  // namespace plausibility_test

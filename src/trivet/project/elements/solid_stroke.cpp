@@ -130,11 +130,12 @@ void add_stroke(const Stroke& stroke, TableReader& reader, const std::string& ke
     if (stroke.is_symmetric) states.insert(states.begin(), mirrored(state));
     return true;
   };
+  const auto place = [](double end, int i, int count) { return i == count ? end : end * i / count; };
   constexpr int in_compression = 5;
   const int in_tension = stroke.is_symmetric ? in_compression : 3;
-  for (int i = 1; !stroke.is_symmetric && i <= in_compression && add(stroke.from * i / in_compression, i); ++i) {
+  for (int i = 1; !stroke.is_symmetric && i <= in_compression && add(place(stroke.from, i, in_compression), i); ++i) {
   }
-  for (int i = 1; i <= in_tension && add(stroke.to * i / in_tension, i); ++i) {
+  for (int i = 1; i <= in_tension && add(place(stroke.to, i, in_tension), i); ++i) {
   }
   const State &first = states.front(), &last = states.back();
   for (const auto& [reached, next] :

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "trivet/nonlinear/sharp_forces.h"
+#include "trivet/nonlinear/force_remainder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using foundation::two_pi;
 
-SharpForces::SharpForces(const MachineLaws& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
+ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, const MatrixXd& harmonics, double omega)
     : course_(course), harmonics_(harmonics), omega_(omega), known_(to_size(course.cols()), false) {
   std::vector<double> corners;
   for (Index j = 0; j < course.cols(); ++j) {
@@ -26,12 +26,8 @@ SharpForces::SharpForces(const MachineLaws& laws, const MatrixXd& course, const 
                     [](const BristleLoop& loop) { return !loop.moves(); }))
       continue;
     known_[to_size(j)] = true;
-    corners.insert(corners.end(), along.corners().begin(), along.corners().end());
-    for (const HystereticLoop& loop : along.loops())
-      for (const HystereticLoop::Branch& branch : loop.branches()) {
-        corners.push_back(branch.from);
-        if (branch.kink) corners.push_back(std::fmod(*branch.kink, two_pi));
-      }
+    const std::vector<double> own = along.all_corners();
+    corners.insert(corners.end(), own.begin(), own.end());
     singles_.push_back({j, std::move(along)});
   }
   for (const MachineLaws::Distance& one : laws.distances()) {
@@ -48,7 +44,7 @@ SharpForces::SharpForces(const MachineLaws& laws, const MatrixXd& course, const 
   add_phases(std::move(corners));
 }
 
-void SharpForces::add_phases(std::vector<double> corners) {
+void ForceRemainder::add_phases(std::vector<double> corners) {
   constexpr int per_harmonic = 8, between_corners = 12;
   constexpr double beside = 1e-9;
   const auto harmonics = static_cast<int>((course_.rows() - 1) / 2), even = per_harmonic * (harmonics + 1);
@@ -65,7 +61,7 @@ void SharpForces::add_phases(std::vector<double> corners) {
   std::sort(phases_.begin(), phases_.end());
 }
 
-Eigen::RowVectorXd SharpForces::at(double phase) const {
+Eigen::RowVectorXd ForceRemainder::at(double phase) const {
   Eigen::RowVectorXd found = Eigen::RowVectorXd::Zero(course_.cols());
   for (const Single& one : singles_) {
     const double deflection = one.course.deflection_at(phase);

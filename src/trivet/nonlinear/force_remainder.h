@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "trivet/nonlinear/machine_laws.h"
@@ -11,12 +10,14 @@ namespace trivet::nonlinear {
 
 /// What the harmonics of the forces of nonlinear parts leave out over a period: the laws themselves along the
 /// deflections, less their harmonics. A stop that is touched briefly has most of its force there.
-class SharpForces {
+class ForceRemainder {
  public:
-  /// @param course    Fourier coefficients × deflections
+  /// `laws` must outlive it.
+  /// @param course     Fourier coefficients × deflections
   /// @param harmonics  of the forces, coefficients × deflections
-  /// @param omega     of the first harmonic [rad/s]
-  SharpForces(const MachineLaws& laws, const Eigen::MatrixXd& course, const Eigen::MatrixXd& harmonics, double omega);
+  /// @param omega      of the first harmonic [rad/s]
+  ForceRemainder(const MachineLaws& laws, const Eigen::MatrixXd& course, const Eigen::MatrixXd& harmonics,
+                 double omega);
 
   /// Ascending in [0, 2π): evenly spaced, more of them between the instants at which a force is not smooth, and both
   /// sides of these.
@@ -40,7 +41,7 @@ class SharpForces {
     RubbingLoop loop;
   };
   std::vector<Rubbing> rubbings_;
-  std::vector<bool> known_;  ///< deflections with a force that is not a sum of the harmonics
+  std::vector<bool> known_;  ///< deflections whose remainder is computed; that of the others is zero
   std::vector<double> phases_;
 };
 
