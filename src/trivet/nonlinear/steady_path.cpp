@@ -83,6 +83,7 @@ void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Pro
   points_.clear();
   asked_for_.clear();
   lengths_.clear();
+  corners_.clear();
   turns_.clear();
   pieces_.clear();
   ended_.clear();

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double mark_radius = 3;
 
-struct Box {
+struct TextBox {
   double left, top, right, bottom;
 };
 
-bool overlap(const Box& a, const Box& b) {
+bool overlap(const TextBox& a, const TextBox& b) {
   return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
@@ -26,19 +26,19 @@ struct TextPlace {
   std::string_view anchor;
 };
 
-Box box_of(const PanelMark& mark, const TextPlace& place) {
+TextBox box_of(const PanelMark& mark, const TextPlace& place) {
   constexpr double per_letter = 6, height = 10, descent = 2;
   const double width = per_letter * static_cast<double>(mark.text.size());
   const double before = place.anchor == "end" ? width : place.anchor == "start" ? 0 : width / 2;
   return {place.at.x - before, place.at.y - height, place.at.x - before + width, place.at.y + descent};
 }
 
-Box box_of(const PixelPoint& at) {
+TextBox box_of(const PixelPoint& at) {
   return {at.x - mark_radius, at.y - mark_radius, at.x + mark_radius, at.y + mark_radius};
 }
 
 /// The first place that is free, inside the frame or else beyond it.
-std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mark, const std::vector<Box>& taken) {
+std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mark, const std::vector<TextBox>& taken) {
   const PixelPoint at = panel.at(mark.x, mark.y);
   constexpr double above = -8, below = 17, line = 14, beside = 9, middle = 4, edge = 0.1;
   const double share = panel.x.share(mark.x);
@@ -49,14 +49,14 @@ std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mar
                                             {{at.x - beside, at.y + middle}, "end"},
                                             {{at.x, at.y + above - line}, anchor},
                                             {{at.x, at.y + below + line}, anchor}}};
-  const Box frame = {panel.corner.x, panel.corner.y, panel.corner.x + panel.width, panel.corner.y + panel.height};
+  const TextBox frame = {panel.corner.x, panel.corner.y, panel.corner.x + panel.width, panel.corner.y + panel.height};
   for (const bool inside : {true, false})
     for (const TextPlace& place : places) {
-      const Box here = box_of(mark, place);
+      const TextBox here = box_of(mark, place);
       if (inside &&
           (here.left < frame.left || here.right > frame.right || here.top < frame.top || here.bottom > frame.bottom))
         continue;
-      if (std::none_of(taken.begin(), taken.end(), [&](const Box& other) { return overlap(here, other); }))
+      if (std::none_of(taken.begin(), taken.end(), [&](const TextBox& other) { return overlap(here, other); }))
         return place;
     }
   return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mar
 }  // namespace
 
 void draw_panel_marks(SvgCanvas& canvas, const PlotPanel& panel, const std::vector<PanelMark>& marks) {
-  std::vector<Box> taken;
+  std::vector<TextBox> taken;
   for (const PanelMark& mark : marks) {
     const PixelPoint at = panel.at(mark.x, mark.y);
     taken.push_back(box_of(at));
