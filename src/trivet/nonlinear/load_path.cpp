@@ -49,7 +49,7 @@ LoadPath::LoadPath(const model::System& undeformed) {
   linear_ = across_.transpose() * displacement;
   constexpr double round_off = 1e-12;  // a load across a deflection does not move it
   for (Index j = 0; j < count; ++j)
-    if (std::abs(linear_(j)) <= round_off * across_.col(j).norm() * displacement.norm()) linear_(j) = 0;
+    loaded_ = loaded_ || std::abs(linear_(j)) > round_off * across_.col(j).norm() * displacement.norm();
 }
 
 LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {

@@ -19,7 +19,7 @@ class LoadPath {
   explicit LoadPath(const model::System& undeformed);
 
   /// Does the load deflect the nonlinear parts?
-  [[nodiscard]] bool loaded() const { return linear_.size() > 0 && !linear_.isZero(0); }
+  [[nodiscard]] bool loaded() const { return loaded_; }
 
   /// The only position of rest of a machine whose forces never fall. A body that is free within a gap falls until it
   /// bears: a share of the references holds it at first, and is then taken away. Empty if forces may fall, or if
@@ -64,6 +64,7 @@ class LoadPath {
   Eigen::MatrixXd across_;      ///< free coordinates × deflections
   Eigen::MatrixXd receptance_;  ///< deflections × deflections
   Eigen::VectorXd linear_, references_;
+  bool loaded_ = false;
 };
 
 }  // namespace trivet::nonlinear
