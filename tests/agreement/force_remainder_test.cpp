@@ -10,7 +10,7 @@
 #include "support/projects.h"
 #include "trivet/nonlinear/steady_branch.h"
 
-namespace sharp_forces_test {
+namespace force_remainder_test {
 
 using namespace trivet;
 using test::RelativelyNear;
@@ -107,4 +107,4 @@ force = [0, 0, 15.5]
   EXPECT_THAT(about_zero, RelativelyNear(std::sqrt(expected.squares), of_force));
 }
 
-}  // namespace sharp_forces_test
+}  // namespace force_remainder_test
