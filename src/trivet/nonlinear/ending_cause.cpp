@@ -61,9 +61,8 @@ std::string of_friction(const std::string& contact, const RubbingLoop& here, con
   const double slips = share_of_slip(here);
   if (here.always_sticks() == beyond.always_sticks() && !(slips > 0 && slips < little)) return "";
   return fmt::format(
-      "; the friction of {} just begins to slip, where its mean changes quickly: begin beyond, or follow the curve "
-      "from "
-      "the other end",
+      "; the friction of {} just begins to slip, where its mean changes quickly: begin beyond, or follow the "
+      "curve from the other end",
       contact);
 }
 

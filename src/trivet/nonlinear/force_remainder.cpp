@@ -62,21 +62,21 @@ void ForceRemainder::add_phases(std::vector<double> corners) {
 }
 
 Eigen::RowVectorXd ForceRemainder::at(double phase) const {
+  const Eigen::RowVectorXd row = numerics::fourier_row((course_.rows() - 1) / 2, phase);
+  const Eigen::RowVectorXd deflections = row * course_;
   Eigen::RowVectorXd found = Eigen::RowVectorXd::Zero(course_.cols());
   for (const Single& one : singles_) {
-    const double deflection = one.course.deflection_at(phase);
-    found(one.deflection) += one.course.at(phase).force;
+    found(one.deflection) += one.course.at(row).force;
     for (const HystereticLoop& loop : one.course.loops())
-      found(one.deflection) += loop.at(loop.branch_at(phase), deflection).force;
+      found(one.deflection) += loop.at(loop.branch_at(phase), deflections(one.deflection)).force;
     for (const BristleLoop& loop : one.course.bristles()) found(one.deflection) += loop.at(phase).force;
   }
   for (const MachineLaws::Distance* one : distances_)
     found.segment<3>(one->first) +=
         one->law.at_phase(course_.middleCols(one->first, 3), omega_, phase).force.transpose();
-  const Eigen::RowVectorXd row = numerics::fourier_row((course_.rows() - 1) / 2, phase);
   for (const Rubbing& one : rubbings_)
     found.segment<2>(one.across) +=
-        one.loop.force(phase).transpose() - one.loop.law().own_stiffness() * (row * course_.middleCols<2>(one.across));
+        one.loop.force(phase).transpose() - one.loop.law().own_stiffness() * deflections.segment<2>(one.across);
   const Eigen::RowVectorXd smooth = row * harmonics_;
   for (Index j = 0; j < found.size(); ++j) found(j) = known_[to_size(j)] ? found(j) - smooth(j) : 0;
   return found;
