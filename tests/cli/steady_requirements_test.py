@@ -99,6 +99,29 @@ class SteadyRequirements(unittest.TestCase):
         self.assertEqual(run.returncode, 2)
         self.assertIn("a machine without stops", run.stderr)
 
+    def test_a_ring_that_bears_at_rest_is_touched(self):
+        ring = """[elements.ring]
+type = "stop"
+on = "m"
+at = [0, 0, 0]
+axis = "y"
+ring = PLAY
+stiffness = 8e4
+[excitations.F]"""
+        machine = MACHINE.replace("[excitations.F]", ring).replace("trivet = 1", "trivet = 1\ngravity = [9.81, 0, 0]")
+        for play, bears in (("0.005", True), ("0.5", False)):
+            _, found = verdict("{cubic = 1}", "no_contact = true", machine=machine.replace("PLAY", play))
+            one = found[0]
+            self.assertEqual(one["margin"] == 0, bears, one)
+            self.assertEqual("bears at rest" in one.get("detail", ""), bears, one)
+
+    def test_a_slider_loaded_up_to_its_slip_has_one_of_many_means(self):
+        machine = MACHINE.replace("trivet = 1", "trivet = 1\ngravity = [9.81, 0, 0]").replace("60, 0, 0", "6, 0, 0")
+        slider = "{friction = {slip = 60, stiffness = 3e4}}"
+        machine = machine.replace('["24 rad/s", "50 rad/s"]', '["10 rad/s", "20 rad/s"]')
+        _, found = verdict(slider, 'steady = {"m.x" = 1}', machine=machine)
+        self.assertIn("sticks all the time", found[0]["detail"])
+
     def test_load_factor_needs_a_band(self):
         run, found = verdict(
             "{cubic = 1e6}",
