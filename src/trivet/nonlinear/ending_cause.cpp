@@ -19,24 +19,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using foundation::two_pi;
 
-/// Smallest and largest deviation over a period.
-std::pair<double, double> extremes(const VectorXd& motion) {
-  const Index harmonics = (motion.size() - 1) / 2, samples = 8 * motion.size();
-  MatrixXd rows(samples, motion.size());
-  for (Index n = 0; n < samples; ++n)
-    rows.row(n) = numerics::fourier_row(harmonics, two_pi * static_cast<double>(n) / static_cast<double>(samples));
-  std::pair<double, double> found = {motion(0), motion(0)};
-  for (const double phase : numerics::level_crossings(numerics::phase_derivative(motion), {0}, rows)) {
-    const double here = numerics::motion_at(harmonics, phase, motion);
-    found = {std::min(found.first, here), std::max(found.second, here)};
-  }
-  return found;
-}
-
 std::string just_touched(const Deflection& deflection, const VectorXd& motion) {
   constexpr double near = 2e-3;  // of the amplitude
   const auto [below, above] = deflection.law.untouched();
-  const auto [low, high] = extremes(motion);
+  const auto [low, high] = numerics::range_of_motion(motion);
   for (const auto& [reached, gap] : {std::pair{low, below}, std::pair{high, above}})
     if (std::isfinite(gap) && std::abs(reached - gap) < near * (high - low) / 2)
       return fmt::format(
@@ -84,7 +70,7 @@ std::string of_loops(const std::string& name, const LawCourse& here, const LawCo
 std::string ending_cause(const std::vector<Deflection>& deflections, const MachineLaws& laws, const MatrixXd& motion,
                          const MatrixXd& beyond, double omega) {
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-    const std::string& name = deflections[to_size(one.across)].name;
+    const std::string& name = deflections[to_size(one.on[1])].name;
     const std::string found =
         of_friction(name.substr(0, name.find('.')), laws.loop(one, motion, omega), laws.loop(one, beyond, omega));
     if (!found.empty()) return found;

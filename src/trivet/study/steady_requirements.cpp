@@ -12,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
+#include "trivet/numerics/periodic/level_crossings.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/steady_answer.h"
 
@@ -22,20 +23,6 @@ using foundation::infinity;
 using nonlinear::stable_points;
 using nonlinear::SteadyBranch;
 using nonlinear::SteadyPoint;
-
-/// The least and the greatest deviation from rest of one nonlinear deflection.
-std::pair<double, double> range_of(const SteadyPoint& point, std::size_t deflection) {
-  const Eigen::VectorXd motion = point.deflections.col(to_index(deflection));
-  const Eigen::Index harmonics = (motion.size() - 1) / 2, samples = 16 * (harmonics + 1);
-  double low = infinity, high = -infinity;
-  for (Eigen::Index n = 0; n < samples; ++n) {
-    const double value = numerics::motion_at(
-        harmonics, foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples), motion);
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  return {low, high};
-}
 
 /// A stop, with its gaps from rest; or one of a strut or a ring, over three deflections.
 struct Stop {
@@ -54,19 +41,23 @@ double of_gap(double travel, double gap) {
 /// The largest share of the gaps that the distance between the ends uses: of a ring from its axis, of a strut from
 /// rest.
 double share_of_distance(const SteadyPoint& point, const Stop& stop) {
-  const Eigen::MatrixXd motion = point.deflections.middleCols(to_index(stop.deflection), 3);
-  const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 32 * (harmonics + 1);
   const elements::DistanceForce& law = stop.distance->law;
   const double from = law.across ? 0 : law.distance(stop.distance->at_rest);
   if (law.across && law.distance(stop.distance->at_rest) >= stop.above) return infinity;  // it bears at rest
-  double largest = 0;
+  const Eigen::MatrixXd motion = point.deflections.middleCols(to_index(stop.deflection), 3);
+  // The square of the distance has twice the harmonics, exactly.
+  const Eigen::Index harmonics = (motion.rows() - 1) / 2, samples = 4 * harmonics + 2;
+  Eigen::VectorXd square = Eigen::VectorXd::Zero(numerics::coefficient_count(2 * harmonics));
   for (Eigen::Index n = 0; n < samples; ++n) {
-    const double phase = foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples);
-    const Eigen::Vector3d deviation = (numerics::fourier_row(harmonics, phase) * motion).transpose();
-    const double travel = law.distance(stop.distance->at_rest + deviation) - from;
-    largest = std::max({largest, of_gap(travel, stop.above), of_gap(-travel, stop.below)});
+    const Eigen::RowVectorXd row = numerics::fourier_row(
+        2 * harmonics, foundation::two_pi * static_cast<double>(n) / static_cast<double>(samples));
+    const Eigen::Vector3d deviation = (row.head(motion.rows()) * motion).transpose();
+    square += 2 * std::pow(law.distance(stop.distance->at_rest + deviation), 2) / static_cast<double>(samples) *
+        row.transpose();
   }
-  return largest;
+  square(0) /= 2;
+  const auto [low, high] = numerics::range_of_motion(square);
+  return std::max(of_gap(std::sqrt(high) - from, stop.above), of_gap(from - std::sqrt(std::max(low, 0.0)), stop.below));
 }
 
 std::vector<Stop> stops_of(const model::System& system) {
@@ -115,7 +106,7 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
       if (stops[i].distance) {
         here = share_of_distance(*point, stops[i]);
       } else {
-        const auto [low, high] = range_of(*point, stops[i].deflection);
+        const auto [low, high] = numerics::range_of_motion(point->deflections.col(to_index(stops[i].deflection)));
         here = std::max(of_gap(high, stops[i].above), of_gap(-low, stops[i].below));
       }
       if (here <= share) continue;

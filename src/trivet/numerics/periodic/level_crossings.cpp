@@ -80,7 +80,7 @@ std::vector<double> level_crossings(const VectorXd& motion, const std::vector<do
     const double phase = step * static_cast<double>(n), next = course((n + 1) % count);
     places.emplace_back(phase, course(n));
     if ((rates(n) < 0) == (rates((n + 1) % count) < 0)) continue;
-    const auto [low, high] = std::pair(std::min(course(n), next) - beyond, std::max(course(n), next) + beyond);
+    const double low = std::min(course(n), next) - beyond, high = std::max(course(n), next) + beyond;
     if (std::none_of(levels.begin(), levels.end(), [&](double level) { return level >= low && level <= high; }))
       continue;
     const double extremum = crossing(rate, 0, phase, phase + step, rates(n), rates((n + 1) % count));
@@ -95,6 +95,23 @@ std::vector<double> level_crossings(const VectorXd& motion, const std::vector<do
                                   places[i + 1].second - level));
   std::sort(phases.begin(), phases.end());
   return phases;
+}
+
+std::pair<double, double> range_of_motion(const VectorXd& motion) {
+  const Index harmonics = (motion.size() - 1) / 2, samples = 16 * motion.size();
+  const VectorXd rate = phase_derivative(motion);
+  std::pair<double, double> found = {motion_at(harmonics, 0, motion), motion_at(harmonics, 0, motion)};
+  double before = motion_at(harmonics, 0, rate);
+  for (Index n = 1; n <= samples; ++n) {
+    const double step = two_pi / static_cast<double>(samples), phase = step * static_cast<double>(n),
+                 here = motion_at(harmonics, phase, rate);
+    const bool turns = (before < 0) != (here < 0);
+    const double place = turns ? crossing(rate, 0, phase - step, phase, before, here) : phase,
+                 value = motion_at(harmonics, place, motion);
+    found = {std::min(found.first, value), std::max(found.second, value)};
+    before = here;
+  }
+  return found;
 }
 
 }  // namespace trivet::numerics

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 namespace trivet::numerics {
@@ -15,5 +16,8 @@ namespace trivet::numerics {
 /// @param samples  evenly spaced phases × coefficients: rows of the basis
 [[nodiscard]] std::vector<double> level_crossings(const Eigen::VectorXd& motion, const std::vector<double>& levels,
                                                   const Eigen::Ref<const Eigen::MatrixXd>& samples);
+
+/// Smallest and largest value of a periodic motion.
+[[nodiscard]] std::pair<double, double> range_of_motion(const Eigen::VectorXd& motion);
 
 }  // namespace trivet::numerics
