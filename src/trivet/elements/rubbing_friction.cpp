@@ -80,4 +80,19 @@ Slip slip(double stiffness, const Vector2d& start, const Vector2d& travel, doubl
   return found;
 }
 
+Slip slip_on_wall(double stiffness, const Vector2d& start, const Vector2d& travel, double limit_before, double limit,
+                  double hoop) {
+  const Eigen::DiagonalMatrix<double, 2> across(hoop, 1), back(1 / hoop, 1);
+  const Slip friction = slip(stiffness, across * start, across * travel, limit_before, limit);
+  Slip found;
+  found.force = back * friction.force;
+  found.by_start = back * friction.by_start * across;
+  found.by_travel = back * friction.by_travel * across;
+  found.by_limit = back * friction.by_limit;
+  found.by_limit_before = back * friction.by_limit_before;
+  found.by_hoop = back * (friction.by_start.col(0) * start.x() + friction.by_travel.col(0) * travel.x());
+  found.by_hoop.x() -= found.force.x() / hoop;
+  return found;
+}
+
 }  // namespace trivet::elements

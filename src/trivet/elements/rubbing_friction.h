@@ -19,6 +19,7 @@ struct Slip {
   Eigen::Vector2d force = Eigen::Vector2d::Zero();
   Eigen::Matrix2d by_start = Eigen::Matrix2d::Zero(), by_travel = Eigen::Matrix2d::Zero();
   Eigen::Vector2d by_limit = Eigen::Vector2d::Zero(), by_limit_before = Eigen::Vector2d::Zero();
+  Eigen::Vector2d by_hoop = Eigen::Vector2d::Zero();
 };
 
 /// Along a straight travel the force turns into its direction: with the angle φ between them, dφ/ds = −(k/L) sin φ, so
@@ -29,5 +30,10 @@ struct Slip {
 /// @param limit         after it
 [[nodiscard]] Slip slip(double stiffness, const Eigen::Vector2d& start, const Eigen::Vector2d& travel,
                         double limit_before, double limit);
+
+/// The same within a ring, where the friction around it is `hoop` times the force over the travel on its wall: the
+/// forces over the travel before and after, of which the friction keeps the limit.
+[[nodiscard]] Slip slip_on_wall(double stiffness, const Eigen::Vector2d& start, const Eigen::Vector2d& travel,
+                                double limit_before, double limit, double hoop);
 
 }  // namespace trivet::elements

@@ -137,7 +137,8 @@ struct NonlinearPart {
 /// less those of end N, axes of K.
 struct DistancePart {
   elements::DistanceForce law;
-  Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();  ///< deflections in the position of rest [m]
+  Eigen::Vector3d at_rest = Eigen::Vector3d::Zero();       ///< deflections in the position of rest [m]
+  std::optional<elements::RubbingFriction> friction = {};  ///< around and along the wall of a ring
 };
 
 /// Friction across the deflection of a nonlinear part, whose elastic forces press it.

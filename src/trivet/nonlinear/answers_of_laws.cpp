@@ -43,13 +43,41 @@ struct BristleKick {
   double by_start = 0, by_rate = 0;  ///< the mean force by ζ at the start, and by the rate
 };
 
+/// Of the variation of the friction square to itself, by the time: from the deflections and their rates.
+struct SlipSource {
+  Eigen::Vector2d aside;  ///< its direction
+  Eigen::RowVector3d by_deflection, by_rate;
+};
+SlipSource source_of(const RubbingLoop& loop, const RubbingLoop::Moment& here, double omega) {
+  const ContactFrame& frame = here.frame;
+  const FrameRates& rates = here.rates;
+  const double k = loop.law().law().stiffness, curvature = frame.curvature;
+  SlipSource found{{-here.direction.y(), here.direction.x()}, {}, {}};
+  const Eigen::RowVector2d pulled = k * frame.friction(found.aside).transpose();
+  found.by_rate = pulled * frame.on_wall;
+  found.by_deflection = omega * pulled * rates.on_wall;
+  // As a ring widens, friction and travel around it shrink.
+  const double shrinks = curvature * found.aside.x();
+  found.by_rate -= shrinks * here.friction.x() * frame.normal;
+  found.by_deflection -= shrinks * omega *
+      (here.friction.x() * (rates.normal - curvature * rates.along * frame.normal) +
+       k * frame.hoop * rates.across.x() * frame.normal);
+  // The limit grows.
+  found.by_rate -= here.turning * omega * here.limit.by_rate * frame.normal;
+  found.by_deflection -=
+      here.turning * omega * (here.limit.by_deflection * frame.normal + here.limit.by_rate * omega * rates.normal);
+  return found;
+}
+
 }  // namespace
 
 VectorXd units_of_friction(const LawsAlong& motion, const VectorXd& accelerations) {
   VectorXd units(to_index(motion.rubbings.size()));
   for (std::size_t r = 0; r < motion.rubbings.size(); ++r) {
-    const double k = motion.rubbings[r].loop.law().law().stiffness,
-                 squared = k * accelerations.segment<2>(motion.rubbings[r].across).cwiseAbs().maxCoeff();
+    const LawsAlong::Rubbing& one = motion.rubbings[r];
+    const Eigen::Vector3d on = accelerations(one.on);
+    const double k = one.loop.law().law().stiffness,
+                 squared = k * on.tail(one.loop.law().is_ring() ? 3 : 2).cwiseAbs().maxCoeff();
     units(to_index(r)) = squared > 0 ? k / std::sqrt(squared) : k;
   }
   return units;
@@ -103,22 +131,30 @@ numerics::RowMatrix answers_of_laws(const LawsAlong& motion, const MatrixXd& rat
     std::vector<Fading> of_rubbings;
     for (Index r = 0; r < rubbings; ++r) {
       const LawsAlong::Rubbing& one = motion.rubbings[to_size(r)];
-      const RubbingLoop::Moment& there = tangent.rubbings[to_size(r)];
-      of_rubbings.emplace_back(there.fading * motion.omega, step);
-      if (there.state == RubbingLoop::State::sticks)
-        for (Index a = 0; a < 2; ++a) forces(one.across + a, first_rubbings + 2 * r + a) = units(r);
-      if (there.state != RubbingLoop::State::slips) continue;
-      const Eigen::Vector2d aside(-there.direction.y(), there.direction.x());
-      auto source = sources.row(r);
-      source.segment<2>(m + one.across) = one.loop.law().law().stiffness * aside.transpose();
-      source(one.along) -= there.turning * motion.omega * there.limit.by_deflection;
-      source(m + one.along) -= there.turning * motion.omega * there.limit.by_rate;
-      for (Index a = 0; a < 2; ++a) {
-        auto force = forces.row(one.across + a);
-        force(one.along) += there.direction(a) * there.limit.by_deflection;
-        force(m + one.along) += there.direction(a) * there.limit.by_rate;
-        force += aside(a) * of_rubbings.back().mean_of_integral * step * source;
-        force(first_carried + bristles + r) += aside(a) * of_rubbings.back().mean * units(r);
+      const TangentsAlong::Rubbing& there = tangent.rubbings[to_size(r)];
+      of_rubbings.emplace_back(there.moment.fading * motion.omega, step);
+      for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b) {
+          forces(one.on[a], one.on[b]) += there.by_deflection(to_index(a), to_index(b));
+          forces(one.on[a], m + one.on[b]) += there.by_rate(to_index(a), to_index(b));
+        }
+      if (!one.remembers()) continue;
+      const ContactFrame& frame = there.moment.frame;
+      if (there.moment.state == RubbingLoop::State::sticks)
+        for (std::size_t a = 0; a < 3; ++a)
+          forces.row(one.on[a]).segment<2>(first_rubbings + 2 * r) +=
+              units(r) * frame.friction(frame.tangents.col(to_index(a))).transpose();
+      if (there.moment.state != RubbingLoop::State::slips) continue;
+      const SlipSource found = source_of(one.loop, there.moment, motion.omega);
+      for (std::size_t b = 0; b < 3; ++b) {
+        sources(r, one.on[b]) = found.by_deflection(to_index(b));
+        sources(r, m + one.on[b]) = found.by_rate(to_index(b));
+      }
+      const Eigen::Vector3d aside = frame.tangents.transpose() * found.aside;
+      for (std::size_t a = 0; a < 3; ++a) {
+        auto force = forces.row(one.on[a]);
+        force += aside(to_index(a)) * of_rubbings.back().mean_of_integral * step * sources.row(r);
+        force(first_carried + bristles + r) += aside(to_index(a)) * of_rubbings.back().mean * units(r);
       }
     }
     if (damped) {  // implicit midpoint rule: the kick changes the rates that it depends on

@@ -124,11 +124,12 @@ model::System with_references(const model::System& system, const References& ref
       sum.tangent += element.over_deflection->at(along.at_rest, force) - element.over_deflection->at(along.at_rest, 0);
     }
     for (const model::RubbingPart& part : element.rubbing_parts) {  // which bears no force at rest
-      const double sticks = rubbing_about(element, part).own_stiffness();
+      const Eigen::Matrix3d sticks = rubbing_about(element, part).own_stiffness();
       const auto rows = rows_across(element.nonlinear_parts[part.pressed_by], span);
       for (std::size_t i = 0; i < 2; ++i) {
-        sum.tangent += sticks * rows[i] * rows[i].transpose();
-        sum.offset -= sticks * part.at_rest(to_index(i)) * rows[i];
+        const double stiffness = sticks(to_index(i) + 1, to_index(i) + 1);
+        sum.tangent += stiffness * rows[i] * rows[i].transpose();
+        sum.offset -= stiffness * part.at_rest(to_index(i)) * rows[i];
       }
     }
     for (const model::DistancePart& part : element.distance_parts) {
@@ -137,6 +138,10 @@ model::System with_references(const model::System& system, const References& ref
       sum.tangent += rows.transpose() * there.by_deflection * rows;
       sum.damping += rows.transpose() * there.by_rate * rows;
       sum.offset += rows.transpose() * (there.force - there.by_deflection * part.at_rest);
+      if (!part.friction) continue;
+      const Eigen::Matrix3d sticks = RubbingAbout(*part.friction, part.law, part.at_rest).own_stiffness();
+      sum.tangent += rows.transpose() * sticks * rows;
+      sum.offset -= rows.transpose() * sticks * part.at_rest;
     }
     element.law.nonlinear = sum;
   }
@@ -258,6 +263,12 @@ void add_rubbings(const model::System& system, const assembly::Assembled& assemb
     }
     next += element.nonlinear_parts.size();
   }
+  for (const model::Element& element : system.elements())  // distances follow the parts over one deflection
+    for (const model::DistancePart& part : element.distance_parts) {
+      if (part.friction)
+        found[next].rubbing = Deflection::Rubbing{next, RubbingAbout(*part.friction, part.law, part.at_rest)};
+      next += 3;
+    }
 }
 
 }  // namespace trivet::nonlinear

@@ -24,10 +24,10 @@ struct Deflection {
   Eigen::VectorXd accelerations = {};  ///< of the coordinates per force on it; of friction without a spring only
   std::optional<DistanceAbout> distance = {};  ///< over this deflection and the next two
   struct Rubbing {
-    std::size_t along = 0;  ///< the deflection that presses it
+    std::size_t along = 0;  ///< the deflection that presses it across an axis
     RubbingAbout law;
   };
-  std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one
+  std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one, or the next two of a ring
 };
 
 /// Stiffness and damping in place of a nonlinear part.
@@ -54,7 +54,7 @@ using References = std::vector<elements::SmallMotion>;  ///< one per nonlinear p
 
 /// Unit deflections in the two directions across a part along an axis, on the ends of its element.
 [[nodiscard]] std::array<elements::Vector12, 2> rows_across(const model::NonlinearPart& along, const model::Span& span);
-/// Appends the two deflections across each contact that rubs.
+/// Adds the friction of contacts: to rings, and after the others the two deflections across each stop that rubs.
 void add_rubbings(const model::System& system, const assembly::Assembled& assembled, std::vector<Deflection>& found);
 
 /// Accelerations of the coordinates per force on each deflection: s² (K + s B + s² A)⁻¹ W for large s. Infinite where

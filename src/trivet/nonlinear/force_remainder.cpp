@@ -37,8 +37,8 @@ ForceRemainder::ForceRemainder(const MachineLaws& laws, const MatrixXd& course, 
     corners.insert(corners.end(), own.begin(), own.end());
   }
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-    rubbings_.push_back({one.across, laws.loop(one, course, omega)});
-    for (Index a = 0; a < 2; ++a) known_[to_size(one.across + a)] = true;
+    rubbings_.push_back({one.on, laws.loop(one, course, omega)});
+    known_[to_size(one.on[1])] = known_[to_size(one.on[2])] = true;
     for (const RubbingLoop::Change& change : rubbings_.back().loop.changes()) corners.push_back(change.phase);
   }
   add_phases(std::move(corners));
@@ -75,8 +75,7 @@ Eigen::RowVectorXd ForceRemainder::at(double phase) const {
     found.segment<3>(one->first) +=
         one->law.at_phase(course_.middleCols(one->first, 3), omega_, phase).force.transpose();
   for (const Rubbing& one : rubbings_)
-    found.segment<2>(one.across) +=
-        one.loop.force(phase).transpose() - one.loop.law().own_stiffness() * deflections.segment<2>(one.across);
+    found(one.on) += one.loop.force(phase).transpose() - deflections(one.on) * one.loop.law().own_stiffness();
   const Eigen::RowVectorXd smooth = row * harmonics_;
   for (Index j = 0; j < found.size(); ++j) found(j) = known_[to_size(j)] ? found(j) - smooth(j) : 0;
   return found;

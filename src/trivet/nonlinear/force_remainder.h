@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "trivet/nonlinear/machine_laws.h"
@@ -37,7 +38,7 @@ class ForceRemainder {
   std::vector<Single> singles_;
   std::vector<const MachineLaws::Distance*> distances_;
   struct Rubbing {
-    Eigen::Index across;
+    std::array<Eigen::Index, 3> on;
     RubbingLoop loop;
   };
   std::vector<Rubbing> rubbings_;

@@ -27,7 +27,7 @@ LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, doubl
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
     RubbingLoop loop = laws.loop(one, deflections.reshaped(C, to_index(single.size())), omega);
     is_piecewise_linear = false;
-    rubbings.push_back({one.along, one.across, std::move(loop)});
+    rubbings.push_back({one.on, std::move(loop)});
   }
   for (std::size_t j = 0; j < courses.size(); ++j)
     for (const HystereticLoop& loop : courses[j].loops())
@@ -65,6 +65,30 @@ MatrixXd TangentsAlong::forces(const LawsAlong& motion, const MatrixXd& values, 
   return rows;
 }
 
+namespace {
+
+TangentsAlong::Rubbing tangents_of(const RubbingLoop& loop, double phase, double omega) {
+  TangentsAlong::Rubbing found{loop.moment(phase), -loop.law().own_stiffness(), Eigen::Matrix3d::Zero()};
+  const RubbingLoop::Moment& here = found.moment;
+  const ContactFrame& frame = here.frame;
+  if (here.state == RubbingLoop::State::open) return found;
+  found.by_deflection += frame.turned(here.friction);
+  if (here.state == RubbingLoop::State::sticks) {
+    ContactFrame::Rows friction = loop.law().law().stiffness * frame.on_wall;
+    friction.row(0) *= frame.hoop;
+    friction.row(0) -= frame.curvature * here.friction.x() * frame.normal;
+    found.by_deflection += frame.tangents.transpose() * friction;
+    return found;
+  }
+  const Eigen::Vector3d along_slip = frame.tangents.transpose() * here.direction;
+  found.by_deflection +=
+      along_slip * (here.limit.by_deflection * frame.normal + here.limit.by_rate * omega * here.rates.normal);
+  found.by_rate = along_slip * here.limit.by_rate * frame.normal;
+  return found;
+}
+
+}  // namespace
+
 void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
   const Index count = to_index(motion.courses.size()), loops = to_index(motion.loops.size());
   found.by_deflection.resize(count);
@@ -87,13 +111,8 @@ void set_tangents(const LawsAlong& motion, double phase, TangentsAlong& found) {
   found.bristles.clear();
   for (const LawsAlong::Bristles& one : motion.bristles) found.bristles.push_back(one.loop->at(phase));
   found.rubbings.clear();
-  for (const LawsAlong::Rubbing& one : motion.rubbings) {
-    found.by_deflection.segment<2>(one.across).array() -= one.loop.law().own_stiffness();
-    if (one.remembers()) found.rubbings.push_back(one.loop.moment(phase));
-    else found.rubbings.push_back({});
-    const bool sticks = one.loop.always_sticks() || found.rubbings.back().state == RubbingLoop::State::sticks;
-    if (sticks) found.by_deflection.segment<2>(one.across).array() += one.loop.law().law().stiffness;
-  }
+  for (const LawsAlong::Rubbing& one : motion.rubbings)
+    found.rubbings.push_back(tangents_of(one.loop, phase, motion.omega));
   for (const LawsAlong::Bristles& one : motion.stuck) {
     found.by_deflection(one.deflection) += one.loop->law().stiffness;
     found.by_rate(one.deflection) += one.loop->law().damping + one.loop->law().viscous;

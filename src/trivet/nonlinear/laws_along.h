@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "trivet/foundation/index.h"
@@ -28,7 +29,7 @@ struct LawsAlong {
   };
   /// Friction across a contact: with the two forces since it stuck, and the one across its slip.
   struct Rubbing {
-    Eigen::Index along, across;  ///< deflections
+    std::array<Eigen::Index, 3> on;  ///< deflections
     RubbingLoop loop;
     [[nodiscard]] bool remembers() const { return !loop.points().empty() && !loop.always_sticks(); }
   };
@@ -68,12 +69,17 @@ struct LawsAlong {
 /// Variation of the force of each deflection: by_deflection δ + by_rate δ̇ + Σ (by_travel (δ − δ_turn) + by_start
 /// f_turn) of its loops, and of bristles, distances and rubbing contacts beside.
 struct TangentsAlong {
+  /// Of the friction of a contact on its three deflections, beside its memory.
+  struct Rubbing {
+    RubbingLoop::Moment moment;
+    Eigen::Matrix3d by_deflection, by_rate;
+  };
   Eigen::VectorXd by_deflection, by_rate;
   Eigen::VectorXd by_travel, by_start;  ///< one per loop
   Eigen::RowVectorXd row;               ///< of the Fourier basis
   std::vector<elements::SpatialForce> distances;
   std::vector<BristleLoop::Here> bristles;
-  std::vector<RubbingLoop::Moment> rubbings;
+  std::vector<Rubbing> rubbings;
 
   /// All numbers of these laws.
   [[nodiscard]] std::vector<double> list() const;

@@ -61,9 +61,10 @@ LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
     found.force(j) += single.force;
     found.tangent(j, j) += single.tangent;
     if (deflection.rubbing) {  // bears no force at rest
-      const double own = deflection.rubbing->law.own_stiffness();
-      found.force.segment<2>(j) -= own * deflections.segment<2>(j);
-      found.tangent.diagonal().segment<2>(j).array() -= own;
+      const Eigen::Matrix3d own = deflection.rubbing->law.own_stiffness();
+      const Index own_first = deflection.rubbing->law.is_ring() ? 0 : 1, size = 3 - own_first;
+      found.force.segment(j, size) -= own.bottomRightCorner(size, size) * deflections.segment(j, size);
+      found.tangent.block(j, j, size, size) -= own.bottomRightCorner(size, size);
     }
     if (!deflection.distance) continue;
     const elements::SpatialForce spatial = deflection.distance->at(deflections.segment<3>(j), Eigen::Vector3d::Zero());
@@ -193,7 +194,9 @@ std::vector<double> LoadPath::starts(Index j) const {
     grid.insert(grid.begin(), -x);
   }
   std::vector<double> found = {linear_(j)};
-  const auto rubs = [&](Index first) { return first >= 0 && deflections_[to_size(first)].rubbing; };
+  const auto rubs = [&](Index first) {
+    return first >= 0 && deflections_[to_size(first)].rubbing && !deflections_[to_size(first)].rubbing->law.is_ring();
+  };
   if (rubs(j) || rubs(j - 1)) return found;  // linear
   for (Index first = std::max<Index>(0, j - 2); first <= j; ++first)
     if (const auto& distance = deflections_[to_size(first)].distance; distance && !distance->is_ring())

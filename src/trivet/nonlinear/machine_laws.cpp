@@ -5,7 +5,6 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/nonlinear/rubbing_harmonics.h"
 
 namespace trivet::nonlinear {
 
@@ -14,11 +13,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-MatrixXd own_course(const MachineLaws::Rubbing& one, const MatrixXd& course) {
-  MatrixXd own(course.rows(), 3);
-  own << course.col(one.along), course.middleCols<2>(one.across);
-  return own;
-}
+MatrixXd own_course(const MachineLaws::Rubbing& one, const MatrixXd& course) { return course(Eigen::all, one.on); }
 
 }  // namespace
 
@@ -27,19 +22,53 @@ MachineLaws::MachineLaws(const std::vector<Deflection>& deflections, Index harmo
     single_.emplace_back(deflections[j].law, harmonics, of_motion);
     if (deflections[j].distance)
       distances_.push_back({to_index(j), DistanceHarmonics(*deflections[j].distance, harmonics)});
-    if (const auto& rubbing = deflections[j].rubbing)
-      rubbings_.push_back({to_index(rubbing->along), to_index(j), rubbing->law});
+    if (const auto& rubbing = deflections[j].rubbing) {
+      const Index first = to_index(j);
+      if (rubbing->law.is_ring()) rubbings_.push_back({{first, first + 1, first + 2}, rubbing->law});
+      else rubbings_.push_back({{to_index(rubbing->along), first, first + 1}, rubbing->law});
+    }
   }
 }
 
-RubbingLoop MachineLaws::loop(const Rubbing& one, const MatrixXd& course, double omega) const {
+RubbingLoop MachineLaws::loop(const Rubbing& one, const MatrixXd& course, double omega, const Steps& steps) const {
   const Index C = course.rows(), harmonics = (C - 1) / 2;
-  // Eight nodes on a sixty-fourth of the period: turning forces are 1e-4 off. On half of the shortest wave of the
-  // motion, which is at most one of the tangents, the error of the integrals is far below.
-  constexpr double fewest = 64, per_wave = 2;
-  const double longest = foundation::two_pi / std::max(fewest, per_wave * static_cast<double>(harmonics));
-  return {one.law, own_course(one, course), single_[to_size(one.along)].course(course.col(one.along), omega).corners(),
-          omega, longest};
+  // Eight nodes on a sixty-fourth of the period: turning forces are 1e-4 off, by the square of the steps. On half of
+  // the shortest wave of the motion, which is at most one of the tangents, the error of the integrals is far below.
+  constexpr double per_wave = 2;
+  const double longest = foundation::two_pi / std::max(steps.fewest, per_wave * static_cast<double>(harmonics));
+  const Index first = one.on[0];
+  if (!one.law.is_ring())
+    return {one.law,
+            own_course(one, course),
+            single_[to_size(first)].course(course.col(first), omega).corners(),
+            omega,
+            longest,
+            steps.rough};
+  const auto ring = std::find_if(distances_.begin(), distances_.end(),
+                                 [&](const Distance& distance) { return distance.first == first; });
+  return {one.law,    own_course(one, course), ring->law.corners(course.middleCols<3>(first)), omega, longest,
+          steps.rough};
+}
+
+/// The errors of turning forces, of second order in the steps, are removed by those of steps of twice the length
+/// (Richardson): 1e-5 are left. They are not where only one of both sticks all the time or finds a closed loop.
+RubbingHarmonics MachineLaws::friction(const Rubbing& one, const MatrixXd& course, double omega,
+                                       bool with_tangent) const {
+  constexpr double fewest = 32;
+  const MatrixXd own = own_course(one, course);
+  const RubbingLoop fine = loop(one, course, omega, {fewest});
+  RubbingHarmonics found = rubbing_harmonics(fine, own, omega, with_tangent);
+  if (fine.points().empty() || fine.always_sticks()) return found;
+  const RubbingLoop rough = loop(one, course, omega, {fewest, true});
+  if (rough.always_sticks()) return found;
+  const RubbingHarmonics other = rubbing_harmonics(rough, own, omega, with_tangent);
+  if (!other.force.allFinite()) return found;
+  found.force += (found.force - other.force) / 3;
+  found.by_omega += (found.by_omega - other.by_omega) / 3;
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b)
+      if (found.tangent[a][b].size() > 0) found.tangent[a][b] += (found.tangent[a][b] - other.tangent[a][b]) / 3;
+  return found;
 }
 
 MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
@@ -48,9 +77,7 @@ MatrixXd MachineLaws::forces(const MatrixXd& course, double omega) const {
     if (!single_[to_size(j)].law().is_empty()) all.col(j) = single_[to_size(j)].force_at(course.col(j), omega);
   for (const Distance& one : distances_)
     all.middleCols<3>(one.first) += one.law.force_at(course.middleCols<3>(one.first), omega);
-  for (const Rubbing& one : rubbings_)
-    all.middleCols<2>(one.across) +=
-        rubbing_harmonics(loop(one, course, omega), own_course(one, course), omega, false).force;
+  for (const Rubbing& one : rubbings_) all(Eigen::all, one.on) += friction(one, course, omega, false).force;
   return all;
 }
 
@@ -72,13 +99,13 @@ CoupledForces MachineLaws::at(const MatrixXd& course, double omega) const {
         all.tangents.push_back({one.first + to_index(a), one.first + to_index(b), std::move(found.tangent[a][b])});
   }
   for (const Rubbing& one : rubbings_) {
-    RubbingHarmonics found = rubbing_harmonics(loop(one, course, omega), own_course(one, course), omega, true);
-    all.force.middleCols<2>(one.across) += found.force;
-    all.by_omega.middleCols<2>(one.across) += found.by_omega;
-    for (std::size_t a = 0; a < 2; ++a)
+    RubbingHarmonics found = friction(one, course, omega, true);
+    all.force(Eigen::all, one.on) += found.force;
+    all.by_omega(Eigen::all, one.on) += found.by_omega;
+    for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b)
-        all.tangents.push_back({one.across + to_index(a), b == 0 ? one.along : one.across + to_index(b) - 1,
-                                std::move(found.tangent[a][b])});
+        if (found.tangent[a][b].size() > 0)
+          all.tangents.push_back({one.on[a], one.on[b], std::move(found.tangent[a][b])});
   }
   return all;
 }

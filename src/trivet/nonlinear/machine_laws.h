@@ -2,12 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/distance_harmonics.h"
 #include "trivet/nonlinear/law_harmonics.h"
-#include "trivet/nonlinear/rubbing_loop.h"
+#include "trivet/nonlinear/rubbing_harmonics.h"
 
 namespace trivet::nonlinear {
 
@@ -40,14 +41,25 @@ class MachineLaws {
   };
   [[nodiscard]] const std::vector<Distance>& distances() const { return distances_; }
   struct Rubbing {
-    Eigen::Index along, across;  ///< deflections: that which presses it, the first of the two across
+    std::array<Eigen::Index, 3> on;  ///< its three deflections (RubbingAbout)
     RubbingAbout law;
   };
   [[nodiscard]] const std::vector<Rubbing>& rubbings() const { return rubbings_; }
   /// @param course  Fourier coefficients × deflections
-  [[nodiscard]] RubbingLoop loop(const Rubbing& one, const Eigen::MatrixXd& course, double omega) const;
+  [[nodiscard]] RubbingLoop loop(const Rubbing& one, const Eigen::MatrixXd& course, double omega) const {
+    return loop(one, course, omega, {});
+  }
 
  private:
+  struct Steps {
+    double fewest = 64;  ///< in a period
+    bool rough = false;
+  };
+  [[nodiscard]] RubbingLoop loop(const Rubbing& one, const Eigen::MatrixXd& course, double omega,
+                                 const Steps& steps) const;
+  [[nodiscard]] RubbingHarmonics friction(const Rubbing& one, const Eigen::MatrixXd& course, double omega,
+                                          bool with_tangent) const;
+
   std::vector<LawHarmonics> single_;  ///< one per deflection, some without any law
   std::vector<Distance> distances_;
   std::vector<Rubbing> rubbings_;

@@ -179,7 +179,8 @@ void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) 
   }
   const MachineLaws& laws = path_.balance().laws();
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
-    const std::string& name = machine_.deflections[to_size(one.across)].name;
+    std::string name = machine_.deflections[to_size(one.on[1])].name;
+    if (one.law.is_ring()) name = name.substr(0, name.find('.'));
     if (std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end()) continue;
     const Eigen::MatrixXd course = point.unknowns.reshaped(C, machine_.condensed.size());
     if (laws.loop(one, course, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);

@@ -157,6 +157,8 @@ PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, 
     stiffness(motion.loops[h].deflection) += middle.by_travel(to_index(h));
   for (std::size_t b = 0; b < motion.bristles.size(); ++b)
     stiffness(motion.bristles[b].deflection) += middle.bristles[b].by_bristle * middle.bristles[b].gain;
+  for (std::size_t r = 0; r < motion.rubbings.size(); ++r)
+    stiffness(motion.rubbings[r].on) += middle.rubbings[r].by_deflection.diagonal();
   const double squared = stiffness.cwiseProduct(accelerations_).cwiseAbs().maxCoeff(),
                turned = std::sqrt(squared) * (to - from) / motion.omega;
   constexpr double turned_in_step = 1.2;
@@ -219,7 +221,8 @@ void PeriodicStability::jump(const LawsAlong& motion, std::size_t loop, double p
   }
 }
 
-/// Where a rubbing contact begins to stick, to slip or to open, the variation of its force is the same on both sides.
+/// Where a rubbing contact begins to stick, to slip or to open, the variation of its force is the same on both sides;
+/// where it closes and sticks, its springs begin at another place if it closes earlier.
 void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubbing, double phase,
                                        MatrixXd& states) const {
   const LawsAlong::Rubbing& one = motion.rubbings[rubbing];
@@ -227,20 +230,29 @@ void PeriodicStability::change_rubbing(const LawsAlong& motion, std::size_t rubb
   const double k = one.loop.law().law().stiffness, unit = units_of_friction(motion, accelerations_)(to_index(rubbing));
   for (const RubbingLoop::Change& change : one.loop.changes()) {
     if (change.phase != phase) continue;
-    const Eigen::Vector2d aside(-change.direction.y(), change.direction.x());
-    const MatrixXd across = values_.middleRows(one.across, 2) * states.topRows(n);
-    MatrixXd force = MatrixXd::Zero(2, states.cols());
-    if (change.before == RubbingLoop::State::sticks) force = unit * states.middleRows(kept, 2) + k * across;
-    if (change.before == RubbingLoop::State::slips) {
-      const Eigen::RowVectorXd limit =
-          (change.limit.by_deflection * values_.row(one.along) + change.limit.by_rate * rates_.row(one.along)) *
-          states.topRows(n);
-      force = change.direction * limit + unit * aside * states.row(carried);
+    const ContactFrame& frame = change.frame;
+    const MatrixXd deflections = values_(one.on, Eigen::all) * states.topRows(n), across = frame.on_wall * deflections;
+    const Eigen::RowVectorXd shrinks = frame.curvature * change.friction.x() * frame.normal * deflections;
+    const double size = change.friction.norm();
+    const Eigen::Vector2d direction = size > 0 ? Eigen::Vector2d(change.friction / size) : Eigen::Vector2d::Zero(),
+                          aside(-direction.y(), direction.x());
+    MatrixXd friction = MatrixXd::Zero(2, states.cols());
+    if (change.before == RubbingLoop::State::sticks) {
+      friction = unit * states.middleRows(kept, 2) + k * across;
+      friction.row(0) = frame.hoop * friction.row(0) - shrinks;
     }
+    const Eigen::RowVectorXd limit =
+        (change.limit.by_deflection * frame.normal + change.limit.by_rate * motion.omega * change.rates.normal) *
+            deflections +
+        change.limit.by_rate * frame.normal * (rates_(one.on, Eigen::all) * states.topRows(n));
+    if (change.before == RubbingLoop::State::slips) friction = direction * limit + unit * aside * states.row(carried);
     states.middleRows(kept, 2).setZero();
     states.row(carried).setZero();
-    if (change.after == RubbingLoop::State::sticks) states.middleRows(kept, 2) = (force - k * across) / unit;
-    if (change.after == RubbingLoop::State::slips) states.row(carried) = aside.transpose() * force / unit;
+    if (change.after == RubbingLoop::State::slips) states.row(carried) = aside.transpose() * friction / unit;
+    if (change.after != RubbingLoop::State::sticks) continue;
+    friction.row(0) = (friction.row(0) + shrinks) / frame.hoop;
+    states.middleRows(kept, 2) = (friction - k * across) / unit;
+    states.middleRows(kept, 2) += k / unit * change.travel_by_limit * limit;
   }
 }
 

@@ -65,10 +65,16 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       if (notes.empty())
         notes.emplace_back("nonlinear machine: all but static, steady and backbone is for small motions about rest");
       const elements::SpatialForce there = elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero());
+      if (there.force.norm() == 0) continue;
       notes.push_back(fmt::format(
           "{}: a force of {:.4g} N at rest, over a distance of {:.4g} m; its lever changes as bodies rotate, which is "
           "left out",
           element.name, there.force.norm(), part.law.distance(part.at_rest)));
+      if (part.friction)
+        notes.push_back(
+            fmt::format("{}: pressed at rest, where it bears no friction and sticks with {:.4g} N/m around and along "
+                        "its wall",
+                        element.name, part.friction->stiffness));
     }
   return notes;
 }
@@ -152,7 +158,10 @@ RestPosition rest_of(const model::System& undeformed) {
 /// The same machine without the friction of stops, which bears no force at rest.
 model::System without_rubbing(const model::System& settled) {
   model::Description description = settled.description();
-  for (model::Element& element : description.elements) element.rubbing_parts.clear();
+  for (model::Element& element : description.elements) {
+    element.rubbing_parts.clear();
+    for (model::DistancePart& part : element.distance_parts) part.friction.reset();
+  }
   const model::System there = settled.in_other_state(std::move(description));
   return with_references(there, tangents_at_rest(there));
 }

@@ -3,7 +3,13 @@
 
 #include <cmath>
 
+#include "trivet/foundation/constants.h"
+
 namespace trivet::nonlinear {
+
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 RubbingAbout::RubbingAbout(elements::RubbingFriction law, const std::vector<elements::ElasticForce>& contact,
                            double at_rest)
@@ -12,10 +18,51 @@ RubbingAbout::RubbingAbout(elements::RubbingFriction law, const std::vector<elem
   pressed_ = limit(0, 0).value > 0;
 }
 
+RubbingAbout::RubbingAbout(elements::RubbingFriction law, const elements::DistanceForce& ring, const Vector3d& at_rest)
+    : RubbingAbout(law, elements::only<elements::ElasticForce>(ring.laws), ring.distance(at_rest) - ring.length) {
+  const double touches = elements::kink_distances(ring).front();
+  ring_ = Ring{(ring.offset + at_rest).head<2>(), pressed_ ? ring.distance(at_rest) : touches};
+}
+
+ContactFrame RubbingAbout::frame(const Vector3d& deviations) const {
+  ContactFrame found;
+  if (!ring_) {
+    found.along = deviations.x();
+    found.across = deviations.tail<2>();
+    return found;
+  }
+  const Vector2d place = ring_->at_rest + deviations.head<2>();
+  const double distance = place.norm();
+  found.along = distance - ring_->at_rest.norm();
+  found.across = {0, deviations.z()};
+  if (!(distance > 0)) return found;  // no direction; a ring is open there
+  const Vector2d outwards = place / distance;
+  found.across.x() = ring_->radius * std::atan2(outwards.y(), outwards.x());
+  found.hoop = ring_->radius / distance;
+  found.curvature = 1 / distance;
+  found.normal << outwards.transpose(), 0;
+  found.tangents << -outwards.y(), outwards.x(), 0, 0, 0, 1;
+  found.on_wall = found.tangents;
+  found.on_wall.row(0) *= found.hoop;
+  return found;
+}
+
+Vector2d RubbingAbout::travel(const Vector2d& from, const Vector2d& to) const {
+  Vector2d found = to - from;
+  if (ring_) found.x() = std::remainder(found.x(), foundation::two_pi * ring_->radius);
+  return found;
+}
+
 RubbingAbout::Limit RubbingAbout::limit(double deviation, double rate) const {
   const LawAbout::Force pressing = contact_.at(at_rest_ + deviation, rate);
   const double share = pressing.force < 0 ? -law_.coefficient : law_.coefficient;
   return {share * pressing.force, share * pressing.by_deviation, share * pressing.by_rate};
+}
+
+Matrix3d RubbingAbout::own_stiffness() const {
+  if (!pressed_) return Matrix3d::Zero();
+  const ContactFrame::Rows rows = frame(Vector3d::Zero()).on_wall;
+  return law_.stiffness * rows.transpose() * rows;
 }
 
 }  // namespace trivet::nonlinear

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "trivet/elements/distance_force.h"
 #include "trivet/elements/rubbing_friction.h"
+#include "trivet/nonlinear/contact_frame.h"
 #include "trivet/nonlinear/law_about.h"
 
 namespace trivet::nonlinear {
@@ -12,9 +15,17 @@ namespace trivet::nonlinear {
 /// linear machine sticks there if the contact is pressed at rest.
 class RubbingAbout {
  public:
+  /// Across an axis.
   /// @param contact  forces along the contact, which press it by their size
   /// @param at_rest  deflection along it
   RubbingAbout(elements::RubbingFriction law, const std::vector<elements::ElasticForce>& contact, double at_rest);
+  /// Around and along the wall of a ring.
+  RubbingAbout(elements::RubbingFriction law, const elements::DistanceForce& ring, const Eigen::Vector3d& at_rest);
+
+  /// @param deviations  of the three deflections from rest
+  [[nodiscard]] ContactFrame frame(const Eigen::Vector3d& deviations) const;
+  /// From one place on the wall to another nearby: around a ring the shorter way.
+  [[nodiscard]] Eigen::Vector2d travel(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 
   /// The largest friction, μ P.
   struct Limit {
@@ -24,14 +35,20 @@ class RubbingAbout {
   [[nodiscard]] Limit limit(double deviation, double rate) const;
 
   [[nodiscard]] const elements::RubbingFriction& law() const { return law_; }
+  [[nodiscard]] bool is_ring() const { return ring_.has_value(); }
   [[nodiscard]] bool is_pressed_at_rest() const { return pressed_; }
-  /// Of the linear machine in its place.
-  [[nodiscard]] double own_stiffness() const { return pressed_ ? law_.stiffness : 0; }
+  /// Of the linear machine in its place, of the three deflections.
+  [[nodiscard]] Eigen::Matrix3d own_stiffness() const;
 
  private:
   elements::RubbingFriction law_;
   LawAbout::Parts contact_;
   double at_rest_;
+  struct Ring {
+    Eigen::Vector2d at_rest;  ///< place from the axis
+    double radius;            ///< on which the travel around it is counted
+  };
+  std::optional<Ring> ring_;
   bool pressed_;
 };
 

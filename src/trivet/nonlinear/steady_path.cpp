@@ -165,6 +165,12 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     }
     BranchPoint next = std::move(advance->to);
     double length = advance->length;
+    if (goes_back(next)) {
+      ended_ =
+          fmt::format("no further motion beyond {}: the curve turns at once there, and only motions before were found",
+                      equations_.place(now.parameter));
+      break;
+    }
     if (next.parameter > options_.to) {
       std::optional<BranchPoint> end = branch_.at(options_.to, now, 0, length);
       if (!end) {
@@ -218,22 +224,41 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
   return true;
 }
 
+/// Does it return to the last step?
+bool SteadyPath::goes_back(const BranchPoint& next) const {
+  if (points_.size() < 2) return false;
+  const BranchPoint &now = points_.back(), &before = points_[points_.size() - 2];
+  const auto way = [&](const BranchPoint& from, const BranchPoint& to) {
+    VectorXd change(now.scale.size());
+    change << to.unknowns - from.unknowns, to.parameter - from.parameter;
+    return VectorXd(change.cwiseQuotient(now.scale).normalized());
+  };
+  constexpr double back = -0.95;
+  return way(before, now).dot(way(now, next)) < back;
+}
+
 /// Where the direction of the curve changes at once, Newton's method does not converge from the old direction: the next
 /// motion at a fixed parameter that is close to the last one.
 std::optional<numerics::Branch::Advance> SteadyPath::across_corner(const BranchPoint& now) const {
-  constexpr double near = 0.02;
+  constexpr double near = 0.02, back = -0.9;
   const bool downwards = now.parameter_direction() < 0;
-  for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
-    double parameter = std::min(now.parameter + (downwards ? -share : share) * equations_.width(), options_.to);
-    if (leaves_downwards_) parameter = std::max(parameter, options_.from);
-    const std::optional<BranchPoint> there = branch_.start(now.unknowns, parameter, downwards);
-    if (!there) continue;
-    VectorXd change(now.scale.size());
-    change << there->unknowns - now.unknowns, there->parameter - now.parameter;
-    const double length = change.cwiseQuotient(now.scale).norm();
-    if (length > near) return std::nullopt;
-    return numerics::Branch::Advance{*there, length};
-  }
+  // A contact that is half closed, as within a ring that is just met all around, misleads Newton's method: also from
+  // motions that have it closed, and open. Where it opens the parameter may turn.
+  for (const bool turns : {false, true})
+    for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+      const double step = (downwards == turns ? share : -share) * equations_.width();
+      double parameter = std::min(now.parameter + step, options_.to);
+      if (leaves_downwards_) parameter = std::max(parameter, options_.from);
+      for (const double size : {1.0, 1.001, 0.999}) {
+        const std::optional<BranchPoint> there = branch_.start(size * now.unknowns, parameter, downwards != turns);
+        if (!there) continue;
+        VectorXd change(now.scale.size());
+        change << there->unknowns - now.unknowns, there->parameter - now.parameter;
+        change = change.cwiseQuotient(now.scale);
+        const double length = change.norm();
+        if (length <= near && change.dot(now.tangent) > back * length) return numerics::Branch::Advance{*there, length};
+      }
+    }
   return std::nullopt;
 }
 

@@ -100,6 +100,7 @@ class SteadyPath {
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
+  [[nodiscard]] bool goes_back(const numerics::BranchPoint& next) const;
   [[nodiscard]] std::optional<numerics::Branch::Advance> across_corner(const numerics::BranchPoint& now) const;
   [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
 

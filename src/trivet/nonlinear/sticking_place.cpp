@@ -89,11 +89,9 @@ Found of_three(const std::vector<Disc>& discs, std::size_t i, std::size_t j, std
   return found;
 }
 
-}  // namespace
-
 /// From one disc that is farther away to the next: each time the deepest place in those that hold it and the new one.
 /// `beyond` only grows, so that it ends.
-DeepestPlace deepest_place(const std::vector<Disc>& discs) {
+DeepestPlace deepest_in_circles(const std::vector<Disc>& discs) {
   double largest = 0;
   for (const Disc& disc : discs) largest = std::max({largest, disc.radius, disc.center.norm()});
   const double round_off = 1e-12 * largest;
@@ -130,6 +128,54 @@ DeepestPlace deepest_place(const std::vector<Disc>& discs) {
     best = *next;
   }
   return best;
+}
+
+}  // namespace
+
+namespace {
+
+Matrix2d inverse_of(const Matrix2d& matrix) {
+  Matrix2d adjugate;
+  adjugate << matrix(1, 1), -matrix(0, 1), -matrix(1, 0), matrix(0, 0);
+  return adjugate / (matrix(0, 0) * matrix(1, 1) - matrix(0, 1) * matrix(1, 0));
+}
+
+}  // namespace
+
+/// An ellipse is as deep around a place c as a circle with its center moved along the first axis by (1 − hoop) (c −
+/// center): Newton's method for the place that the circles around it have.
+DeepestPlace deepest_place(const std::vector<Disc>& discs) {
+  DeepestPlace found = deepest_in_circles(discs);
+  if (std::all_of(discs.begin(), discs.end(), [](const Disc& disc) { return disc.hoop == 1; })) return found;
+  constexpr int most = 50;
+  constexpr double accurate = 1e-12;
+  double size = 0;
+  for (const Disc& disc : discs) size = std::max(size, disc.radius);
+  Vector2d place = found.place;
+  Matrix2d inverse = Matrix2d::Identity();
+  std::vector<Disc> circles = discs;
+  bool done = false;
+  for (int i = 0; i < most && !done; ++i) {
+    for (std::size_t d = 0; d < discs.size(); ++d)
+      circles[d].center.x() = discs[d].center.x() + (1 - discs[d].hoop) * (place - discs[d].center).x();
+    found = deepest_in_circles(circles);
+    Matrix2d left = Matrix2d::Identity();
+    for (const DeepestPlace::Held& held : found.held)
+      left.col(0) -= (1 - discs[held.disc].hoop) * held.by_center.col(0);
+    inverse = inverse_of(left);
+    const Vector2d change = inverse * (found.place - place);
+    place += change;
+    done = change.norm() <= accurate * size;
+  }
+  found.place = place;
+  if (!done) found.beyond = std::numeric_limits<double>::infinity();
+  for (DeepestPlace::Held& held : found.held) {
+    held.by_hoop = -(place - discs[held.disc].center).x() * inverse * held.by_center.col(0);
+    held.by_radius = (inverse * held.by_radius).eval();
+    held.by_center.col(0) *= discs[held.disc].hoop;
+    held.by_center = (inverse * held.by_center).eval();
+  }
+  return found;
 }
 
 }  // namespace trivet::nonlinear

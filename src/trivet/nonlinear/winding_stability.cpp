@@ -159,7 +159,7 @@ class HillDeterminant {
     for (const MachineLaws::Rubbing& one : laws.rubbings()) {
       MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(harmonics), machine.size());
       padded.topRows(C) = motion.reshaped(C, machine.size());
-      rubbings_.push_back({one.along, one.across, laws.loop(one, padded, omega)});
+      rubbings_.push_back({one.on, laws.loop(one, padded, omega)});
     }
     for (Index j = 0; j < machine.size(); ++j) {
       const Deflection& deflection = deflections[to_size(j)];
@@ -188,10 +188,9 @@ class HillDeterminant {
                               variation(spectra.by_deflection[a][b], spectra.by_rate[a][b], mu, omega_, harmonics_)});
     for (const Rubbing& one : rubbings_) {
       RubbingVariation found = rubbing_variation(one.loop, omega_, mu, harmonics_);
-      for (std::size_t a = 0; a < 2; ++a)
+      for (std::size_t a = 0; a < 3; ++a)
         for (std::size_t b = 0; b < 3; ++b)
-          tangents.push_back(
-              {one.across + to_index(a), b == 0 ? one.along : one.across + to_index(b) - 1, std::move(found[a][b])});
+          if (found[a][b].size() > 0) tangents.push_back({one.on[a], one.on[b], std::move(found[a][b])});
     }
     for (Index k = 0; k < count; ++k) {
       const double frequency = nu + static_cast<double>(k - harmonics_) * omega_;
@@ -212,7 +211,7 @@ class HillDeterminant {
   std::vector<LawVariation> laws_;
   std::vector<std::pair<Index, DistanceHarmonics::Spectra>> distances_;
   struct Rubbing {
-    Index along, across;
+    std::array<Index, 3> on;
     RubbingLoop loop;
   };
   std::vector<Rubbing> rubbings_;

@@ -105,20 +105,27 @@ void read_laws(TableReader& reader, const model::Span& span, model::Element& ele
 
 namespace {
 
+std::optional<elements::RubbingFriction> read_friction_of_stop(TableReader& reader) {
+  const Node* table = reader.table("friction");
+  if (!table) return std::nullopt;
+  TableReader inside(*table, reader.path() + ".friction", reader.problems());
+  const std::optional<elements::RubbingFriction> found = read_rubbing_friction(inside);
+  inside.finish();
+  return found;
+}
+
 /// A point of a body against a plane, or between two: no force until a gap closes.
 void read_stop(TableReader& reader, Placement& ends, model::Element& element) {
   if (!reader.has("axis") && !reader.has("orientation"))
     reader.missing("axis", "give the direction in which the body meets the stop: axis = \"z\" or \"-z\"");
   constexpr int along = 2;
-  reader.also_known({"ring", "gap", "gaps", "friction"});
+  reader.also_known({"ring", "gap", "gaps"});
+  const std::optional<elements::RubbingFriction> friction = read_friction_of_stop(reader);
   if (reader.has("ring")) {
     for (const char* other : {"gap", "gaps"})
       if (reader.has(other))
         reader.error(other, std::string("ring and ") + other, "a stop is within a ring, or along its axis",
                      "remove one");
-    if (reader.has("friction"))
-      reader.error("friction", "friction within a ring", "only stops along an axis rub",
-                   "remove it, or describe the ring by stops on its sides");
     const double play = reader.number("ring", Quantity::length).value_or(1);
     if (!(play > 0))
       reader.error("ring", fmt::format("{:.6g} m", play), "the play of a pin in its ring is > 0",
@@ -128,17 +135,14 @@ void read_stop(TableReader& reader, Placement& ends, model::Element& element) {
       part.law.offset = ends.span.arm;
       part.law.across = true;
       part.law.laws.emplace_back(elements::ElasticForce(*law));
+      part.friction = friction;
       element.distance_parts.push_back(std::move(part));
     }
     return;
   }
   if (const auto law = read_gap_stop(reader, false))
     element.nonlinear_parts.push_back({along, 1.0, {elements::ElasticForce(*law)}});
-  if (const Node* table = reader.table("friction")) {
-    TableReader inside(*table, reader.path() + ".friction", reader.problems());
-    if (const auto friction = read_rubbing_friction(inside)) element.rubbing_parts.push_back({*friction, 0});
-    inside.finish();
-  }
+  if (friction) element.rubbing_parts.push_back({*friction, 0});
 }
 
 }  // namespace
@@ -152,9 +156,9 @@ const ElementLaw stop_law = {
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
    "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},
    "gap_at": {"enum": ["unloaded", "rest"], "description": "the state in which the gap is measured (default: unloaded)"},
-   "friction": {"type": "object", "additionalProperties": false, "required": ["coefficient", "stiffness"], "description": "across the axis, while it is closed", "properties": {
+   "friction": {"type": "object", "additionalProperties": false, "required": ["coefficient", "stiffness"], "description": "while it is closed: across its axis, or around and along the wall of its ring", "properties": {
      "coefficient": {"$ref": "#/$defs/number", "description": "> 0: the friction is at most this times the force on the stop"},
-     "stiffness": {"$ref": "#/$defs/number", "description": "N/m, > 0: with which it sticks, in all directions across the axis"}}},
+     "stiffness": {"$ref": "#/$defs/number", "description": "N/m, > 0: with which it sticks, in all these directions"}}},
    "damping": false,
    "scale": false,
    "laws": false},
