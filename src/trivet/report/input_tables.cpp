@@ -9,6 +9,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/report/html_table.h"
 #include "trivet/report/svg_canvas.h"
+#include "trivet/results/law_words.h"
 #include "trivet/results/model_words.h"
 #include "trivet/results/text_table.h"
 
@@ -114,9 +115,9 @@ std::string nodes_table(const std::vector<model::Body>& bodies) {
                                    rows);
 }
 
-std::string facts_table(const model::Element& element) {
+std::string facts_table(const std::vector<model::Fact>& facts) {
   std::vector<std::vector<Cell>> rows;
-  for (const model::Fact& fact : element.facts) rows.push_back({{fact.what}, {fact.value}});
+  for (const model::Fact& fact : facts) rows.push_back({{fact.what}, {fact.value}});
   return html_table({{"what"}, {"value"}}, rows);
 }
 
@@ -138,7 +139,8 @@ std::string elements_tables(const model::Description& d) {
                     {vector_words(k.position)},
                     right(number_text(e.law.scale)),
                     {results::damping_words(e.law.damping)}});
-    if (!e.facts.empty()) facts += folded("How " + e.name + " was determined", facts_table(e));
+    if (!e.facts.empty()) facts += folded("How " + e.name + " was determined", facts_table(e.facts));
+    if (model::has_laws(e)) facts += folded("Laws of " + e.name, facts_table(results::law_facts(e)));
     stiffness += folded("Stiffness 12×12 of " + e.name,
                         hint("Scale included; [N/m], [N/rad], [N m/m], [N m/rad]. The local axes of N " +
                              axes_words(n.rotation) + "; those of K " + axes_words(k.rotation) + ".") +

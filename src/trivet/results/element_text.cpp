@@ -10,6 +10,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/results/law_words.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/text_table.h"
 
@@ -190,9 +191,6 @@ std::string frequency_text(const model::Element& element) {
     text += fmt::format("  its laws add {:.6g} {} {} at rest\n", damping,
                         part.is_rotation() ? "N m s/rad about" : "N s/m along", "xyz"[part.axis % 3]);
   }
-  for (const model::RubbingPart& part : element.rubbing_parts)
-    text += fmt::format("  friction across: up to {:.4g} of the force of its law along {}, sticks with {:.6g} N/m\n",
-                        part.law.coefficient, "xyz"[element.nonlinear_parts[part.pressed_by].axis], part.law.stiffness);
   if (const auto& given = law.frequency_dependence) {
     text += "Frequency dependence: the stiffness above is static; " +
         std::string(given->elastic ? "with its own mass, exact at every frequency" : "a table");
@@ -353,7 +351,8 @@ std::string element_text(const project::Case& variant, std::size_t index, const 
   const model::Element& element = variant.system.elements()[index];
   std::string text = fmt::format("Element \"{}\", {}\n", element.name, element.type) + ends_text(variant, element);
   if (element.law.scale != 1) text += fmt::format("  stiffness scaled by {:.6g}\n", element.law.scale);
-  for (const model::Fact& fact : element.facts) text += "  " + fact.what + ": " + fact.value + "\n";
+  for (const std::vector<model::Fact>& facts : {element.facts, law_facts(element)})
+    for (const model::Fact& fact : facts) text += "  " + fact.what + ": " + fact.value + "\n";
   for (const auto& problem : summary.warnings.list()) text += "  " + foundation::message(problem) + "\n";
   const ShownUnits& display = variant.display;
   const std::string force = load_unit(display, 0).unit, moment = load_unit(display, 3).unit,
