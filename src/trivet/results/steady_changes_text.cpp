@@ -172,9 +172,11 @@ std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& 
                begins_there(branch, change, display)});
   std::string text = table.text();
   for (const auto& [from, to] : nonlinear::without_stable_motion(branch))
-    text += fmt::format("  between {} and {} {} no stable motion is known; the largest values leave it out\n",
-                        number_text(shown_varied(branch, from, display), 6),
-                        number_text(shown_varied(branch, to, display), 6), varied_unit(branch, display));
+    text += fmt::format(
+        "  between {} and {} {} no stable motion is known; the largest values leave it out, and motions there may "
+        "exceed them\n",
+        number_text(shown_varied(branch, from, display), 6), number_text(shown_varied(branch, to, display), 6),
+        varied_unit(branch, display));
   return text;
 }
 

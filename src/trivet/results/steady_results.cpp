@@ -80,6 +80,7 @@ const char* multipliers_of(const SteadyBranch& branch) {
 Json followed_curve(const SteadyBranch& branch) {
   Json result{{"left_out", number(branch.left_out)},
               {"ended", branch.ended},
+              {"corners", branch.corners},
               {"closed", branch.closed},
               {"points", Json::array()},
               {"folds", Json::array()},
