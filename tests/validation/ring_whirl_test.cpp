@@ -158,6 +158,7 @@ TEST(RingWhirl, ThatIsAlmostACircleGoesOnIntoItsRing) {
   const nonlinear::SteadyBranch found =
       nonlinear::steady_branch(nonlinear::rest_position(test::project(disc.project()).base().system).system, options);
   EXPECT_EQ(found.ended, "");
+  for (const nonlinear::SteadyPoint& point : found.points) EXPECT_TRUE(std::isfinite(point.largest_multiplier()));
   ASSERT_EQ(found.at.size(), 2u);
   for (const nonlinear::SteadyPoint& point : found.at) {
     constexpr double of_asymmetry = 1e-3;

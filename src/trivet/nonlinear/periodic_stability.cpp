@@ -163,7 +163,7 @@ PeriodicStability::Transition PeriodicStability::split(const LawsAlong& motion, 
                turned = std::sqrt(squared) * (to - from) / motion.omega;
   constexpr double turned_in_step = 1.2;
   const int fewest = std::max({2, static_cast<int>(std::ceil(per_period * (to - from) / two_pi)),
-                               static_cast<int>(std::ceil(std::min(turned / turned_in_step, most / 8.0)))});
+                               static_cast<int>(std::ceil(std::min(most / 8.0, turned / turned_in_step)))});
   // Errors in h², h⁴, … are removed from left to right (Aitken, Neville), from fewer steps than doubling would take.
   constexpr std::array<int, 4> multiples = {2, 3, 4, 6};
   std::vector<double> steps;

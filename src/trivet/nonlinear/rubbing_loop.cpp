@@ -196,9 +196,14 @@ void RubbingLoop::close(double start, const std::vector<double>& ends, double lo
     begin(start, force);
     march(ends, longest);
     const Vector2d missing = points_.back().force - force;
-    double largest = 0;
-    for (const Point& point : points_) largest = std::max(largest, point.limit.value);
-    if (missing.norm() <= round_off * largest) {
+    double largest = 0, farthest = 0;
+    for (const Point& point : points_) {
+      largest = std::max(largest, point.limit.value);
+      farthest = std::max(farthest, point.frame.across.norm());
+    }
+    // Travels have the round-off of the places on the wall.
+    constexpr double of_places = 1e-15;
+    if (missing.norm() <= round_off * largest + of_places * law_.law().stiffness * farthest) {
       always_sticks_ = std::all_of(points_.begin() + 1, points_.end(),
                                    [](const Point& point) { return point.state == State::sticks; });
       if (always_sticks_) place_ = {here.frame.across - force / law_.law().stiffness, 0, {}};
