@@ -73,7 +73,7 @@ void judge_overdamped(const model::System& system, const std::vector<BodyPicture
     const Features features = plausibility::features(picture, {});
     if (!most || !features.frequency || most->proportional > most_proportional) continue;
     const double ratio = std::numbers::pi * *features.frequency * damping / stiffness;
-    if (ratio <= far_overdamped) continue;
+    if (!(ratio > far_overdamped)) continue;
     found.push_back(
         {"proportional damping", "elements." + system.elements()[most->element].name + ".damping.proportional",
          fmt::format("{:.6g} s", most->proportional),

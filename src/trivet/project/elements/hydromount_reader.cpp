@@ -78,6 +78,17 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
                       "it is > 0: without any, the fluid circulates freely and has no position of rest",
                       "give a small one, or leave it out");
     decoupler.finish();
+    // Fluid that circulates through track and decoupler deflects nothing else: its stiffness must exceed the round-off
+    // of the chambers' stiffnesses.
+    constexpr double round_off = 1e-12;
+    if (const double least = round_off * (upper + lower); reader.errors() == before && centring < least)
+      reader.error(
+          decoupler.has("centring") ? "decoupler.centring" : "lower",
+          fmt::format("{:.6g} Pa/m³", decoupler.has("centring") ? centring : lower),
+          fmt::format("the centring of the decoupler, {:.6g} Pa/m³, is at least 1e-12 of upper + lower, {:.6g} "
+                      "Pa/m³: below, nothing but round-off brings circulating fluid back",
+                      centring, least),
+          "correct the stiffnesses of the chambers, or give a stiffer centring");
   }
   if (reader.errors() > before) return;
   const Eigen::Index count = to_index(columns.size()), size = 12 + count;
