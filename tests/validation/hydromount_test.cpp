@@ -46,7 +46,7 @@ track = {inertance = 2.5e6, resistance = 1.6e8}
 constexpr const char* with_decoupler = "decoupler = {inertance = 8e4, resistance = 2e7, play = 2e-6}\n";
 /// Nothing holds it, as in the closed form.
 constexpr const char* with_free_decoupler =
-    "decoupler = {inertance = 8e4, resistance = 2e7, play = 2e-6, centring = 1e-6}\n";
+    "decoupler = {inertance = 8e4, resistance = 2e7, play = 2e-6, centring = 1e-3}\n";
 
 Complex along_axis(const std::string& text, double hertz) {
   const project::Project project = test::project(text);

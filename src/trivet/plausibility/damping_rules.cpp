@@ -123,7 +123,8 @@ void judge_dampers(const model::System& system, Suspicions& found) {
     const Bodies bodies = std::minmax(element.k.body, element.n.body);
     if (element.type == "damper" && coefficient > 0) groups[bodies].emplace_back(coefficient, e);
   }
-  for (auto& [bodies, dampers] : groups) {
+  for (auto& group : groups) {
+    std::vector<std::pair<double, std::size_t>>& dampers = group.second;
     if (dampers.size() < 3) continue;
     std::sort(dampers.begin(), dampers.end());
     const auto judge_one = [&](std::size_t which, std::size_t least,

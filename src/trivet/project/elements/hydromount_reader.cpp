@@ -80,12 +80,12 @@ void read_hydromount(TableReader& reader, Placement& ends, model::Element& eleme
     decoupler.finish();
     // Fluid that circulates through track and decoupler deflects nothing else: its stiffness must exceed the round-off
     // of the chambers' stiffnesses.
-    constexpr double round_off = 1e-12;
+    constexpr double round_off = 1e-14;
     if (const double least = round_off * (upper + lower); reader.errors() == before && centring < least)
       reader.error(
           decoupler.has("centring") ? "decoupler.centring" : "lower",
           fmt::format("{:.6g} Pa/m³", decoupler.has("centring") ? centring : lower),
-          fmt::format("the centring of the decoupler, {:.6g} Pa/m³, is at least 1e-12 of upper + lower, {:.6g} "
+          fmt::format("the centring of the decoupler, {:.6g} Pa/m³, is at least 1e-14 of upper + lower, {:.6g} "
                       "Pa/m³: below, nothing but round-off brings circulating fluid back",
                       centring, least),
           "correct the stiffnesses of the chambers, or give a stiffer centring");
