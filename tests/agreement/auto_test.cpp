@@ -223,6 +223,57 @@ TEST(LostSymmetry, StretchesOfUnstableMotionWithinOneStep) {
   }
 }
 
+/// Without AUTO: a curve of doubled motions ends where they have one period again. Beyond are the same motions, a
+/// period of the excitation later.
+TEST(DoubledMotions, EndWhereTheyHaveOnePeriodAgain) {
+  const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.crusher]
+mass = 400
+center_of_mass = [0.03, 0, 0.1]
+inertia = {about = "center_of_mass", xx = 25, yy = 30, zz = 34}
+free = ["x", "z", "ry"]
+[element_types.mount]
+type = "bushing"
+translation = ["150 N/mm", "150 N/mm", "120 N/mm"]
+damping = {translation = [300, 300, 400], rotation = [0, 0, 0]}
+laws.z = {polynomial = [0, -2e6, 4e8]}
+[elements.left]
+type = "mount"
+on = "crusher"
+at = [-0.5, 0, -0.1]
+[elements.right]
+type = "mount"
+on = "crusher"
+at = [0.5, 0, -0.1]
+[elements."tilt stop"]
+type = "stop"
+on = "crusher"
+at = [0.5, 0, 0.5]
+axis = "x"
+gaps = ["2 mm", "5 mm"]
+stiffness = "800 N/mm"
+[excitations.shaft]
+type = "unbalance"
+on = "crusher"
+at = [0.1, 0, 0.2]
+axis = "y"
+mass_eccentricity = 0.5
+)")
+                                   .base()
+                                   .system;
+  constexpr double two_pi = 2 * std::numbers::pi;
+  const SteadyBranch branch =
+      nonlinear::steady_branch(system, {.from = 2.2 * two_pi, .to = 3.6 * two_pi, .harmonics = 12});
+  ASSERT_EQ(branch.changes.size(), 2u);
+  ASSERT_EQ(branch.further.size(), 1u);
+  EXPECT_EQ(branch.further[0].periods, 2);
+  for (const StabilityChange& change : branch.changes) EXPECT_EQ(change.curve, 0u);
+  const std::vector<nonlinear::SteadyPoint>& doubled = branch.further[0].points;
+  for (std::size_t i = 0; i + 1 < doubled.size(); ++i)
+    EXPECT_LT(doubled[i].angular_frequency, doubled[i + 1].angular_frequency);
+}
+
 TEST_F(Auto, QuasiPeriodicMotionsOfANonlinearAbsorber) {
   const Machine machine{.first = {1, 0, 0, 0.02},
                         .second = {0.02, 0, 0.5, 0.01},

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <cmath>
 #include <random>
 #include <string>
@@ -42,6 +43,7 @@ TEST(LaneLu, SolvesAsThePivotedOne) {
       const double size = A.cwiseAbs().rowwise().sum().maxCoeff() * x.cwiseAbs().maxCoeff();
       constexpr double backward = 1e-14;  // ε times the growth of pivoted elimination, which stays below 10
       EXPECT_LE((A * x - b).cwiseAbs().maxCoeff(), backward * size) << n << " rows";
+      EXPECT_EQ(numerics::LaneLu(A).determinant_sign(), A.determinant() < 0 ? -1 : 1) << n << " rows";
       const VectorXd other = numerics::PivotedLu<double>(A).solve(b);
       constexpr double round_off = 1e-10;  // ε times the condition of random matrices of 200 rows, up to 1e5
       EXPECT_LE((x - other).norm(), round_off * other.norm()) << n << " rows";
@@ -56,6 +58,7 @@ TEST(LaneLu, ExchangesRowsAndHasNoUsableSolutionOfSingularMatrices) {
     EXPECT_EQ(x, (VectorXd{{5, 0.5, 2}}));
     A.row(2) = A.row(0);
     EXPECT_FALSE(numerics::LaneLu(A).solve(VectorXd{{3, 5, 8}}).allFinite());
+    EXPECT_EQ(numerics::LaneLu(A).determinant_sign(), 0);
     const VectorXd by_round_off = numerics::LaneLu(MatrixXd{{1, 2}, {3, 6}}).solve(VectorXd{{1, 1}});
     EXPECT_FALSE(by_round_off.allFinite() && by_round_off.norm() < 1e15);
   });

@@ -71,6 +71,28 @@ TEST(NonlinearMount, AtRestIsTheOnePreloadedByItsLoad) {
 }
 
 /// A bush under its machine against the same solid with that force across its axis.
+/// Beside a strut that pulls across it, whose force turns as the mount is displaced.
+TEST(NonlinearMount, RestsBesideAStrutWhereTheirForcesAreInBalance) {
+  std::string text = on_rubber("nonlinear = true\n") + R"([elements.strut]
+type = "strut"
+on = "m"
+at = [0, 0, 0]
+from_at = ["-80 mm", 0, 0]
+free_length = "50 mm"
+stiffness = "30 N/mm"
+)";
+  text.replace(text.find("mass = 150"), 10, "mass = 150\nfree = [\"x\", \"z\"]");
+  const project::Case rest = test::project(text).base();
+  const model::Element &mount = rest.system.elements()[0], &strut = rest.system.elements()[1];
+  const model::DistancePart& pulls = strut.distance_parts[0];
+  const Eigen::Vector3d line = pulls.law.offset + pulls.at_rest;
+  const double along = line.dot(pulls.law.offset.normalized()), length = line.norm(), pull = 3e4 * (length - 0.05);
+  constexpr double of_newton = 1e-8;
+  EXPECT_THAT(std::sqrt(length * length - along * along),
+              RelativelyNear(std::abs(mount.nonlinear_parts[0].at_rest), of_newton));
+  EXPECT_THAT(elements::stiffness(mount.law)(6, 6) * (0.08 - along), RelativelyNear(pull * along / length, of_newton));
+}
+
 TEST(NonlinearMount, ABushAtRestIsTheSolidUnderItsLoad) {
   constexpr double mass = 400, load = mass * 9.80665;
   const project::Case machine = test::project(R"(trivet = 1

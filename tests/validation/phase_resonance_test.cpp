@@ -6,6 +6,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/steady_branch.h"
 
 /// Motions that lag their force by 90°, over the force.
@@ -48,6 +49,17 @@ TEST(PhaseResonance, OfOneHarmonicIsTheClosedForm) {
     EXPECT_THAT(mass * omega * omega, RelativelyNear(stiffness + 0.75 * cubic * amplitude * amplitude, 1e-9));
     EXPECT_NEAR(point.results[0].harmonics(0).real(), 0, 1e-9 * amplitude);
   }
+}
+
+TEST(PhaseResonance, NeedsTheHarmonicsOfItsOrders) {
+  const model::System two_orders =
+      test::project(test::chain({mass}, {stiffness, 0}, {damping, 0}) +
+                    "\n[excitations.F]\ntype = \"orders\"\non = \"m1\"\nat = [0, 0, 0]\n"
+                    "table = [{order = 1, force = [5, 0, 0]}, {order = 2, force = [1, 0, 0]}]\n")
+          .base()
+          .system;
+  EXPECT_THAT([&] { (void)nonlinear::steady_branch(two_orders, at_90_degrees(1)); },
+              testing::ThrowsMessage<foundation::InvalidInput>(testing::HasSubstr("take at least 2")));
 }
 
 /// The motion over frequency at the same load has its largest first harmonic there, to the damping.

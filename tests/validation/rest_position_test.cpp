@@ -155,6 +155,66 @@ laws.x = {polynomial = [3900, -6e5, 2.2e7]}
   EXPECT_GT(there, at);
 }
 
+/// A shallow strut, 0.84 mm too long for its place: its force is there before the load, which lifts the plate.
+TEST(RestPosition, TellsTheLoadAtWhichAStressedStrutSnapsThrough) {
+  const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.81]
+[bodies.plate]
+mass = 12
+free = ["z"]
+[elements.strut]
+type = "strut"
+on = "plate"
+at = [0, 0, 0]
+from_at = [-0.2, 0, -0.05]
+free_length = 0.207
+stiffness = 6e4
+[elements.floor]
+type = "stop"
+on = "plate"
+at = [0, 0, 0]
+axis = "-z"
+gap = 0.08
+stiffness = 2e4
+)")
+                                   .base()
+                                   .system;
+  const auto bears = [](double down) {
+    const double height = 0.05 - down, length = std::hypot(0.2, height);
+    return 6e4 * (0.207 - length) * height / length;
+  };
+  double limit = 0;
+  for (double down = -0.01; down < 0.05; down += 1e-6) limit = std::max(limit, bears(down));
+  ASSERT_GT(bears(0), 0.1 * limit);
+  const nonlinear::RestPosition rest = nonlinear::rest_position(system);
+  ASSERT_EQ(rest.limit_loads.size(), 1u);
+  EXPECT_THAT(rest.limit_loads[0], RelativelyNear(limit / (12 * 9.81), 1e-8));
+}
+
+/// A force that rises to 60 N, falls to 30 N and rises again: the limit load is at a kink.
+TEST(RestPosition, TellsTheLoadOfAKinkAtWhichItSnapsThrough) {
+  const model::System system = test::project(R"(trivet = 1
+gravity = [9.80665, 0, 0]
+[bodies.m]
+mass = 10
+free = ["x"]
+[elements.catch]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [1000, 0, 0]
+laws.x = {curve = {rows = [[-1, -5000], [0, 0], [0.01, 50], [0.02, 10], [0.1, 4000]], beyond = "slope"}}
+)")
+                                   .base()
+                                   .system;
+  const nonlinear::RestPosition rest = nonlinear::rest_position(system);
+  constexpr double at_kinks = 1e-8, weight = 10 * 9.80665;
+  ASSERT_EQ(rest.limit_loads.size(), 1u);
+  EXPECT_THAT(rest.limit_loads[0], RelativelyNear(60 / weight, at_kinks));
+  EXPECT_THAT(rest.system.elements()[0].nonlinear_parts[0].at_rest,
+              RelativelyNear(0.02 + (weight - 30) / (1000 + 3990 / 0.08), 1e-10));
+}
+
 /// A mount that softens, with loads up to one part in ten thousand below its limit load: the stable one of two roots.
 TEST(RestPosition, IsTheStableOneJustBelowALimitLoad) {
   const double k = 1e5, softening = 4e8, limit_at = std::sqrt(k / (3 * softening));

@@ -56,6 +56,12 @@ phase = [0, "-90 deg", 0, 0, 0, 0]
                        stiffness * (1 + asymmetry));
   }
 
+  /// The upper one of both frequencies at which a free whirl just meets the ring: |k − mω² + i c ω| play = F.
+  [[nodiscard]] double meets() const {
+    const double half = stiffness * mass - damping * damping / 2,
+                 constant = stiffness * stiffness - force * force / (play * play);
+    return std::sqrt(half + std::sqrt(half * half - mass * mass * constant)) / mass;
+  }
   /// |(k − mω² + i c ω) r + (1 + i μ) k_w (r − play)| = F; the whirl is along with the force.
   [[nodiscard]] std::vector<double> radii(double omega) const {
     const Complex pressed = Complex(1, coefficient) * wall,
@@ -142,8 +148,10 @@ TEST(RingWhirl, LosesItsStabilityByFriction) {
   }
   EXPECT_GT(lost, 0u);
   for (const nonlinear::SteadyPoint& point : whirls(smooth, at).at)
-    if (point.results[0].largest > smooth.play)
-      EXPECT_EQ(point.stable, smooth.multipliers(point.angular_frequency, point.results[0].largest)[0] < 1);
+    if (point.results[0].largest > smooth.play) {
+      EXPECT_LT(smooth.multipliers(point.angular_frequency, point.results[0].largest)[0], 1);
+      EXPECT_TRUE(point.stable);
+    }
 }
 
 /// An ellipse that just meets its ring touches it for a part of the turn within a tiny range only.
@@ -167,6 +175,34 @@ TEST(RingWhirl, ThatIsAlmostACircleGoesOnIntoItsRing) {
     EXPECT_TRUE(
         std::any_of(radii.begin(), radii.end(), [&](double one) { return std::abs(one - r) < of_asymmetry * r; }))
         << r << " " << testing::PrintToString(radii);
+  }
+}
+
+/// Above its resonance the disc whirls free outside the frequency at which it just meets the ring, pressed and free:
+/// the curve turns there, by almost half a turn, over as many kinks as an ellipse needs to touch the ring all around.
+TEST(RingWhirl, ThatIsAlmostACircleComesFreeOfItsRing) {
+  for (const double asymmetry : {1e-6, 1e-5, 3e-5, 1e-4, 1e-2}) {
+    SCOPED_TRACE(asymmetry);
+    Disc disc;
+    disc.force = 40;
+    disc.asymmetry = asymmetry;
+    disc.coefficient = 0.03;
+    nonlinear::SteadyOptions options{.from = 38, .to = 200};
+    options.harmonics = 5;
+    options.of = {"disc.x"};
+    const nonlinear::SteadyBranch found =
+        nonlinear::steady_branch(nonlinear::rest_position(test::project(disc.project()).base().system).system, options);
+    EXPECT_EQ(found.ended, "");
+    double jumps_up = 0, jumps_down = options.to;
+    for (const nonlinear::Fold& fold : found.folds) {
+      if (fold.upper) jumps_up = std::max(jumps_up, fold.point.angular_frequency);
+      if (!fold.upper) jumps_down = std::min(jumps_down, fold.point.angular_frequency);
+    }
+    constexpr double of_whirl = 1e-6;
+    EXPECT_NEAR(jumps_down, disc.meets(), (of_whirl + asymmetry) * disc.meets());
+    const double around = (of_whirl + asymmetry) * jumps_up;
+    EXPECT_EQ(disc.radii(jumps_up - around).size(), 2u);
+    EXPECT_EQ(disc.radii(jumps_up + around).size(), 0u);
   }
 }
 

@@ -77,6 +77,22 @@ TEST(SteadyMotion, HardeningSpringHasTwoFoldsAndAnUnstableMiddleMotion) {
   }
 }
 
+/// On a force that falls by 1010 N/mm, deviations grow by e^3162 per second: by more than the largest number.
+TEST(SteadyMotion, ThatIsLeftByMoreThanAllNumbersIsUnstable) {
+  elements::ForceCurve falling{
+      elements::KnotCurve({-1, 1}, std::vector<double>{1.01e6, -1.01e6}, elements::Interpolation::linear)};
+  const model::System system = oscillator(0.1, 1, 1e4, 0.8, falling);
+  const SteadyBranch found = nonlinear::steady_branch(system, {.from = pi, .to = 4 * pi, .harmonics = 3});
+  EXPECT_EQ(found.ended, "");
+  ASSERT_GT(found.points.size(), 5u);
+  for (const SteadyPoint& point : found.points) {
+    const double omega = point.angular_frequency;
+    EXPECT_THAT(amplitude(point, 1), RelativelyNear(0.8 / std::hypot(1e6 + 0.1 * omega * omega, omega), 1e-12));
+    EXPECT_FALSE(point.stable);
+    EXPECT_GT(point.multiplier_uncertainty, 1);
+  }
+}
+
 TEST(SteadyMotion, OneHarmonicKnowsTheThirdThatItLeavesOut) {
   const model::System system = oscillator(1.5, 0.9, 600, 0.8, elements::PolynomialForce{{0, 0, 2e5}});
   const auto branch = [&](Eigen::Index harmonics) {

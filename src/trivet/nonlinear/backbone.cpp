@@ -160,6 +160,7 @@ class FreeMotion {
     MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), course.cols());
     padded.topRows(course.rows()) = course;
     const MatrixXd forces = wider_.forces(padded, omega);
+    if (!forces.allFinite()) return foundation::infinity;  // a loop that does not close
     double sum = 0;
     for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
       const double frequency = static_cast<double>(k) * omega;
@@ -257,7 +258,8 @@ class FreeCourse {
         return found;
       }
     }
-    throw foundation::NotComputable("backbone: no motion of small amplitude was found");
+    throw foundation::NotComputable(
+        "backbone: no motion of small amplitude was found at 0.1, 1 and 10 % of the end; give another up_to");
   }
 
  private:
@@ -266,13 +268,19 @@ class FreeCourse {
     found.points.push_back(observed(now, found));
     constexpr double accurate = 1e-13;
     constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
-    double step = 0.05;
+    constexpr double first_step = 0.05, short_step = 1e-4;
+    double step = first_step, since = 0;  // since: length from the last point before short steps
+    BranchPoint smooth = now;
     while (found.points.back().share < 1) {
       if (static_cast<int>(found.points.size()) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
         break;
       }
-      const std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
+      std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
+      if (!advance) {
+        advance = branch.beyond_kink(smooth, since, 0, foundation::infinity);
+        step = first_step;
+      }
       if (!advance || !(advance->to.parameter > 0)) {
         constexpr double ahead = 1e-3;
         const VectorXd beyond = now.unknowns +
@@ -291,6 +299,11 @@ class FreeCourse {
                                              now, 0, advance->length, accurate * wanted))
             found.at_energy.push_back(observed(*there, found));
       now = advance->to;
+      since += advance->length;
+      if (advance->length >= short_step) {
+        smooth = now;
+        since = 0;
+      }
       found.points.push_back(observed(now, found));
       constexpr double back = 0.5;  // of where it began
       if (found.points.back().deflection < back * found.points.front().deflection) {

@@ -68,7 +68,7 @@ Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion) {
   return twice;
 }
 
-std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
+std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes, const SteadyPath& connected,
                                          const ReferenceMachine& machine, const ReferenceMachine* twice,
                                          const SteadyOptions& options, const foundation::Progress& progress) {
   constexpr std::size_t most = 8;  // a machine that rattles has dozens, with motions that hardly differ
@@ -91,6 +91,7 @@ std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& cha
     std::unique_ptr<SteadyPath> path = new_path(periods);
     for (std::size_t i = 0; i < changes.size() && crossings.size() < most; ++i) {
       if (changes[i].kind == StabilityChange::Kind::quasi_periodic || periods_of(changes[i]) != periods) continue;
+      changes[i].sought = true;
       if (auto place = crossing_near(changes[i], connected, *path, options.over == Parameter::frequency))
         crossings.push_back({i, std::move(*place)});
     }

@@ -23,8 +23,9 @@ struct BranchedPath {
 };
 
 /// Follows them from the changes of a path, the first few of them, to another change or the ends of the band.
+/// @param changes  those whose motions are sought are marked
 /// @param twice  the machine over two periods; empty if there is no period doubling. It must outlive the paths.
-[[nodiscard]] std::vector<BranchedPath> branched_paths(const std::vector<StabilityChange>& changes,
+[[nodiscard]] std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes,
                                                        const SteadyPath& connected, const ReferenceMachine& machine,
                                                        const ReferenceMachine* twice, const SteadyOptions& options,
                                                        const foundation::Progress& progress);

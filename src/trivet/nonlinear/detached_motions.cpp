@@ -76,7 +76,9 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
   const auto is_known = [&](const BranchPoint& motion) {
     const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
-      const std::vector<BranchPoint> there = path.all_at(motion.parameter);
+      constexpr std::size_t followed = 2;  // points; else the motion alone
+      const std::vector<BranchPoint> there =
+          path.points().size() < followed ? path.points() : path.all_at(motion.parameter);
       return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
         return std::min((other.unknowns - motion.unknowns).norm(), (other.unknowns - image).norm()) <=
             same * std::max(other.unknowns.norm(), motion.unknowns.norm());
@@ -88,7 +90,7 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
   const auto take = [&](const BranchPoint& motion) {
     if (is_known(motion)) return;
     std::unique_ptr<SteadyPath> path = new_path();
-    path->follow_detached(motion, {});
+    path->follow_detached(motion, progress);
     found.paths.push_back(std::move(path));
   };
   std::mt19937_64 random(20261126);

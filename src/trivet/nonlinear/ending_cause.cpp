@@ -46,10 +46,7 @@ std::string of_friction(const std::string& contact, const RubbingLoop& here, con
   constexpr double little = 0.1;
   const double slips = share_of_slip(here);
   if (here.always_sticks() == beyond.always_sticks() && !(slips > 0 && slips < little)) return "";
-  return fmt::format(
-      "; the friction of {} just begins to slip, where its mean changes quickly: begin beyond, or follow the "
-      "curve from the other end",
-      contact);
+  return fmt::format("; the friction of {} just begins to slip, where its mean changes quickly", contact);
 }
 
 std::string of_loops(const std::string& name, const LawCourse& here, const LawCourse& beyond) {
@@ -59,8 +56,7 @@ std::string of_loops(const std::string& name, const LawCourse& here, const LawCo
     if (now.branches().size() != next.branches().size())
       return fmt::format("; {} turns more or less often in a period beyond, where its friction begins anew", name);
     if (now.sticks() != next.sticks() || now.just_reaches_slip())
-      return fmt::format("; the friction of {} just begins to slip, where its mean changes at once: begin beyond",
-                         name);
+      return fmt::format("; the friction of {} just begins to slip, where its mean changes at once", name);
   }
   return "";
 }

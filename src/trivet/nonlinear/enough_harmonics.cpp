@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/enough_harmonics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "trivet/elements/scalar_law.h"
+#include "trivet/foundation/invalid_input.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -25,6 +28,20 @@ bool has_gas(const model::System& system) {
 }  // namespace
 
 Eigen::Index more_harmonics(Eigen::Index harmonics) { return std::min(most_steady_harmonics, 7 * harmonics / 5); }
+
+void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& excitation) {
+  const Eigen::Index highest = excitation.highest();
+  if (highest > most_steady_harmonics)
+    throw foundation::NotComputable(
+        fmt::format("steady: the highest order is harmonic {} of the motion, and at most {} are computed; name "
+                    "excitations whose orders have a larger common divisor",
+                    highest, most_steady_harmonics));
+  if (options.harmonics > 0 && options.harmonics < highest)
+    throw foundation::InvalidInput(fmt::format(
+        "steady: {} harmonics, and the highest order is harmonic {} of the motion, of which order {:.6g} is the first; "
+        "take at least {}",
+        options.harmonics, highest, excitation.first_harmonic, highest));
+}
 
 /// Gas hardens without limit as it is compressed: stability depends on a small share of the motion.
 double allowed_left_out(const model::System& system, const SteadyOptions& options) {

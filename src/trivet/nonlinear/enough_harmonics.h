@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "trivet/model/system.h"
+#include "trivet/nonlinear/periodic_excitation.h"
 #include "trivet/nonlinear/steady_options.h"
 
 /// How many harmonics a curve of steady motion has if none are given.
@@ -11,6 +12,10 @@ namespace trivet::nonlinear {
 
 /// The number tried next, 5, 7, 9, 12 …: one that is too small is found out early.
 [[nodiscard]] Eigen::Index more_harmonics(Eigen::Index harmonics);
+
+/// @throws foundation::InvalidInput if fewer are given than the excitation has, foundation::NotComputable if it has
+/// more than are computed
+void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& excitation);
 
 /// Share of the deflections that those beyond may add.
 [[nodiscard]] double allowed_left_out(const model::System& system, const SteadyOptions& options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/harmonic_balance.h"
 
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
@@ -104,6 +105,7 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), machine_.size());
   padded.topRows(coefficients()) = unknowns.reshaped(coefficients(), machine_.size());
   const MatrixXd forces = wider_.forces(padded, omega);
+  if (!forces.allFinite()) return foundation::infinity;  // a loop that does not close
   return added(forces, harmonics_, omega) / unknowns.cwiseAbs().maxCoeff();
 }
 

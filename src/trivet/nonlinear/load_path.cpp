@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
@@ -19,6 +20,21 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using numerics::BranchPoint;
+
+namespace {
+
+/// Of laws at their deflections at rest.
+model::System without_built_in_forces(const model::System& linear) {
+  model::Description description = linear.description();
+  for (model::Element& element : description.elements)
+    if (element.law.nonlinear) {
+      element.law.nonlinear->offset.setZero();
+      element.law.nonlinear->inner_offset.setZero();
+    }
+  return linear.in_other_state(std::move(description));
+}
+
+}  // namespace
 
 LoadPath::LoadPath(const model::System& undeformed) {
   const References references = positive_references(undeformed);
@@ -47,6 +63,7 @@ LoadPath::LoadPath(const model::System& undeformed) {
   receptance_ = across_.transpose() * stiffness.solve(across_);
   const VectorXd displacement = stiffness.solve(load);
   linear_ = across_.transpose() * displacement;
+  of_load_ = across_.transpose() * stiffness.solve(assembly::static_load(without_built_in_forces(linear), assembled));
   constexpr double round_off = 1e-12;  // a load across a deflection does not move it
   for (Index j = 0; j < count; ++j)
     loaded_ = loaded_ || std::abs(linear_(j)) > round_off * across_.col(j).norm() * displacement.norm();
@@ -74,12 +91,11 @@ LoadPath::Forces LoadPath::forces(const VectorXd& deflections) const {
   return found;
 }
 
-void LoadPath::evaluate(const VectorXd& deflections, double share, numerics::Equations& equations) const {
+void LoadPath::evaluate(const VectorXd& deflections, const VectorXd& missing, numerics::Equations& equations) const {
   const Index count = deflections.size();
   const Forces found = forces(deflections);
-  equations.value = deflections + receptance_ * found.force - share * linear_;
+  equations.value = deflections + receptance_ * found.force - (linear_ - missing);
   equations.by_unknowns = MatrixXd::Identity(count, count) + receptance_ * found.tangent;
-  equations.by_parameter = -linear_;
 }
 
 std::optional<VectorXd> LoadPath::only_one() const {
@@ -129,7 +145,7 @@ std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
   const MatrixXd added = held * receptance_ * references_.asDiagonal();
   numerics::Equations equations;
   const auto at = [&](const VectorXd& deflections) {
-    evaluate(deflections, 1, equations);
+    evaluate(deflections, VectorXd::Zero(deflections.size()), equations);
     equations.value += added * deflections;
     equations.by_unknowns += added;
   };
@@ -150,6 +166,14 @@ std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
 }
 
 std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
+  Followed found = followed(of_load_);
+  if (!found.starts) found = followed(linear_);
+  if (found.deflections) return {std::move(*found.deflections), std::move(found.turns)};
+  throw foundation::NotComputable(fmt::format(
+      "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", found.highest));
+}
+
+LoadPath::Followed LoadPath::followed(const VectorXd& growing) const {
   constexpr numerics::StepControl control{.longest = 0.5,
                                           .shortest = 1e-10,
                                           .growth = 1.5,
@@ -157,30 +181,54 @@ std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
                                           .hidden_folds = 1e-4,
                                           .sharp_turns = 1e-4};  // a stop closes
   constexpr int most_points = 5000;
-  const numerics::Branch branch([this](const VectorXd& unknowns, double share,
-                                       numerics::Equations& equations) { evaluate(unknowns, share, equations); },
-                                VectorXd::Constant(linear_.size(), 1e-3 * linear_.cwiseAbs().maxCoeff()), 1.0);
-  std::vector<double> turns;
+  const numerics::Branch branch(
+      [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
+        evaluate(unknowns, (1 - share) * growing, equations);
+        equations.by_parameter = -growing;
+      },
+      VectorXd::Constant(linear_.size(), 1e-3 * linear_.cwiseAbs().maxCoeff()), 1.0);
+  Followed found;
   std::optional<BranchPoint> now = branch.start(VectorXd::Zero(linear_.size()), 0);
-  double step = 0.05, highest = 0;
+  const bool builds_in = growing != linear_;
+  found.starts = now && !(builds_in && !is_stable(now->unknowns));
+  if (!found.starts) return found;
+  if (growing.isZero(0)) {
+    found.deflections = now->unknowns;
+    return found;
+  }
+  constexpr double first_step = 0.05;
+  double step = first_step, since = 0;  // since: length from the last point before short steps
+  BranchPoint smooth = *now;
   for (int i = 0; now && i < most_points; ++i) {
-    const std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
+    std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
+    if (!advance) {
+      advance = branch.beyond_kink(smooth, since, 0, 1);
+      step = first_step;
+    }
     if (!advance) break;
     const BranchPoint& next = advance->to;
     const bool turns_back = next.parameter_direction() < 0 && now->parameter_direction() > 0;
-    const std::optional<BranchPoint> fold = turns_back ? branch.fold(*now, advance->length) : std::nullopt;
-    highest = std::max({highest, next.parameter, fold ? fold->parameter : 0.0});
-    const double rising_to = fold ? numerics::Branch::length(*now, *fold) : advance->length;
-    if (highest >= 1) {
-      if (const std::optional<BranchPoint> whole = branch.at(1, *now, 0, rising_to)) return {whole->unknowns, turns};
+    std::optional<BranchPoint> fold;
+    if (turns_back) fold = branch.fold(*now, advance->length);
+    const double reached = fold ? fold->parameter : next.parameter,
+                 rising_to = fold ? numerics::Branch::length(*now, *fold) : advance->length;
+    if (reached >= 1) {
+      if (const std::optional<BranchPoint> whole = branch.at(1, *now, 0, rising_to)) {
+        found.deflections = whole->unknowns;
+        return found;
+      }
       step = advance->length / 2;
       continue;
     }
-    if (fold) turns.push_back(fold->parameter);
+    found.highest = std::max(found.highest, reached);
+    if (fold) found.turns.push_back(fold->parameter);
     now = next;
+    since += advance->length;
+    if (advance->length < control.sharp_turns) continue;
+    smooth = *now;
+    since = 0;
   }
-  throw foundation::NotComputable(fmt::format(
-      "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", highest));
+  return found;
 }
 
 std::vector<double> LoadPath::starts(Index j) const {
@@ -212,6 +260,10 @@ std::vector<VectorXd> LoadPath::all() const {
   std::vector<std::vector<double>> choices;
   for (Index j = 0; j < linear_.size(); ++j) choices.push_back(starts(j));
   constexpr int most_starts = 2000;
+  double all_starts = 1;
+  for (const std::vector<double>& of_one : choices) all_starts *= static_cast<double>(of_one.size());
+  const bool tries_all = all_starts <= most_starts;
+  std::mt19937_64 random(20261127);
   std::vector<std::size_t> chosen(choices.size(), 0);
   for (int i = 0; i < most_starts; ++i) {
     VectorXd start(linear_.size());
@@ -223,6 +275,10 @@ std::vector<VectorXd> LoadPath::all() const {
       });
       if (!is_known) found.push_back(*rest);
     }
+    if (!tries_all) {
+      for (std::size_t j = 0; j < choices.size(); ++j) chosen[j] = random() % choices[j].size();
+      continue;
+    }
     std::size_t place = 0;
     while (place < chosen.size() && ++chosen[place] == choices[place].size()) chosen[place++] = 0;
     if (place == chosen.size()) break;
@@ -232,9 +288,12 @@ std::vector<VectorXd> LoadPath::all() const {
 }
 
 bool LoadPath::is_stable(const VectorXd& deflections) const {
-  const MatrixXd stiffness = stiffness_ + across_ * forces(deflections).tangent * across_.transpose();
+  return is_positive(stiffness_ + across_ * forces(deflections).tangent * across_.transpose(), stiffness_);
+}
+
+bool is_positive(const MatrixXd& stiffness, const MatrixXd& typical) {
   const VectorXd scale =
-      stiffness_.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
+      typical.diagonal().unaryExpr([](double entry) { return entry == 0 ? 1.0 : 1 / std::sqrt(std::abs(entry)); });
   const MatrixXd scaled = scale.asDiagonal() * (0.5 * (stiffness + stiffness.transpose())) * scale.asDiagonal();
   constexpr double round_off = 1e-12;
   return numerics::symmetric_eigen(scaled).values.minCoeff() > -round_off;

@@ -11,8 +11,9 @@
 
 namespace trivet::nonlinear {
 
-/// The nonlinear deflections at rest over the share λ of the static load: δ + G f(δ) = λ δ_linear, with the machine of
-/// positive references as the linear one.
+/// The nonlinear deflections at rest over the share λ of the static load: δ + G f(δ) = δ_built_in + λ δ_load, with the
+/// machine of positive references as the linear one. Forces that are there at δ = 0, of tensioned struts or of gas, are
+/// built in.
 class LoadPath {
  public:
   /// @throws foundation::NotComputable if the load moves a machine that nothing holds
@@ -26,7 +27,8 @@ class LoadPath {
   /// Newton's method does not converge.
   [[nodiscard]] std::optional<Eigen::VectorXd> only_one() const;
 
-  /// Deflections at the whole load, and the shares at which the load turns before.
+  /// Deflections at the whole load, and the shares at which the load turns before. Built-in forces act from the start;
+  /// where they leave no stable position without a load, as of a strut that buckles, they grow with it.
   /// @throws foundation::NotComputable if the whole load is not reached
   [[nodiscard]] std::pair<Eigen::VectorXd, std::vector<double>> followed() const;
 
@@ -46,7 +48,17 @@ class LoadPath {
   };
   /// Of all parts at rest, beyond those of the machine.
   [[nodiscard]] Forces forces(const Eigen::VectorXd& deflections) const;
-  void evaluate(const Eigen::VectorXd& deflections, double share, numerics::Equations& equations) const;
+  /// @param missing  deflections of the linear machine that the whole load would add
+  void evaluate(const Eigen::VectorXd& deflections, const Eigen::VectorXd& missing,
+                numerics::Equations& equations) const;
+  /// @param growing  the part of linear_ that grows from zero
+  struct Followed {
+    bool starts = false;
+    double highest = 0;  ///< share of the load that is reached
+    std::optional<Eigen::VectorXd> deflections;
+    std::vector<double> turns;
+  };
+  [[nodiscard]] Followed followed(const Eigen::VectorXd& growing) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;
   /// Deflections that the load and forces of the parts cause together.
@@ -60,11 +72,14 @@ class LoadPath {
   [[nodiscard]] std::vector<double> starts(Eigen::Index deflection) const;
 
   std::vector<Deflection> deflections_;
-  Eigen::MatrixXd stiffness_;   ///< of the machine of positive references
-  Eigen::MatrixXd across_;      ///< free coordinates × deflections
-  Eigen::MatrixXd receptance_;  ///< deflections × deflections
-  Eigen::VectorXd linear_, references_;
+  Eigen::MatrixXd stiffness_;                      ///< of the machine of positive references
+  Eigen::MatrixXd across_;                         ///< free coordinates × deflections
+  Eigen::MatrixXd receptance_;                     ///< deflections × deflections
+  Eigen::VectorXd linear_, of_load_, references_;  ///< of_load_: without built-in forces
   bool loaded_ = false;
 };
+
+/// Has a stiffness no negative eigenvalue, scaled by the diagonal of a typical one?
+[[nodiscard]] bool is_positive(const Eigen::MatrixXd& stiffness, const Eigen::MatrixXd& typical);
 
 }  // namespace trivet::nonlinear

@@ -119,10 +119,10 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
     if (options_.deep || i % every == 0 || is_beside_change(i)) chosen.push_back(i);
   judge(chosen, found, progress);
   if (found.multipliers_of != SteadyBranch::Multipliers::constant_machine || found.winding.differs_at.empty()) return;
-  chosen.clear();
+  std::vector<std::size_t> others;
   for (std::size_t i = 0; i < count; ++i)
-    if (!found.points[i].unstable_by_winding) chosen.push_back(i);
-  judge(chosen, found, progress);
+    if (!std::binary_search(chosen.begin(), chosen.end(), i)) others.push_back(i);
+  judge(others, found, progress);
   found.winding.decides = by_winding_ = true;
   for (SteadyPoint& point : found.points)
     if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;

@@ -298,7 +298,9 @@ PeriodicStability::Multipliers PeriodicStability::multipliers(const MachineLaws&
     period = (piece.states * period).eval();
     uncertainty = std::max(uncertainty, piece.uncertainty);
   }
-  return {numerics::general_eigenvalues(period).values, uncertainty};
+  const numerics::GeneralEigen found = numerics::general_eigenvalues(period);
+  if (!found.converged) return {Eigen::VectorXcd::Constant(all, foundation::infinity), foundation::infinity};
+  return {found.values, uncertainty};
 }
 
 }  // namespace trivet::nonlinear

@@ -115,11 +115,11 @@ SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& opti
   const double first = machine.excitation.first_harmonic;
   std::optional<BranchPoint> now = at.start(options.from, first * options.at_phase->from, first * options.at_phase->to);
   if (!now)
-    throw foundation::NotComputable(fmt::format(
-        "steady: {} nowhere lags by {:.4g} degrees at {:.4g} times the load between {:.6g} and {:.6g} rad/s; "
-        "give another band or lag, or begin at a smaller load",
-        options.at_phase->of, 360 / foundation::two_pi * options.at_phase->lag, options.from, options.at_phase->from,
-        options.at_phase->to));
+    throw foundation::NotComputable(
+        fmt::format("steady: {} nowhere lags by {:.4g} degrees at {:.4g} times the load between {:.6g} and {:.6g} Hz; "
+                    "give another band or lag, or begin at a smaller load",
+                    options.at_phase->of, 360 / foundation::two_pi * options.at_phase->lag, options.from,
+                    options.at_phase->from / foundation::two_pi, options.at_phase->to / foundation::two_pi));
   if (const std::string reason = known.reason_unknown(at.balance(), at.motion(*now), AtPhase::driving(*now).omega);
       !reason.empty())
     throw foundation::NotComputable(fmt::format("steady: at {:.6g} times the load {}", options.from, reason));
@@ -154,8 +154,8 @@ SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& opti
       return found;
     }
     if (turns)
-      if (const auto fold = at.branch().fold(*now, advance->length))
-        found.folds.push_back({observed(*fold), found.points.size() - 1, now->parameter_direction() > 0, std::nullopt});
+      found.folds.push_back({observed(at.branch().fold(*now, advance->length)), found.points.size() - 1,
+                             now->parameter_direction() > 0, std::nullopt});
     if (!add(next)) return found;
     now = std::move(next);
     if (progress) progress("phase resonance", std::clamp(now->parameter / options.to, 0.0, 1.0));
@@ -169,6 +169,7 @@ SteadyBranch followed(const ReferenceMachine& machine, const SteadyOptions& opti
 SteadyBranch phase_resonances(const model::System& system, const SteadyOptions& options, const References& references,
                               const foundation::Progress& progress) {
   const ReferenceMachine machine(system, references, options.excitations, options.at_phase->of);
+  check_harmonics(options, machine.excitation);
   const bool is_given = options.harmonics > 0;
   Index harmonics = is_given ? options.harmonics : std::max<Index>(5, machine.excitation.highest());
   for (;; harmonics = more_harmonics(harmonics)) {

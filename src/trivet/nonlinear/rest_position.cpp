@@ -187,14 +187,26 @@ void move_to_equilibrium(const model::System& given, model::Description& descrip
     if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
 }
 
-/// Of the deflections at rest.
-double largest_difference(const model::Description& one, const model::Description& other) {
-  double largest = 0;
-  for (std::size_t e = 0; e < one.elements.size(); ++e)
-    for (std::size_t p = 0; p < one.elements[e].nonlinear_parts.size(); ++p)
-      largest = std::max(
-          largest, std::abs(one.elements[e].nonlinear_parts[p].at_rest - other.elements[e].nonlinear_parts[p].at_rest));
-  return largest;
+/// All deflections at rest.
+VectorXd at_rest(const model::Description& description) {
+  std::vector<double> all;
+  for (const model::Element& element : description.elements) {
+    for (const model::NonlinearPart& part : element.nonlinear_parts) all.push_back(part.at_rest);
+    for (const model::DistancePart& part : element.distance_parts)
+      all.insert(all.end(), part.at_rest.begin(), part.at_rest.end());
+    for (const model::RubbingPart& part : element.rubbing_parts)
+      all.insert(all.end(), part.at_rest.begin(), part.at_rest.end());
+  }
+  return Eigen::Map<const VectorXd>(all.data(), to_index(all.size()));
+}
+
+/// With tangents at rest. Friction bears no force there.
+bool is_stable(const model::System& settled) {
+  const auto stiffness = [&](const References& references) {
+    return assembly::assemble(with_references(settled, references)).matrices.K;
+  };
+  const model::System there = without_rubbing(settled);
+  return is_positive(assembly::assemble(there).matrices.K, stiffness(positive_references(settled)));
 }
 
 }  // namespace
@@ -217,12 +229,13 @@ RestPosition rest_position(const model::System& system) {
   for (int i = 0; i < most; ++i) {
     model::Description there = found.system.description();
     move_to_equilibrium(found.system, there);
-    const double change = largest_difference(there, found.system.description()),
-                 largest = largest_difference(there, description);
+    const VectorXd moves = at_rest(there) - at_rest(found.system.description());
+    const double change = moves.cwiseAbs().maxCoeff(), largest = at_rest(there).cwiseAbs().maxCoeff();
     const model::System moved = found.system.in_other_state(std::move(there));
     found.system = with_references(moved, tangents_at_rest(moved));
     if (change > accurate * largest) continue;
     require_known_forces(found.system);
+    found.stable = is_stable(found.system);
     return found;
   }
   throw foundation::NotComputable(

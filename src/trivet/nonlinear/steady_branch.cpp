@@ -159,6 +159,13 @@ class Curves {
             return all;
           },
           curve);
+      // It may end at a change that the multipliers place beside the one of the harmonics.
+      constexpr double near = 1e-3;
+      const double end = curve.parameter(curve.points.back());
+      for (StabilityChange& change : found.changes)
+        if (!change.curve && change.kind == StabilityChange::Kind::period_doubling &&
+            std::abs(found.parameter(change.point) - end) < near * end)
+          change.curve = found.further.size();
       // A motion of one period cannot be said to jump to one of two: there are several.
       for (Fold& fold : found.folds)
         if (is_stable_at(curve, found.parameter(fold.point))) {
@@ -203,22 +210,16 @@ void check(const SteadyOptions& options) {
     throw foundation::InvalidInput("steady: a phase is held over the load factor, in a band that rises from above 0");
   if (options.over == Parameter::load_factor && !options.at_phase && !(options.angular_frequency > 0))
     throw foundation::InvalidInput("steady: over the load factor, the frequency must be above 0");
+  if (options.at_phase && (options.deep || options.detached))
+    throw foundation::InvalidInput(
+        "steady: at a phase one curve is followed, with one verdict on stability; leave out deep and branches");
   if (options.harmonics < 0) throw foundation::InvalidInput("steady: at least one harmonic");
 }
 
 /// What the excitation and the data of elements allow.
 void check(const SteadyOptions& options, const ReferenceMachine& machine) {
+  check_harmonics(options, machine.excitation);
   const Index highest = machine.excitation.highest();
-  if (highest > most_steady_harmonics)
-    throw foundation::NotComputable(
-        fmt::format("steady: the highest order is harmonic {} of the motion, and at most {} are computed; name "
-                    "excitations whose orders have a larger common divisor",
-                    highest, most_steady_harmonics));
-  if (options.harmonics > 0 && options.harmonics < highest)
-    throw foundation::InvalidInput(fmt::format(
-        "steady: {} harmonics, and the highest order is harmonic {} of the motion, of which order {:.6g} is the first; "
-        "take at least {}",
-        options.harmonics, highest, machine.excitation.first_harmonic, highest));
   const double last = options.over == Parameter::frequency ? options.to : options.angular_frequency,
                excited = static_cast<double>(highest) * machine.excitation.first_harmonic * last;
   if (excited > machine.condensed.known_to())

@@ -51,7 +51,8 @@ struct StabilityChange {
   SteadyPoint point;
   std::size_t after = 0;  ///< index of the point of the branch before it
   Kind kind = Kind::branch_point;
-  std::optional<std::size_t> curve;  ///< of the further ones: motions that begin or end here; empty: not computed
+  bool sought = false;               ///< have motions that begin here been sought?
+  std::optional<std::size_t> curve;  ///< of the further ones: motions that begin or end here; empty: none was found
 };
 [[nodiscard]] const char* words(StabilityChange::Kind kind);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -18,6 +19,9 @@ using Eigen::VectorXd;
 using numerics::BranchPoint;
 
 namespace {
+
+/// A shorter step may turn by any angle: a slider begins to slip in both senses.
+constexpr double sharp_turns = 1e-4;
 
 /// Frequencies at which a linear mode resonates, and beside them; a second and a third of them for the harmonics. A
 /// mode that hardly moves the nonlinear parts does not bend the branch, which would pass it in one step.
@@ -113,6 +117,23 @@ bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const Vect
   return points_.size() >= fewest;
 }
 
+namespace {
+
+/// The nearest of some places to a parameter that a straight step has at about a share of it.
+std::optional<std::size_t> nearest(const std::vector<SteadyEquations::Place>& places, const BranchPoint& now,
+                                   const BranchPoint& next, double share) {
+  const double change = next.parameter - now.parameter, parameter = now.parameter + share * change,
+               near = 5e-3 * parameter + std::abs(change);
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double away = std::abs(places[i].parameter - parameter);
+    if (away < near && !(found && std::abs(places[*found].parameter - parameter) <= away)) found = i;
+  }
+  return found;
+}
+
+}  // namespace
+
 /// Does the step to the next point pass one of these places?
 std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations::Place>& ends, const BranchPoint& next,
                                               double length) const {
@@ -131,25 +152,58 @@ std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations:
   return std::nullopt;
 }
 
+/// A motion of twice the period becomes one of the excitation's, and beyond is what it was half of that period later.
+/// @returns the share of the step to the next point at which it does, if it does
+std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next) const {
+  const std::vector<Index>& excited = balance().excited();
+  if (std::any_of(excited.begin(), excited.end(), [](Index k) { return k % 2 != 0; })) return std::nullopt;
+  const Index C = balance().coefficients(), deflections = next.unknowns.size() / C;
+  const VectorXd& now = points_.back().unknowns;
+  double product = 0, size = 0, next_size = 0;
+  for (Index k = 1; 2 * k < C; k += 2)
+    for (Index j = 0; j < deflections; ++j) {
+      const auto here = now.segment<2>(j * C + 2 * k - 1), there = next.unknowns.segment<2>(j * C + 2 * k - 1);
+      product += here.dot(there);
+      size += here.squaredNorm();
+      next_size += there.squaredNorm();
+    }
+  if (product >= 0) return std::nullopt;
+  return std::sqrt(size) / (std::sqrt(size) + std::sqrt(next_size));
+}
+
 /// Goes on from the last point to an end of the band, or to one of the places.
 bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
                       const foundation::Progress& progress) {
-  constexpr double first_step = 0.02;                            // in shares of the deflection and of the band
-  constexpr numerics::StepControl control{.sharp_turns = 1e-4};  // a slider begins to slip in both senses
+  constexpr double first_step = 0.02;  // in shares of the deflection and of the band
+  constexpr numerics::StepControl control{.sharp_turns = sharp_turns};
+  // Directions after sharp turns may be wrong: after so many, the curve is sought from the last point before them.
+  constexpr std::size_t most_sharp_turns = 12;
   double step = first_step;
+  Extent smooth = extent();
+  bool at_corner = false;
   while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
-    const BranchPoint& now = points_.back();
+    if (at_corner || lengths_.empty() || lengths_.back() >= sharp_turns) smooth = extent();
     if (to_index(points_.size()) >= options_.most_points) {
       ended_ = fmt::format("stopped after {} points", options_.most_points);
       break;
     }
-    std::optional<numerics::Branch::Advance> advance = branch_.advance(now, step, control);
-    const bool at_corner = !advance;
-    if (at_corner) {
-      advance = across_corner(now);
-      step = first_step;
-      if (advance) corners_.push_back(now.parameter);
+    std::optional<numerics::Branch::Advance> advance;
+    const bool is_crowded = points_.size() == smooth.points + most_sharp_turns;
+    if (!is_crowded) advance = branch_.advance(points_.back(), step, control);
+    at_corner = false;
+    if (!advance) {
+      const double passed = std::accumulate(lengths_.begin() + to_index(smooth.points) - 1, lengths_.end(), 0.0);
+      advance =
+          branch_.beyond_kink(points_[smooth.points - 1], passed, leaves_downwards_ ? options_.from : 0.0, options_.to);
+      at_corner = advance.has_value();
     }
+    if (at_corner) {
+      cut_to(smooth);
+      corners_.push_back(points_.back().parameter);
+      step = first_step;
+    }
+    if (!advance && is_crowded) advance = branch_.advance(points_.back(), step, control);
+    const BranchPoint& now = points_.back();
     if (!advance || !(advance->to.parameter > 0)) {
       constexpr double ahead = 1e-3;
       const VectorXd beyond = now.unknowns +
@@ -165,12 +219,6 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     }
     BranchPoint next = std::move(advance->to);
     double length = advance->length;
-    if (goes_back(next)) {
-      ended_ =
-          fmt::format("no further motion beyond {}: the curve turns at once there, and only motions before were found",
-                      equations_.place(now.parameter));
-      break;
-    }
     if (next.parameter > options_.to) {
       std::optional<BranchPoint> end = branch_.at(options_.to, now, 0, length);
       if (!end) {
@@ -194,7 +242,11 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       length = numerics::Branch::length(now, *end);
       next = std::move(*end);
     }
-    if (stopped_at_ = passed(ends, next, length); stopped_at_) {
+    stopped_at_ = passed(ends, next, length);
+    const std::optional<double> returns = ends.empty() ? std::nullopt : returns_to_one_period(next);
+    if (returns && !stopped_at_) stopped_at_ = nearest(ends, now, next, *returns);
+    if (returns && !stopped_at_) break;
+    if (stopped_at_) {
       const SteadyEquations::Place& there = ends[*stopped_at_];
       BranchPoint end = there.unknowns == points_.front().unknowns ? points_.front() : now;
       end.unknowns = there.unknowns;
@@ -222,44 +274,6 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       progress("steady motion", std::clamp((next.parameter - options_.from) / equations_.width(), 0.0, 1.0));
   }
   return true;
-}
-
-/// Does it return to the last step?
-bool SteadyPath::goes_back(const BranchPoint& next) const {
-  if (points_.size() < 2) return false;
-  const BranchPoint &now = points_.back(), &before = points_[points_.size() - 2];
-  const auto way = [&](const BranchPoint& from, const BranchPoint& to) {
-    VectorXd change(now.scale.size());
-    change << to.unknowns - from.unknowns, to.parameter - from.parameter;
-    return VectorXd(change.cwiseQuotient(now.scale).normalized());
-  };
-  constexpr double back = -0.95;
-  return way(before, now).dot(way(now, next)) < back;
-}
-
-/// Where the direction of the curve changes at once, Newton's method does not converge from the old direction: the next
-/// motion at a fixed parameter that is close to the last one.
-std::optional<numerics::Branch::Advance> SteadyPath::across_corner(const BranchPoint& now) const {
-  constexpr double near = 0.02, back = -0.9;
-  const bool downwards = now.parameter_direction() < 0;
-  // A contact that is half closed, as within a ring that is just met all around, misleads Newton's method: also from
-  // motions that have it closed, and open. Where it opens the parameter may turn.
-  for (const bool turns : {false, true})
-    for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
-      const double step = (downwards == turns ? share : -share) * equations_.width();
-      double parameter = std::min(now.parameter + step, options_.to);
-      if (leaves_downwards_) parameter = std::max(parameter, options_.from);
-      for (const double size : {1.0, 1.001, 0.999}) {
-        const std::optional<BranchPoint> there = branch_.start(size * now.unknowns, parameter, downwards != turns);
-        if (!there) continue;
-        VectorXd change(now.scale.size());
-        change << there->unknowns - now.unknowns, there->parameter - now.parameter;
-        change = change.cwiseQuotient(now.scale);
-        const double length = change.norm();
-        if (length <= near && change.dot(now.tangent) > back * length) return numerics::Branch::Advance{*there, length};
-      }
-    }
-  return std::nullopt;
 }
 
 /// Of a motion over which the forces are not known, with its place.
@@ -293,6 +307,18 @@ std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& n
   return found;
 }
 
+SteadyPath::Extent SteadyPath::extent() const {
+  return {points_.size(), asked_for_.size(), turns_.size(), pieces_.size()};
+}
+
+void SteadyPath::cut_to(const Extent& end) {
+  points_.erase(points_.begin() + to_index(end.points), points_.end());
+  lengths_.resize(end.points - 1);
+  asked_for_.erase(asked_for_.begin() + to_index(end.asked_for), asked_for_.end());
+  turns_.erase(turns_.begin() + to_index(end.turns), turns_.end());
+  pieces_.erase(pieces_.begin() + to_index(end.pieces), pieces_.end());
+}
+
 bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
   lengths_.push_back(length);
   const bool is_good = add_point(next, most_left_out);
@@ -306,12 +332,12 @@ void SteadyPath::add_pieces() {
   const BranchPoint &now = points_[from], &next = points_.back();
   const double length = lengths_[from];
   const bool turns = next.parameter_direction() * now.parameter_direction() < 0;
-  const std::optional<BranchPoint> fold = turns ? branch_.fold(now, length) : std::nullopt;
-  if (fold) {
-    turns_.push_back({*fold, from, now.parameter_direction() > 0});
-    const double to_fold = numerics::Branch::length(now, *fold);
-    pieces_.push_back({from, 0, to_fold, now.parameter, fold->parameter});
-    pieces_.push_back({from, to_fold, length, fold->parameter, next.parameter});
+  if (turns) {
+    const BranchPoint fold = branch_.fold(now, length);
+    const double to_fold = numerics::Branch::length(now, fold);
+    turns_.push_back({fold, from, now.parameter_direction() > 0});
+    pieces_.push_back({from, 0, to_fold, now.parameter, fold.parameter});
+    pieces_.push_back({from, to_fold, length, fold.parameter, next.parameter});
   } else {
     pieces_.push_back({from, 0, length, now.parameter, next.parameter});
   }

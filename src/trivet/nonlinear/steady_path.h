@@ -89,19 +89,24 @@ class SteadyPath {
     double begin, end;
     double parameter_begin, parameter_end;
   };
+  /// Numbers of what has been found.
+  struct Extent {
+    std::size_t points, asked_for, turns, pieces;
+  };
   /// @param ends  places to stop at
   [[nodiscard]] bool walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
                           const foundation::Progress& progress);
   [[nodiscard]] std::optional<std::size_t> passed(const std::vector<SteadyEquations::Place>& ends,
                                                   const numerics::BranchPoint& next, double length) const;
+  [[nodiscard]] std::optional<double> returns_to_one_period(const numerics::BranchPoint& next) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
   void add_pieces();
   [[nodiscard]] std::optional<std::vector<numerics::BranchPoint>> between(const numerics::BranchPoint& now,
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
-  [[nodiscard]] bool goes_back(const numerics::BranchPoint& next) const;
-  [[nodiscard]] std::optional<numerics::Branch::Advance> across_corner(const numerics::BranchPoint& now) const;
+  [[nodiscard]] Extent extent() const;
+  void cut_to(const Extent& end);
   [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;

@@ -67,9 +67,13 @@ namespace {
 /// Multipliers that are not accurate enough, and motions that creep.
 void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
   constexpr double accurate = 1e-5, slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
-  int uncertain = 0, stable = 0, creep = 0;
+  int left_at_once = 0, uncertain = 0, stable = 0, creep = 0;
   double worst = 0, slowest = 0;
   for (const nonlinear::SteadyPoint& point : branch.points) {
+    if (std::isinf(point.multiplier_uncertainty)) {
+      ++left_at_once;
+      continue;
+    }
     if (point.multiplier_uncertainty > accurate) ++uncertain;
     worst = std::max(worst, point.multiplier_uncertainty);
     if (!point.stable) continue;
@@ -83,6 +87,12 @@ void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Prob
       slowest = std::max(slowest, largest);
     }
   }
+  if (left_at_once > 0)
+    warnings.warning("analyses.steady",
+                     fmt::format("deviations from {} of {} motions grow beyond all numbers in a period", left_at_once,
+                                 branch.points.size()),
+                     "they are taken for unstable, without multipliers",
+                     "check the signs of the laws and the stiffness of friction");
   if (uncertain > 0)
     warnings.warning("analyses.steady",
                      fmt::format("the multipliers of {} of {} motions are uncertain", uncertain, branch.points.size()),
@@ -97,9 +107,10 @@ void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Prob
                      "a machine may run with another mean for a long time");
 }
 
-nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
-                                      foundation::Problems& warnings) {
-  const nonlinear::SteadyBranch branch = steady_motions(c, asked);
+}  // namespace
+
+void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked, const nonlinear::SteadyBranch& branch,
+                     foundation::Problems& warnings) {
   if (!branch.of_shaft && asked.selection.excitations.empty())
     for (const model::Excitation& excitation : c.system.description().excitations)
       if (std::holds_alternative<model::Orders>(excitation.course))
@@ -151,6 +162,14 @@ nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::Stead
   if (!branch.ended.empty())
     warnings.warning("analyses.steady", "the branch of motions ends before the end of the band", branch.ended,
                      "no motion beyond is computed; give another band");
+}
+
+namespace {
+
+nonlinear::SteadyBranch answer_steady(const CaseContext& c, const project::SteadyQuestion& asked,
+                                      foundation::Problems& warnings) {
+  nonlinear::SteadyBranch branch = steady_motions(c, asked);
+  warn_of_motions(c, asked, branch, warnings);
   return branch;
 }
 

@@ -11,4 +11,8 @@ namespace trivet::study {
 /// @throws foundation::InvalidInput for a linear machine, foundation::NotComputable if there is no motion to begin with
 [[nodiscard]] nonlinear::SteadyBranch steady_motions(const CaseContext& context, const project::SteadyQuestion& asked);
 
+/// What may be wrong about such motions.
+void warn_of_motions(const CaseContext& context, const project::SteadyQuestion& asked,
+                     const nonlinear::SteadyBranch& motions, foundation::Problems& warnings);
+
 }  // namespace trivet::study

@@ -135,13 +135,12 @@ void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
 }
 
 /// What the verdict does not know: it holds for the motions that were found, and none is known in some stretches.
-void add_limits(const SteadyBranch& branch, RequirementResult& result) {
+void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, RequirementResult& result) {
   const auto add = [&](const std::string& words) { result.detail += (result.detail.empty() ? "" : "; ") + words; };
   if (result.kind == RequirementKind::no_contact && result.value && std::isinf(*result.value)) add("it bears at rest");
   else if (!branch.search)
     add("motions connected with the lower end of the band only; branches = \"all\" of steady seeks others");
-  for (const std::string& name : branch.sticking)
-    add("the friction of " + name + " sticks all the time at some frequencies, so that the mean there is one of many");
+  for (const foundation::Problem& doubt : doubts.list()) add(doubt.finding);
   const auto without = nonlinear::without_stable_motion(branch);
   if (without.empty()) return;
   std::string stretches;
@@ -179,6 +178,8 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
     asked.all_branches = asked.all_branches || required.no_jump;
     const SteadyBranch branch = steady_motions(context, asked);
     if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
+    foundation::Problems doubts;
+    warn_of_motions(context, asked, branch, doubts);
     if (required.no_jump) set_jumps(branch, list[first]);
     set_contacts(branch, stops, first + (required.no_jump ? 1 : 0), list);
     for (std::size_t i = 0; i < required.steady.size(); ++i) {
@@ -187,6 +188,10 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       for (const SteadyPoint* point : stable_points(branch)) {
         const nonlinear::ObservedMotion& motion = point->results[i];
         const double here = std::max(motion.largest, -motion.smallest);
+        if (!std::isfinite(here))
+          throw foundation::NotComputable(fmt::format("steady motion: {} is no number at {:.6g} Hz",
+                                                      required.steady[i].name,
+                                                      point->angular_frequency / foundation::two_pi));
         if (here <= largest) continue;
         largest = here;
         result.angular_frequency = point->angular_frequency;
@@ -195,7 +200,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
       result.margin = margin_of(result.allowed, largest);
       result.quantity = required.steady[i].quantity;
     }
-    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) add_limits(branch, list[i]);
+    for (std::size_t i = first + (required.no_jump ? 1 : 0); i < list.size(); ++i) add_limits(branch, doubts, list[i]);
   });
 }
 

@@ -28,9 +28,7 @@ TEST(Branch, PassesBothFoldsOfACubic) {
     ASSERT_TRUE(next);
     EXPECT_NEAR(std::pow(next->unknowns(0), 3) - 3 * next->unknowns(0), next->parameter, 1e-12);
     if (next->parameter_direction() * now->parameter_direction() < 0) {
-      const std::optional<BranchPoint> fold = branch.fold(*now, 0.1);
-      ASSERT_TRUE(fold);
-      folds.push_back(*fold);
+      folds.push_back(branch.fold(*now, 0.1));
     }
     now = next;
   }
@@ -56,6 +54,32 @@ TEST(Branch, FindsTheSolutionAtAParameterBetweenTwoPoints) {
     EXPECT_GT(there->unknowns(0), from->unknowns(0));
     EXPECT_LT(there->unknowns(0), to->unknowns(0));
   }
+}
+
+/// λ = u up to u = 0, and −3u beyond: the direction turns by more than a right angle.
+TEST(Branch, HasTheSameOrientationBeyondASharpKink) {
+  const Branch branch(
+      [](const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
+        const double slope = u(0) < 0 ? 1 : -3;
+        equations.value = Eigen::VectorXd::Constant(1, slope * u(0) - parameter);
+        equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, slope);
+        equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
+      },
+      Eigen::VectorXd::Constant(1, 1), 1);
+  const std::optional<BranchPoint> before = branch.start(Eigen::VectorXd::Constant(1, -0.1), -0.1);
+  std::optional<BranchPoint> beyond = branch.start(Eigen::VectorXd::Constant(1, 0.1), -0.3, true);
+  ASSERT_TRUE(before && beyond);
+  EXPECT_GT(before->tangent(0), 0);
+  EXPECT_GT(beyond->tangent(0), 0);
+  EXPECT_LT(before->tangent.dot(beyond->tangent), 0);
+  EXPECT_NE(branch.orientation(*before), 0);
+  EXPECT_EQ(branch.orientation(*before), branch.orientation(*beyond));
+  beyond->tangent = -beyond->tangent;
+  EXPECT_EQ(branch.orientation(*before), -branch.orientation(*beyond));
+
+  EXPECT_FALSE(branch.after(*before, 0.3));
+  constexpr double not_shrinking = 1e-8;  // steps below are taken for round-off
+  EXPECT_NEAR(branch.fold(*before, 0.3).parameter, 0, not_shrinking);
 }
 
 TEST(Branch, HasNoPointWhereThereIsNoSolution) {

@@ -2,6 +2,7 @@
 #include "trivet/numerics/linalg/general_eigen.h"
 
 #include <cassert>
+#include <limits>
 
 #include <Eigen/Eigenvalues>
 
@@ -13,7 +14,8 @@ namespace {
 template <typename Solver, typename Matrix>
 GeneralEigen eigen_by(const Matrix& A, bool with_vectors) {
   assert(A.rows() == A.cols());
-  if (!A.allFinite()) return {Eigen::VectorXcd(A.rows()), {}, false};  // LAPACK may not return from NaN
+  if (!A.allFinite())  // LAPACK may not return from NaN
+    return {Eigen::VectorXcd::Constant(A.rows(), std::numeric_limits<double>::quiet_NaN()), {}, false};
   if (A.rows() > lapack::least_size && lapack::is_available()) {
     GeneralEigen found;
     found.converged = lapack::general_eigen(A, found.values, with_vectors ? &found.vectors : nullptr);

@@ -149,5 +149,15 @@ Eigen::VectorXd LaneLu::solve(const Eigen::VectorXd& b) const {
   return x;
 }
 
+int LaneLu::determinant_sign() const {
+  int sign = 1;
+  for (Eigen::Index k = 0; k < rows_; ++k) {
+    const double pivot = factors_.data()[k * stride_ + k];
+    if (pivot == 0) return 0;
+    if ((pivot < 0) != (pivots_[to_size(k)] != k)) sign = -sign;
+  }
+  return sign;
+}
+
 }  // namespace trivet::numerics
 #endif

@@ -17,6 +17,9 @@ class LaneLu {
 
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
 
+  /// −1, 0 or 1.
+  [[nodiscard]] int determinant_sign() const;
+
  private:
   Eigen::Index rows_, stride_;
   LineMemory factors_;  ///< columns, `stride_` numbers apart: L without its unit diagonal, and U

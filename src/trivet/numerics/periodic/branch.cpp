@@ -122,7 +122,8 @@ std::optional<BranchPoint> Branch::after(const BranchPoint& from, double step, b
     constexpr double good_direction = 1e-5;
     const double size = change.norm();
     done = size <= options_.tolerance || is_round_off(size, last) ||
-        (!exact_direction && size <= good_direction && size * size <= options_.tolerance * last);
+        (!exact_direction && point.iterations > 0 && size <= good_direction &&
+         size * size <= options_.tolerance * last);
     last = size;
   }
   point.unknowns = place.head(n);
@@ -147,9 +148,9 @@ std::optional<Branch::Advance> Branch::advance(const BranchPoint& from, double& 
                                                const StepControl& control) const {
   constexpr int easy = 4;  // Newton steps
   const auto is_good = [&](const BranchPoint& to) {
-    if (step < control.sharp_turns) return true;
     const double cosine = from.tangent.dot(to.tangent.cwiseProduct(to.scale).cwiseQuotient(from.scale).normalized());
-    return cosine > control.least_cosine && (step < control.hidden_folds || !hides_folds(from, to, step));
+    if (cosine > control.least_cosine) return step < control.hidden_folds || !hides_folds(from, to, step);
+    return step < control.sharp_turns && orientation(to) == orientation(from);  // else it is beside the branch
   };
   for (; step >= control.shortest; step /= 2) {
     std::optional<BranchPoint> to = after(from, step);
@@ -160,6 +161,37 @@ std::optional<Branch::Advance> Branch::advance(const BranchPoint& from, double& 
     return found;
   }
   return std::nullopt;
+}
+
+std::optional<Branch::Advance> Branch::beyond_kink(const BranchPoint& from, double least, double lowest,
+                                                   double highest) const {
+  constexpr double close = 0.02;
+  const int along = orientation(from);
+  const double sense = from.parameter_direction() < 0 ? -1 : 1;
+  // From the point itself, a solution behind it is found first, or, at a contact that is half closed, none: also from
+  // one that has it closed, and open. λ may turn at the kink.
+  for (const double way : {sense, -sense})
+    for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
+      const double parameter = std::clamp(from.parameter + way * share * parameter_scale_, lowest, highest);
+      for (const double size : {1.0, 1.001, 0.999}) {
+        std::optional<BranchPoint> there = start(size * from.unknowns, parameter);
+        if (!there) continue;
+        if (orientation(*there) != along) there->tangent = -there->tangent;
+        VectorXd change(from.scale.size());
+        change << there->unknowns - from.unknowns, there->parameter - from.parameter;
+        change = change.cwiseQuotient(from.scale);
+        const double away = change.norm();
+        // Behind the kink, the way to a solution is against the direction that the branch has there.
+        if (away >= least && away <= close && change.dot(there->tangent) > 0) return Advance{*there, away};
+      }
+    }
+  return std::nullopt;
+}
+
+int Branch::orientation(const BranchPoint& point) const {
+  Equations equations;
+  evaluate_(point.unknowns, point.parameter, equations);
+  return LaneLu(bordered(equations, point.scale, point.tangent)).determinant_sign();
 }
 
 double Branch::length(const BranchPoint& from, const BranchPoint& to) {
@@ -190,13 +222,14 @@ std::optional<BranchPoint> Branch::zero(const std::function<double(const BranchP
   std::optional<BranchPoint> found = at(high);
   if (!begin || !found) return std::nullopt;
   double at_low = quantity(*begin), at_high = quantity(*found);
-  if (at_low * at_high > 0) return std::nullopt;
+  if (!(at_low * at_high <= 0)) return std::nullopt;
   const double range = std::abs(high - low);
   for (int i = 0; i < most && std::abs(at_high) > accurate && std::abs(high - low) > round_off * range; ++i) {
     const double place = (low * at_high - high * at_low) / (at_high - at_low);
     found = at(place);
     if (!found) return std::nullopt;
     const double value = quantity(*found);
+    if (!std::isfinite(value)) return std::nullopt;
     if (value * at_high > 0) {
       at_low /= 2;
     } else {
@@ -269,9 +302,29 @@ std::optional<BranchPoint> Branch::at(double parameter, const BranchPoint& from,
   return at(parameter, from, 0, length);
 }
 
-std::optional<BranchPoint> Branch::fold(const BranchPoint& from, double step) const {
+BranchPoint Branch::fold(const BranchPoint& from, double step) const {
   constexpr double flat = 1e-12;  // λ then differs from the fold by less than 1e-24 of its curvature's scale
-  return zero([](const BranchPoint& point) { return point.parameter_direction(); }, from, 0, step, flat, true);
+  std::optional<BranchPoint> smooth =
+      zero([](const BranchPoint& point) { return point.parameter_direction(); }, from, 0, step, flat, true);
+  return smooth ? std::move(*smooth) : before_kink(from, step);
+}
+
+/// The last solution at which λ still changes as at a point, between it and the length `step` from it.
+BranchPoint Branch::before_kink(const BranchPoint& from, double step) const {
+  constexpr double round_off = 1e-12;
+  BranchPoint last = from;
+  double beyond = step;
+  for (double before = 0; std::abs(beyond - before) > round_off * std::abs(step);) {
+    const double middle = (before + beyond) / 2;
+    std::optional<BranchPoint> there = after(from, middle, true);
+    if (there && there->parameter_direction() * from.parameter_direction() > 0) {
+      last = std::move(*there);
+      before = middle;
+    } else {
+      beyond = middle;
+    }
+  }
+  return last;
 }
 
 }  // namespace trivet::numerics

@@ -70,6 +70,17 @@ class Branch {
   /// grows after an easy one. Empty if it would become shorter than the shortest.
   [[nodiscard]] std::optional<Advance> advance(const BranchPoint& from, double& step, const StepControl& control) const;
 
+  /// Where the direction turns by more than a right angle at once, no plane across the old one meets the branch: a
+  /// solution at a fixed λ from `lowest` to `highest` that is close to a point, ahead of it on the branch, and at least
+  /// the length `least` away.
+  [[nodiscard]] std::optional<Advance> beyond_kink(const BranchPoint& from, double least, double lowest,
+                                                   double highest) const;
+
+  /// The sign of the determinant of [∂r/∂u ∂r/∂λ; tangentᵀ]: all along a branch the same, also beyond kinks at which
+  /// the direction turns by any angle, but for branch points, where it changes. [Allgower, Georg 1990, chapters 2 and
+  /// 12]
+  [[nodiscard]] int orientation(const BranchPoint& point) const;
+
   /// Length from a point to one near it on the branch, as `after` counts it.
   [[nodiscard]] static double length(const BranchPoint& from, const BranchPoint& to);
 
@@ -78,7 +89,7 @@ class Branch {
 
   /// The solution between two lengths from a point at which a quantity is zero, by regula falsi (Illinois): to
   /// `accurate`, or to round-off of the length. Empty if it has the same sign at both ends, or if Newton's method does
-  /// not converge on the way.
+  /// not converge on the way, or the quantity is no number there.
   [[nodiscard]] std::optional<BranchPoint> zero(const std::function<double(const BranchPoint&)>& quantity,
                                                 const BranchPoint& from, double low, double high, double accurate,
                                                 bool exact_direction = false) const;
@@ -89,11 +100,13 @@ class Branch {
   /// The same between two neighbouring points, from the cubic through them with their directions.
   [[nodiscard]] std::optional<BranchPoint> at(double parameter, const BranchPoint& from, const BranchPoint& to) const;
 
-  /// The fold between a point and the one at `step` from it, where the parameter direction has the other sign.
-  [[nodiscard]] std::optional<BranchPoint> fold(const BranchPoint& from, double step) const;
+  /// The fold between a point and the one at `step` from it, where the parameter direction has the other sign; at a
+  /// kink, the last solution before it.
+  [[nodiscard]] BranchPoint fold(const BranchPoint& from, double step) const;
 
  private:
   [[nodiscard]] std::optional<BranchPoint> after(const BranchPoint& from, double step, bool exact_direction) const;
+  [[nodiscard]] BranchPoint before_kink(const BranchPoint& from, double step) const;
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   EvaluateEquations evaluate_;
