@@ -12,7 +12,7 @@ namespace trivet::report {
 namespace {
 
 constexpr double canvas_width = 980, panel_left = 78, panel_width = 640, row_height = 220, below_panel = 52,
-                 key_line = 15, title_height = 40, label_above_panel = 12;
+                 key_line = 15, between_keys = 5, title_height = 40, label_above_panel = 12;
 
 constexpr double widest_text = 36;  // characters that fit next to a panel
 constexpr double air = 0.12;        // of an axis, for the text of a mark beyond the curves
@@ -84,9 +84,10 @@ std::vector<PixelPoint> corners(const std::vector<PixelPoint>& points) {
 }
 
 double key_height(const std::vector<PanelCurve>& curves) {
-  std::size_t lines = 0;
-  for (const PanelCurve& curve : curves) lines += curve.key.size();
-  return key_line * static_cast<double>(lines) + 5 * static_cast<double>(curves.size());
+  double height = 0;
+  for (const PanelCurve& curve : curves)
+    if (!curve.key.empty()) height += key_line * static_cast<double>(curve.key.size()) + between_keys;
+  return height;
 }
 
 double height_of(const PanelRow& row) { return std::max(row_height + below_panel, key_height(row.curves) + 16); }
@@ -129,7 +130,7 @@ void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve
                   fmt::format("font-size=\"{:.1f}\" fill=\"{}\"", size, &text == &curve.key.front() ? "#000" : "#444"));
       y += key_line;
     }
-    y += 5;
+    y += between_keys;
   }
 }
 

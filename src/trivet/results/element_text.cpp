@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <variant>
 
@@ -115,8 +116,9 @@ std::string checks_text(const model::Element& element, const elements::MatrixVer
   if (element.symmetric)
     table.add({"symmetric", fmt::format("{:.1e}", v.asymmetry), verdict(v.asymmetry <= elements::rounding_of_data)});
   else table.add({"declared unsymmetric", fmt::format("{:.1e}", v.asymmetry), "as declared"});
-  table.add({element.law.preload ? "rigid motion only rotates the preload" : "no force under rigid motion",
-             fmt::format("{:.1e}", v.rigid_residual), verdict(v.rigid_residual <= elements::silent_residual)});
+  if (element.distance_parts.empty())  // else its force turns with the line between its ends
+    table.add({element.law.preload ? "rigid motion only rotates the preload" : "no force under rigid motion",
+               fmt::format("{:.1e}", v.rigid_residual), verdict(v.rigid_residual <= elements::silent_residual)});
   // A preloaded element does work when rotated as a whole, so N is held.
   const double lowest =
       element.law.preload ? elements::lowest_of_held_end(elements::stiffness(element.law)) : v.lowest_eigenvalue;
@@ -184,7 +186,15 @@ std::string law_of_damping(const elements::Law& law) {
 
 std::string frequency_text(const model::Element& element) {
   const elements::Law& law = element.law;
-  std::string text = "Damping: " + law_of_damping(law) + "\n";
+  const double over_distance = std::accumulate(
+      element.distance_parts.begin(), element.distance_parts.end(), 0.0,
+      [](double sum, const model::DistancePart& part) {
+        return sum + elements::force_in_motion(part.law, part.at_rest, Eigen::Vector3d::Zero()).by_rate.trace();
+      });
+  std::string text = "Damping: " +
+      (over_distance > 0 ? fmt::format("{:.6g} N s/m along the line between its ends, at rest", over_distance)
+                         : law_of_damping(law)) +
+      "\n";
   for (const model::NonlinearPart& part : element.nonlinear_parts) {
     const double damping = elements::small_motion(part.laws, part.at_rest).damping;
     if (damping == 0 || part.is_inner()) continue;

@@ -54,6 +54,8 @@ struct LawWords {
   }
   std::string operator()(const elements::DampingCurve& law) const {
     const std::vector<double>& v = law.force.knots();
+    if (v.size() == 2 && law.force.at(0).value == 0)
+      return fmt::format("damper: {} {} s/{}", n(law.force.at(0).slope), force, length);
     return fmt::format("damping curve: {} points from {} to {} {}/s", v.size(), n(v.front()), n(v.back()), length);
   }
   std::string operator()(const elements::DampingForce& law) const { return std::visit(*this, law); }
@@ -102,7 +104,9 @@ std::string friction_words(const elements::RubbingFriction& law) {
 }
 
 std::string place_of(const model::Element& element, const model::NonlinearPart& part) {
-  if (part.is_inner()) return "law of its " + element.law.inner->names[static_cast<std::size_t>(part.inner)];
+  if (part.is_inner())
+    return fmt::format("law of its {}, over the volume per area of the piston, as a force on it",
+                       element.law.inner->names[static_cast<std::size_t>(part.inner)]);
   return fmt::format("law {} {}", part.is_rotation() ? "about" : "along", "xyz"[part.axis % 3]);
 }
 
@@ -115,9 +119,7 @@ std::vector<model::Fact> law_facts(const model::Element& element) {
     const bool follows = element.over_deflection && &part == &element.nonlinear_parts.front();
     for (std::size_t i = 0; i < part.laws.size(); ++i) {
       if (follows && i == 1) continue;
-      const LawWords words = part.is_inner() ? LawWords{"Pa", "m³"}
-          : part.is_rotation()               ? LawWords{"N m", "rad"}
-                                             : LawWords{"N", "m"};
+      const LawWords words = part.is_rotation() ? LawWords{"N m", "rad"} : LawWords{"N", "m"};
       facts.push_back({place_of(element, part), std::visit(words, part.laws[i])});
     }
   }

@@ -106,7 +106,12 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
       table.add({fmt::format("{}, curve {}", jump_of(branch, fold), i + 1), place_text(branch, fold.point, display, 9),
                  jump_words(fold, branch, display)});
     }
-  if (any) return table.text();
+  const bool leaves_period =
+      std::any_of(branch.changes.begin(), branch.changes.end(), [](const nonlinear::StabilityChange& change) {
+        return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic;
+      });
+  if (any)
+    return table.text() + (leaves_period ? "  quasi-periodic motions are not computed; a jump may end in one\n" : "");
   return branch.changes.empty() && branch.further.empty()
       ? "  no folds: one motion at each place of this branch, no jumps\n"
       : "  no folds: one motion at each place of this branch\n";
@@ -151,8 +156,7 @@ namespace {
 /// "twice the period, 4.03 to 4.15 Hz: 31 points, 4 of them unstable"
 std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityChange& change,
                          const project::ShownUnits& display) {
-  if (!change.curve)
-    return change.kind == nonlinear::StabilityChange::Kind::quasi_periodic ? "not computed" : "none was found";
+  if (!change.curve) return change.sought ? "none was found" : "not computed";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
   return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}", *change.curve + 1,
@@ -165,12 +169,11 @@ std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityC
 }  // namespace
 
 std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (branch.changes.empty()) return "";
   TextTable table({"stability changes", "at [" + varied_unit(branch, display) + "]", "motions that begin there"});
   for (const nonlinear::StabilityChange& change : branch.changes)
     table.add({nonlinear::words(change.kind), place_text(branch, change.point, display, 9),
                begins_there(branch, change, display)});
-  std::string text = table.text();
+  std::string text = branch.changes.empty() ? "" : table.text();
   for (const auto& [from, to] : nonlinear::without_stable_motion(branch))
     text += fmt::format(
         "  between {} and {} {} no stable motion is known; the largest values leave it out, and motions there may "

@@ -204,7 +204,7 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
   SteadyBranch over_frequency;  // with the units of the frequency
   over_frequency.of_shaft = branch.of_shaft;
   std::vector<std::string> heads = {"load factor", "at [" + varied_unit(over_frequency, display) + "]", "stable"};
-  for (const std::string& result : branch.results) heads.push_back("largest " + result);
+  for (const std::string& result : branch.results) heads.push_back("largest |" + result + "|");
   TextTable table(heads);
   constexpr std::size_t rows = 12;
   const std::size_t last = branch.points.size() - 1, every = std::max<std::size_t>(1, last / rows);
@@ -214,7 +214,8 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
                                     number_text(shown_varied(over_frequency, point.angular_frequency, display), 6),
                                     point.stable ? "yes" : "no"};
     for (std::size_t c = 0; c < branch.results.size(); ++c)
-      row.push_back(value_text(point.results[c].largest, display_unit(display, branch.units[c])));
+      row.push_back(value_text(std::max(point.results[c].largest, -point.results[c].smallest),
+                               display_unit(display, branch.units[c])));
     table.add(row);
     if (i == last) break;
   }

@@ -24,14 +24,14 @@ std::unique_ptr<Question> read_backbone(TableReader& reader, const ResultNames& 
     }
     if (modes->empty()) reader.error("modes", "no mode", "at least one is expected", "remove it for the first mode");
   }
-  const auto read_end = [&](const char* key, Quantity quantity, double& end) {
+  const auto read_end = [&](const char* key, Quantity quantity, const char* unit, double& end) {
     const auto value = reader.number(key, quantity);
-    if (value && !(*value > 0)) reader.error(key, fmt::format("{:.6g}", *value), "it is > 0", "correct it");
+    if (value && !(*value > 0)) reader.error(key, fmt::format("{:.6g} {}", *value, unit), "it is > 0", "correct it");
     if (value) end = *value;
   };
-  read_end("up_to", Quantity::length, asked->up_to);
-  read_end("up_to_angle", Quantity::angle, asked->up_to_angle);
-  read_end("up_to_energy", Quantity::energy, asked->up_to_energy);
+  read_end("up_to", Quantity::length, "m", asked->up_to);
+  read_end("up_to_angle", Quantity::angle, "rad", asked->up_to_angle);
+  read_end("up_to_energy", Quantity::energy, "J", asked->up_to_energy);
   if (!reader.has("up_to") && !reader.has("up_to_angle") && !reader.has("up_to_energy"))
     reader.missing("up_to",
                    "give the largest deflection of a nonlinear part, up_to = \"10 mm\"; or up_to_angle, up_to_energy");

@@ -19,9 +19,11 @@ void read_harmonics(TableReader& reader, int& harmonics, double& tolerance) {
                    "remove it: their number is found by `tolerance`");
   }
   if (const auto share = reader.number("tolerance", Quantity::pure)) {
-    if (*share > 0 && *share < 1) tolerance = *share;
+    constexpr double round_off = 1e-12;
+    if (*share >= round_off && *share < 1) tolerance = *share;
     else
-      reader.error("tolerance", fmt::format("{:.6g}", *share), "it is a share between 0 and 1",
+      reader.error("tolerance", fmt::format("{:.6g}", *share),
+                   fmt::format("it is a share from {:g}, above round-off, to 1", round_off),
                    "for instance tolerance = 1e-3");
     if (reader.has("harmonics"))
       reader.error("tolerance", "harmonics and tolerance", "a given number of harmonics is not searched",

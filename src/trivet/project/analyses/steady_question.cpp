@@ -2,9 +2,11 @@
 #include "trivet/project/analyses/steady_question.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 #include "trivet/project/analyses/harmonics_reader.h"
 #include "trivet/project/analyses/question_reader.h"
@@ -49,8 +51,8 @@ void read_load_factor(TableReader& reader, const ResultNames& names, SteadyQuest
     asked.load_from = (*range)[0];
     asked.load_to = (*range)[1];
   } else {
-    reader.error("load_factor", fmt::format("{} numbers", range->size()), "two that rise from above 0 are expected",
-                 "for instance load_factor = [0.1, 2]");
+    reader.error("load_factor", fmt::format("[{:.6g}]", fmt::join(*range, ", ")),
+                 "two numbers that rise from above 0 are expected", "for instance load_factor = [0.1, 2]");
   }
 }
 
@@ -69,6 +71,10 @@ std::unique_ptr<Question> read_steady(TableReader& reader, const ResultNames& na
   const auto branches = reader.choice("branches", {"connected", "all"});
   asked->all_branches = branches && *branches == "all";
   asked->deep = reader.boolean("deep").value_or(false);
+  for (const auto& [key, is_asked] : {std::pair("branches", asked->all_branches), std::pair("deep", asked->deep)})
+    if (is_asked && !asked->phase_of.empty())
+      reader.error(key, "with a phase", "at a phase one curve is followed, with one verdict on stability",
+                   "remove it, or take over = \"frequency\"");
   return asked;
 }
 
