@@ -70,7 +70,6 @@ TEST(NonlinearMount, AtRestIsTheOnePreloadedByItsLoad) {
     EXPECT_THAT(*ours.list[i].angular_frequency, RelativelyNear(*theirs.list[i].angular_frequency, lever)) << i;
 }
 
-/// A bush under its machine against the same solid with that force across its axis.
 /// Beside a strut that pulls across it, whose force turns as the mount is displaced.
 TEST(NonlinearMount, RestsBesideAStrutWhereTheirForcesAreInBalance) {
   std::string text = on_rubber("nonlinear = true\n") + R"([elements.strut]
@@ -93,6 +92,7 @@ stiffness = "30 N/mm"
   EXPECT_THAT(elements::stiffness(mount.law)(6, 6) * (0.08 - along), RelativelyNear(pull * along / length, of_newton));
 }
 
+/// A bush under its machine against the same solid with that force across its axis.
 TEST(NonlinearMount, ABushAtRestIsTheSolidUnderItsLoad) {
   constexpr double mass = 400, load = mass * 9.80665;
   const project::Case machine = test::project(R"(trivet = 1

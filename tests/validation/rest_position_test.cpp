@@ -156,7 +156,7 @@ laws.x = {polynomial = [3900, -6e5, 2.2e7]}
 }
 
 /// A shallow strut, 0.84 mm too long for its place: its force is there before the load, which lifts the plate.
-TEST(RestPosition, TellsTheLoadAtWhichAStressedStrutSnapsThrough) {
+TEST(RestPosition, HasTheLimitLoadOfAStressedStrut) {
   const model::System system = test::project(R"(trivet = 1
 gravity = [0, 0, -9.81]
 [bodies.plate]
@@ -192,7 +192,7 @@ stiffness = 2e4
 }
 
 /// A force that rises to 60 N, falls to 30 N and rises again: the limit load is at a kink.
-TEST(RestPosition, TellsTheLoadOfAKinkAtWhichItSnapsThrough) {
+TEST(RestPosition, HasALimitLoadAtAKink) {
   const model::System system = test::project(R"(trivet = 1
 gravity = [9.80665, 0, 0]
 [bodies.m]

@@ -89,7 +89,7 @@ TEST(SteadyMotion, ThatIsLeftByMoreThanAllNumbersIsUnstable) {
     const double omega = point.angular_frequency;
     EXPECT_THAT(amplitude(point, 1), RelativelyNear(0.8 / std::hypot(1e6 + 0.1 * omega * omega, omega), 1e-12));
     EXPECT_FALSE(point.stable);
-    EXPECT_GT(point.multiplier_uncertainty, 1);
+    EXPECT_TRUE(std::isinf(point.multiplier_uncertainty));
   }
 }
 

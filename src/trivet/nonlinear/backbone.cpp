@@ -269,8 +269,10 @@ class FreeCourse {
     constexpr double accurate = 1e-13;
     constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
     constexpr double first_step = 0.05, short_step = 1e-4;
-    double step = first_step, since = 0;  // since: length from the last point before short steps
-    BranchPoint smooth = now;
+    double step = first_step;
+    BranchPoint smooth = now;  // the last point before short steps, of which `since` is the length
+    double since = 0, hopped = 0;
+    std::size_t points_before = found.points.size(), energies_before = 0;
     while (found.points.back().share < 1) {
       if (static_cast<int>(found.points.size()) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
@@ -278,8 +280,14 @@ class FreeCourse {
       }
       std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
       if (!advance) {
-        advance = branch.beyond_kink(smooth, since, 0, foundation::infinity);
+        advance = branch.beyond_kink(smooth, std::max(since, 2 * hopped), 0, foundation::infinity);
         step = first_step;
+        if (advance) {
+          hopped = advance->length;
+          now = smooth;
+          found.points.resize(points_before);
+          found.at_energy.resize(energies_before);
+        }
       }
       if (!advance || !(advance->to.parameter > 0)) {
         constexpr double ahead = 1e-3;
@@ -299,12 +307,14 @@ class FreeCourse {
                                              now, 0, advance->length, accurate * wanted))
             found.at_energy.push_back(observed(*there, found));
       now = advance->to;
+      found.points.push_back(observed(now, found));
       since += advance->length;
       if (advance->length >= short_step) {
         smooth = now;
-        since = 0;
+        since = hopped = 0;
+        points_before = found.points.size();
+        energies_before = found.at_energy.size();
       }
-      found.points.push_back(observed(now, found));
       constexpr double back = 0.5;  // of where it began
       if (found.points.back().deflection < back * found.points.front().deflection) {
         found.ended = fmt::format("the branch returns to rest at {:.6g} Hz", now.parameter / foundation::two_pi);

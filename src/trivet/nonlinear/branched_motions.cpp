@@ -68,9 +68,9 @@ Eigen::MatrixXd over_two_periods(const Eigen::MatrixXd& motion) {
   return twice;
 }
 
-std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes, const SteadyPath& connected,
-                                         const ReferenceMachine& machine, const ReferenceMachine* twice,
-                                         const SteadyOptions& options, const foundation::Progress& progress) {
+BranchedPaths branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
+                             const ReferenceMachine& machine, const ReferenceMachine* twice,
+                             const SteadyOptions& options, const foundation::Progress& progress) {
   constexpr std::size_t most = 8;  // a machine that rattles has dozens, with motions that hardly differ
   const auto new_path = [&](int periods) {
     const ReferenceMachine& seen = periods == 2 ? *twice : machine;
@@ -81,7 +81,7 @@ std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes, 
     std::size_t change;
     SteadyEquations::Place place;
   };
-  std::vector<BranchedPath> found;
+  BranchedPaths found;
   for (const int periods : {1, 2}) {
     const bool any = std::any_of(changes.begin(), changes.end(), [&](const StabilityChange& change) {
       return change.kind != StabilityChange::Kind::quasi_periodic && periods_of(change) == periods;
@@ -91,7 +91,7 @@ std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes, 
     std::unique_ptr<SteadyPath> path = new_path(periods);
     for (std::size_t i = 0; i < changes.size() && crossings.size() < most; ++i) {
       if (changes[i].kind == StabilityChange::Kind::quasi_periodic || periods_of(changes[i]) != periods) continue;
-      changes[i].sought = true;
+      found.sought_at.push_back(i);
       if (auto place = crossing_near(changes[i], connected, *path, options.over == Parameter::frequency))
         crossings.push_back({i, std::move(*place)});
     }
@@ -108,7 +108,7 @@ std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes, 
           changes_at_ends.push_back(crossings[*end].change);
           reached[*end] = true;
         }
-        found.push_back({std::move(changes_at_ends), periods, std::move(path)});
+        found.paths.push_back({std::move(changes_at_ends), periods, std::move(path)});
       }
       path = new_path(periods);
     }

@@ -22,12 +22,15 @@ struct BranchedPath {
   std::unique_ptr<SteadyPath> path;
 };
 
+struct BranchedPaths {
+  std::vector<BranchedPath> paths;
+  std::vector<std::size_t> sought_at;  ///< changes of stability whose motions were sought
+};
+
 /// Follows them from the changes of a path, the first few of them, to another change or the ends of the band.
-/// @param changes  those whose motions are sought are marked
 /// @param twice  the machine over two periods; empty if there is no period doubling. It must outlive the paths.
-[[nodiscard]] std::vector<BranchedPath> branched_paths(std::vector<StabilityChange>& changes,
-                                                       const SteadyPath& connected, const ReferenceMachine& machine,
-                                                       const ReferenceMachine* twice, const SteadyOptions& options,
-                                                       const foundation::Progress& progress);
+[[nodiscard]] BranchedPaths branched_paths(const std::vector<StabilityChange>& changes, const SteadyPath& connected,
+                                           const ReferenceMachine& machine, const ReferenceMachine* twice,
+                                           const SteadyOptions& options, const foundation::Progress& progress);
 
 }  // namespace trivet::nonlinear

@@ -77,8 +77,8 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
     const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
       constexpr std::size_t followed = 2;  // points; else the motion alone
-      const std::vector<BranchPoint> there =
-          path.points().size() < followed ? path.points() : path.all_at(motion.parameter);
+      std::vector<BranchPoint> there = path.all_at(motion.parameter);
+      if (path.points().size() < followed && path.points().front().parameter == motion.parameter) there = path.points();
       return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
         return std::min((other.unknowns - motion.unknowns).norm(), (other.unknowns - image).norm()) <=
             same * std::max(other.unknowns.norm(), motion.unknowns.norm());

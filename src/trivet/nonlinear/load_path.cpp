@@ -167,7 +167,8 @@ std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
 
 std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
   Followed found = followed(of_load_);
-  if (!found.starts) found = followed(linear_);
+  if (!found.deflections && of_load_ != linear_)
+    if (Followed together = followed(linear_); together.deflections || !found.starts) found = std::move(together);
   if (found.deflections) return {std::move(*found.deflections), std::move(found.turns)};
   throw foundation::NotComputable(fmt::format(
       "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", found.highest));
@@ -197,15 +198,20 @@ LoadPath::Followed LoadPath::followed(const VectorXd& growing) const {
     return found;
   }
   constexpr double first_step = 0.05;
-  double step = first_step, since = 0;  // since: length from the last point before short steps
-  BranchPoint smooth = *now;
+  double step = first_step;
+  BranchPoint smooth = *now;  // the last point before short steps, of which `since` is the length
+  double since = 0, hopped = 0;
+  std::size_t turns_before = 0;
   for (int i = 0; now && i < most_points; ++i) {
     std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
     if (!advance) {
-      advance = branch.beyond_kink(smooth, since, 0, 1);
+      advance = branch.beyond_kink(smooth, std::max(since, 2 * hopped), 0, 1);
+      if (!advance) break;
+      hopped = advance->length;
+      now = smooth;
+      found.turns.resize(turns_before);
       step = first_step;
     }
-    if (!advance) break;
     const BranchPoint& next = advance->to;
     const bool turns_back = next.parameter_direction() < 0 && now->parameter_direction() > 0;
     std::optional<BranchPoint> fold;
@@ -226,7 +232,8 @@ LoadPath::Followed LoadPath::followed(const VectorXd& growing) const {
     since += advance->length;
     if (advance->length < control.sharp_turns) continue;
     smooth = *now;
-    since = 0;
+    since = hopped = 0;
+    turns_before = found.turns.size();
   }
   return found;
 }

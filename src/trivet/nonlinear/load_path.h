@@ -28,7 +28,7 @@ class LoadPath {
   [[nodiscard]] std::optional<Eigen::VectorXd> only_one() const;
 
   /// Deflections at the whole load, and the shares at which the load turns before. Built-in forces act from the start;
-  /// where they leave no stable position without a load, as of a strut that buckles, they grow with it.
+  /// where that does not lead to the whole load, as of a strut that has buckled without one, they grow with it.
   /// @throws foundation::NotComputable if the whole load is not reached
   [[nodiscard]] std::pair<Eigen::VectorXd, std::vector<double>> followed() const;
 
@@ -51,13 +51,13 @@ class LoadPath {
   /// @param missing  deflections of the linear machine that the whole load would add
   void evaluate(const Eigen::VectorXd& deflections, const Eigen::VectorXd& missing,
                 numerics::Equations& equations) const;
-  /// @param growing  the part of linear_ that grows from zero
   struct Followed {
     bool starts = false;
     double highest = 0;  ///< share of the load that is reached
     std::optional<Eigen::VectorXd> deflections;
     std::vector<double> turns;
   };
+  /// @param growing  the part of linear_ that grows from zero
   [[nodiscard]] Followed followed(const Eigen::VectorXd& growing) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;

@@ -100,8 +100,9 @@ class Curves {
     });
     if (doubles) twice_ = std::make_unique<const ReferenceMachine>(machine_, ReferenceMachine::TwoPeriods());
     branched_ = branched_paths(found.changes, path_, machine_, twice_.get(), options_, progress_);
+    for (const std::size_t change : branched_.sought_at) found.changes[change].sought = true;
     std::vector<const SteadyPath*> of_one_period = {&path_};
-    for (const BranchedPath& one : branched_)
+    for (const BranchedPath& one : branched_.paths)
       if (one.periods == 1) of_one_period.push_back(one.path.get());
     if (options_.detached) {
       const auto new_path = [&] {
@@ -118,7 +119,7 @@ class Curves {
       observed.add_landings(motions_of(of_one_period), found.further.back());
     }
     observed_.add_landings(motions_of(of_one_period), found);
-    for (const BranchedPath& one : branched_) add(one, motions_of(of_one_period), found);
+    for (const BranchedPath& one : branched_.paths) add(one, motions_of(of_one_period), found);
     return found;
   }
 
@@ -162,8 +163,9 @@ class Curves {
       // It may end at a change that the multipliers place beside the one of the harmonics.
       constexpr double near = 1e-3;
       const double end = curve.parameter(curve.points.back());
+      const bool leaves_band = end <= options_.from || end >= options_.to;
       for (StabilityChange& change : found.changes)
-        if (!change.curve && change.kind == StabilityChange::Kind::period_doubling &&
+        if (!leaves_band && !change.curve && change.kind == StabilityChange::Kind::period_doubling &&
             std::abs(found.parameter(change.point) - end) < near * end)
           change.curve = found.further.size();
       // A motion of one period cannot be said to jump to one of two: there are several.
@@ -182,7 +184,7 @@ class Curves {
   const foundation::Progress& progress_;
   ObservedPath observed_;
   std::unique_ptr<const ReferenceMachine> twice_;
-  std::vector<BranchedPath> branched_;
+  BranchedPaths branched_;
   DetachedPaths detached_;
 };
 

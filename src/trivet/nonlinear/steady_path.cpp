@@ -126,6 +126,9 @@ std::optional<std::size_t> nearest(const std::vector<SteadyEquations::Place>& pl
                near = 5e-3 * parameter + std::abs(change);
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
+    VectorXd way(now.scale.size());
+    way << places[i].unknowns - now.unknowns, places[i].parameter - now.parameter;
+    if (now.tangent.dot(way.cwiseQuotient(now.scale)) <= 0) continue;  // behind
     const double away = std::abs(places[i].parameter - parameter);
     if (away < near && !(found && std::abs(places[*found].parameter - parameter) <= away)) found = i;
   }
@@ -167,7 +170,8 @@ std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next)
       size += here.squaredNorm();
       next_size += there.squaredNorm();
     }
-  if (product >= 0) return std::nullopt;
+  constexpr double opposite = -0.5;  // the cosine; else it only changes its shape
+  if (!(product < opposite * std::sqrt(size * next_size))) return std::nullopt;
   return std::sqrt(size) / (std::sqrt(size) + std::sqrt(next_size));
 }
 
@@ -177,32 +181,40 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
   constexpr double first_step = 0.02;  // in shares of the deflection and of the band
   constexpr numerics::StepControl control{.sharp_turns = sharp_turns};
   // Directions after sharp turns may be wrong: after so many, the curve is sought from the last point before them.
-  constexpr std::size_t most_sharp_turns = 12;
-  double step = first_step;
+  constexpr int most_sharp_turns = 6;
+  int turned = 0;
+  double step = first_step, hopped = 0;
   Extent smooth = extent();
   bool at_corner = false;
   while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
-    if (at_corner || lengths_.empty() || lengths_.back() >= sharp_turns) smooth = extent();
+    const bool is_smooth = !at_corner && (lengths_.empty() || lengths_.back() >= sharp_turns);
+    if (is_smooth) hopped = 0;
+    if (is_smooth || at_corner) {
+      smooth = extent();
+      turned = 0;
+    }
     if (to_index(points_.size()) >= options_.most_points) {
       ended_ = fmt::format("stopped after {} points", options_.most_points);
       break;
     }
     std::optional<numerics::Branch::Advance> advance;
-    const bool is_crowded = points_.size() == smooth.points + most_sharp_turns;
+    const bool is_crowded = turned == most_sharp_turns;
     if (!is_crowded) advance = branch_.advance(points_.back(), step, control);
     at_corner = false;
     if (!advance) {
-      const double passed = std::accumulate(lengths_.begin() + to_index(smooth.points) - 1, lengths_.end(), 0.0);
-      advance =
-          branch_.beyond_kink(points_[smooth.points - 1], passed, leaves_downwards_ ? options_.from : 0.0, options_.to);
+      const double since = std::accumulate(lengths_.begin() + to_index(smooth.points) - 1, lengths_.end(), 0.0);
+      advance = branch_.beyond_kink(points_[smooth.points - 1], std::max(since, 2 * hopped),
+                                    leaves_downwards_ ? options_.from : 0.0, options_.to);
       at_corner = advance.has_value();
     }
     if (at_corner) {
       cut_to(smooth);
       corners_.push_back(points_.back().parameter);
+      hopped = advance->length;
       step = first_step;
     }
     if (!advance && is_crowded) advance = branch_.advance(points_.back(), step, control);
+    if (is_crowded) turned = 0;
     const BranchPoint& now = points_.back();
     if (!advance || !(advance->to.parameter > 0)) {
       constexpr double ahead = 1e-3;
@@ -219,6 +231,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     }
     BranchPoint next = std::move(advance->to);
     double length = advance->length;
+    const bool turns_sharply = next.tangent.dot(now.tangent) < control.least_cosine;
     if (next.parameter > options_.to) {
       std::optional<BranchPoint> end = branch_.at(options_.to, now, 0, length);
       if (!end) {
@@ -248,7 +261,8 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     if (returns && !stopped_at_) break;
     if (stopped_at_) {
       const SteadyEquations::Place& there = ends[*stopped_at_];
-      BranchPoint end = there.unknowns == points_.front().unknowns ? points_.front() : now;
+      const bool closes = there.unknowns == points_.front().unknowns && points_.front().tangent.dot(now.tangent) > 0;
+      BranchPoint end = closes ? points_.front() : now;
       end.unknowns = there.unknowns;
       end.parameter = there.parameter;
       (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
@@ -265,6 +279,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
     if (on_the_way && !on_the_way->empty()) length = numerics::Branch::length(points_.back(), next);
     if (!add_step(next, length, most_left_out)) return false;
+    if (turns_sharply) ++turned;
     if (leaves_downwards_ && next.parameter <= options_.from) break;
     if (next.parameter < options_.from) {
       ended_ = "left the band downwards at " + equations_.place(next.parameter);
@@ -308,7 +323,7 @@ std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& n
 }
 
 SteadyPath::Extent SteadyPath::extent() const {
-  return {points_.size(), asked_for_.size(), turns_.size(), pieces_.size()};
+  return {points_.size(), asked_for_.size(), turns_.size(), pieces_.size(), left_out_, held_share_};
 }
 
 void SteadyPath::cut_to(const Extent& end) {
@@ -317,6 +332,8 @@ void SteadyPath::cut_to(const Extent& end) {
   asked_for_.erase(asked_for_.begin() + to_index(end.asked_for), asked_for_.end());
   turns_.erase(turns_.begin() + to_index(end.turns), turns_.end());
   pieces_.erase(pieces_.begin() + to_index(end.pieces), pieces_.end());
+  left_out_ = end.left_out;
+  held_share_ = end.held_share;
 }
 
 bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {

@@ -89,9 +89,10 @@ class SteadyPath {
     double begin, end;
     double parameter_begin, parameter_end;
   };
-  /// Numbers of what has been found.
+  /// How much has been found.
   struct Extent {
     std::size_t points, asked_for, turns, pieces;
+    double left_out, held_share;  ///< largest so far
   };
   /// @param ends  places to stop at
   [[nodiscard]] bool walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,

@@ -88,11 +88,11 @@ void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Prob
     }
   }
   if (left_at_once > 0)
-    warnings.warning("analyses.steady",
-                     fmt::format("deviations from {} of {} motions grow beyond all numbers in a period", left_at_once,
-                                 branch.points.size()),
-                     "they are taken for unstable, without multipliers",
-                     "check the signs of the laws and the stiffness of friction");
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("{} of {} motions have no multipliers that can be computed", left_at_once, branch.points.size()),
+        "deviations grow beyond the largest number within a period, so these motions count as unstable",
+        "check the signs of the laws and the stiffness of friction");
   if (uncertain > 0)
     warnings.warning("analyses.steady",
                      fmt::format("the multipliers of {} of {} motions are uncertain", uncertain, branch.points.size()),

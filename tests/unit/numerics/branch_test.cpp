@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 
 namespace branch_test {
 
@@ -56,30 +57,49 @@ TEST(Branch, FindsTheSolutionAtAParameterBetweenTwoPoints) {
   }
 }
 
-/// λ = u up to u = 0, and −3u beyond: the direction turns by more than a right angle.
-TEST(Branch, HasTheSameOrientationBeyondASharpKink) {
-  const Branch branch(
-      [](const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
-        const double slope = u(0) < 0 ? 1 : -3;
-        equations.value = Eigen::VectorXd::Constant(1, slope * u(0) - parameter);
-        equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, slope);
-        equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
-      },
-      Eigen::VectorXd::Constant(1, 1), 1);
-  const std::optional<BranchPoint> before = branch.start(Eigen::VectorXd::Constant(1, -0.1), -0.1);
-  std::optional<BranchPoint> beyond = branch.start(Eigen::VectorXd::Constant(1, 0.1), -0.3, true);
-  ASSERT_TRUE(before && beyond);
-  EXPECT_GT(before->tangent(0), 0);
-  EXPECT_GT(beyond->tangent(0), 0);
-  EXPECT_LT(before->tangent.dot(beyond->tangent), 0);
-  EXPECT_NE(branch.orientation(*before), 0);
-  EXPECT_EQ(branch.orientation(*before), branch.orientation(*beyond));
-  beyond->tangent = -beyond->tangent;
-  EXPECT_EQ(branch.orientation(*before), -branch.orientation(*beyond));
+/// λ = u up to u = 1, and 4 − 3u beyond: the direction turns by more than a right angle.
+Branch with_kink() {
+  return {[](const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
+            const double slope = u(0) < 1 ? 1 : -3;
+            equations.value = Eigen::VectorXd::Constant(1, 1 + slope * (u(0) - 1) - parameter);
+            equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, slope);
+            equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
+          },
+          Eigen::VectorXd::Constant(1, 1), 1};
+}
 
-  EXPECT_FALSE(branch.after(*before, 0.3));
+BranchPoint before_kink(double u) { return with_kink().start(Eigen::VectorXd::Constant(1, u), u).value(); }
+
+TEST(Branch, HasTheSameOrientationBeyondASharpKink) {
+  const Branch branch = with_kink();
+  const BranchPoint before = before_kink(0.9);
+  BranchPoint beyond = branch.start(Eigen::VectorXd::Constant(1, 1.1), 0.7, true).value();
+  EXPECT_GT(before.tangent(0), 0);
+  EXPECT_GT(beyond.tangent(0), 0);
+  EXPECT_LT(before.tangent.dot(beyond.tangent), 0);
+  EXPECT_NE(branch.orientation(before), 0);
+  EXPECT_EQ(branch.orientation(before), branch.orientation(beyond));
+  beyond.tangent = -beyond.tangent;
+  EXPECT_EQ(branch.orientation(before), -branch.orientation(beyond));
+}
+
+TEST(Branch, GoesOnBeyondASharpKinkWhereTheParameterTurns) {
+  constexpr double any = std::numeric_limits<double>::infinity(), least = 1e-4;
+  const BranchPoint before = before_kink(1 - 1e-5);
+  const auto hop = with_kink().beyond_kink(before, least, -any, any);
+  ASSERT_TRUE(hop);
+  EXPECT_GE(hop->length, least);
+  EXPECT_GT(hop->to.unknowns(0), 1);
+  EXPECT_NEAR(hop->to.parameter, 4 - 3 * hop->to.unknowns(0), 1e-14);
+  EXPECT_GT(hop->to.tangent(0), 0);
+  EXPECT_FALSE(with_kink().beyond_kink(before, least, before.parameter, any));
+}
+
+TEST(Branch, HasItsFoldAtASharpKink) {
+  const BranchPoint before = before_kink(0.9);
+  EXPECT_FALSE(with_kink().after(before, 0.3));
   constexpr double not_shrinking = 1e-8;  // steps below are taken for round-off
-  EXPECT_NEAR(branch.fold(*before, 0.3).parameter, 0, not_shrinking);
+  EXPECT_NEAR(with_kink().fold(before, 0.3).parameter, 1, not_shrinking);
 }
 
 TEST(Branch, HasNoPointWhereThereIsNoSolution) {

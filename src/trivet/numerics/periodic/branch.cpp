@@ -167,21 +167,25 @@ std::optional<Branch::Advance> Branch::beyond_kink(const BranchPoint& from, doub
                                                    double highest) const {
   constexpr double close = 0.02;
   const int along = orientation(from);
+  if (along == 0) return std::nullopt;
   const double sense = from.parameter_direction() < 0 ? -1 : 1;
   // From the point itself, a solution behind it is found first, or, at a contact that is half closed, none: also from
   // one that has it closed, and open. λ may turn at the kink.
   for (const double way : {sense, -sense})
     for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
       const double parameter = std::clamp(from.parameter + way * share * parameter_scale_, lowest, highest);
+      if (parameter == from.parameter) continue;
       for (const double size : {1.0, 1.001, 0.999}) {
         std::optional<BranchPoint> there = start(size * from.unknowns, parameter);
         if (!there) continue;
-        if (orientation(*there) != along) there->tangent = -there->tangent;
+        const int found = orientation(*there);
+        if (found == 0) continue;
+        if (found != along) there->tangent = -there->tangent;
         VectorXd change(from.scale.size());
         change << there->unknowns - from.unknowns, there->parameter - from.parameter;
         change = change.cwiseQuotient(from.scale);
         const double away = change.norm();
-        // Behind the kink, the way to a solution is against the direction that the branch has there.
+        // Before the kink, the way to a solution is against the direction that the branch has there.
         if (away >= least && away <= close && change.dot(there->tangent) > 0) return Advance{*there, away};
       }
     }
