@@ -55,15 +55,28 @@ void stand_on_foundation(RandomSystem& random, model::Description& d) {
     if (!excitation.action.body && excitation.action.elements.empty()) excitation.action.elements = {0};
 }
 
-enum class Damping { none, proportional, viscous, loss, rayleigh, modal, zener, fractional, foundation };
+enum class Damping {
+  none,
+  proportional,
+  viscous,
+  loss,
+  loss_beside_law,
+  rayleigh,
+  modal,
+  zener,
+  fractional,
+  foundation
+};
 
 model::Description random_description(unsigned seed, Damping damping) {
   RandomSystem random(seed);
-  const RandomDamping of_elements = damping == Damping::none          ? RandomDamping::none
-      : damping == Damping::viscous || damping == Damping::foundation ? RandomDamping::viscous
-      : damping == Damping::loss                                      ? RandomDamping::loss
-                                                                      : RandomDamping::proportional;
+  const RandomDamping of_elements = damping == Damping::none            ? RandomDamping::none
+      : damping == Damping::viscous || damping == Damping::foundation   ? RandomDamping::viscous
+      : damping == Damping::loss || damping == Damping::loss_beside_law ? RandomDamping::loss
+                                                                        : RandomDamping::proportional;
   model::Description d = random.description(2, of_elements);
+  if (damping == Damping::loss_beside_law)
+    d.elements[0].law.nonlinear = elements::Linearization{.tangent = 0.5 * d.elements[0].law.nominal_stiffness};
   if (damping == Damping::rayleigh) d.damping = model::RayleighDamping{0.7, 2e-4};
   if (damping == Damping::modal) d.damping = model::ModalDamping{{0.03}};
   if (damping == Damping::zener) d.elements[0].law.damping = elements::Viscoelastic{elements::Zener{2, 0.01}};
@@ -74,9 +87,9 @@ model::Description random_description(unsigned seed, Damping damping) {
   return d;
 }
 
-const Damping all_kinds[] = {Damping::none,  Damping::proportional, Damping::viscous,
-                             Damping::loss,  Damping::rayleigh,     Damping::modal,
-                             Damping::zener, Damping::fractional,   Damping::foundation};
+const Damping all_kinds[] = {
+    Damping::none,     Damping::proportional, Damping::viscous, Damping::loss,       Damping::loss_beside_law,
+    Damping::rayleigh, Damping::modal,        Damping::zener,   Damping::fractional, Damping::foundation};
 
 TEST(PowerBalance, PowerOfForcesAndGroundIsDissipated) {
   for (const Damping damping : all_kinds)

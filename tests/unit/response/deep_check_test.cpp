@@ -57,6 +57,25 @@ TEST(DeepCheck, SkipsAFrequencyThatIsRoundOffOfADecayingRoot) {
   EXPECT_THAT(omega, testing::Contains(21.0));
 }
 
+/// A loss factor is of the stiffness of the element, not of laws beside it.
+TEST(DeepCheck, AgreesOnALawBesideALossFactor) {
+  const project::Project project = test::project(R"(trivet = 1
+[bodies.b]
+mass = 100
+free = ["z"]
+[elements.m]
+type = "three_springs"
+on = "b"
+at = [0, 0, 0]
+translation = [1e5, 1e5, 1e5]
+damping = {loss_factor = 0.1}
+laws.z = {polynomial = [1e5, 0, 1e9]}
+)");
+  const response::DeepCheck check = study::deep_check(project.base());
+  EXPECT_TRUE(check.passed) << check.worst_difference << " of allowed " << check.allowed;
+  EXPECT_GE(check.frequencies, 20);
+}
+
 TEST(DeepCheck, AllowsLittleIfNothingCancels) {
   const project::Project project = test::project(test::chain({1}, {1000, 0}, {0, 0}));
   const response::DeepCheck check = study::deep_check(project.base());

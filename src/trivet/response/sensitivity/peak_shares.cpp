@@ -100,8 +100,7 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
     VectorXcd all = map.coordinates(q);
     all.head<12>() = ends;
     result.stored = 0.25 * form(all, map.matrices.stiffness);
-    result.dissipated = 0.5 * omega *
-        (map.matrices.loss_factor * form(all, map.matrices.stiffness) + omega * form(all, map.matrices.damping));
+    result.dissipated = 0.5 * omega * (form(all, map.matrices.loss) + omega * form(all, map.matrices.damping));
   }
   const Eigen::Matrix<Complex, 6, 1> deformation = directions.deformation.cast<Complex>() * ends,
                                      force = directions.stiffness.cast<Complex>() * deformation;

@@ -33,6 +33,10 @@ Eigen::MatrixXd system_damping_on_ground(const assembly::Assembled& assembled, E
   return rest;
 }
 
+ExtendedMatrix lossy_stiffness(const elements::Matrices& m) {
+  return m.stiffness.cast<ExtendedComplex>() + ExtendedComplex(0, 1) * m.loss.cast<ExtendedComplex>();
+}
+
 /// Rows of T (n × (12 + internal)) of one element that are not zero: each column is the generalised force of a unit
 /// force on an end or an internal coordinate, directly from the convention.
 struct Carrier {
@@ -192,8 +196,7 @@ class SecondSystem {
       drive(carried.rows, carried.t * (exact * ends_.at(element, omega)));
     }
     for (const auto& [element, carried, m] : driven_) {
-      const ExtendedMatrix dynamic =
-          m.stiffness.leftCols(12).cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor) +
+      const ExtendedMatrix dynamic = lossy_stiffness(m).leftCols(12) +
           ExtendedComplex(0, w) * m.damping.leftCols(12).cast<ExtendedComplex>() -
           w * w * m.mass.leftCols(12).cast<ExtendedComplex>();
       drive(carried.rows, carried.t * (dynamic * ends_.at(element, omega)));
@@ -215,8 +218,7 @@ class SecondSystem {
       }
       const elements::Matrices m = elements::matrices(element.law);
       const Carrier t = carrier(layout, e, element, m.stiffness.rows() - 12);
-      add(t.rows, t.of(m.stiffness.cast<ExtendedComplex>() * ExtendedComplex(1, m.loss_factor)),
-          &ConstantParts::stiffness, entries_);
+      add(t.rows, t.of(lossy_stiffness(m)), &ConstantParts::stiffness, entries_);
       add(t.rows, t.of(m.mass.cast<ExtendedComplex>()), &ConstantParts::mass, entries_);
       add(t.rows, t.of(m.damping.cast<ExtendedComplex>()), &ConstantParts::damping, entries_);
       if (ends_.can_move(e)) driven_.push_back({e, t, m});

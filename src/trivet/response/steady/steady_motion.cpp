@@ -41,8 +41,8 @@ Eigen::VectorXcd element_wrenches(const assembly::ElementMap& map, const Eigen::
                                   double angular_frequency) {
   if (map.frequency_dependent()) return map.dynamic_stiffness(angular_frequency, angular_frequency) * element_motion;
   const elements::Matrices& m = map.matrices;
-  const Eigen::MatrixXcd d = m.stiffness.cast<std::complex<double>>() * std::complex<double>(1, m.loss_factor) +
-      std::complex<double>(0, angular_frequency) * m.damping - angular_frequency * angular_frequency * m.mass;
+  const Eigen::MatrixXcd d = m.stiffness + std::complex<double>(0, 1) * (m.loss + angular_frequency * m.damping) -
+      angular_frequency * angular_frequency * m.mass;
   return d * element_motion;
 }
 
