@@ -6,6 +6,7 @@
 
 #include "support/matchers.h"
 #include "support/projects.h"
+#include "trivet/nonlinear/backbone.h"
 #include "trivet/nonlinear/steady_branch.h"
 
 /// A mass on rubber whose stiffness and loss follow its amplitude: one harmonic is the exact motion, and its amplitude
@@ -23,16 +24,20 @@ std::complex<double> of_rubber(const elements::PayneForce& law, double amplitude
   return {law.stiffness / (1 + square), 2 * law.loss * std::sqrt(square) / (1 + square)};
 }
 
-nonlinear::SteadyBranch branch(const elements::PayneForce& law) {
+model::System on_rubber(const elements::PayneForce& law) {
   model::Description description =
       test::project(test::chain({mass}, {stiffness, 0}, {damping, 0}) +
                     "\n[excitations.F]\ntype = \"harmonic\"\non = \"m1\"\nat = [0, 0, 0]\nforce = [20, 0, 0]\n")
           .base()
           .system.description();
   description.elements[0].nonlinear_parts = {{0, 0.5, {law}}};
+  return model::System::checked(description).value();
+}
+
+nonlinear::SteadyBranch branch(const elements::PayneForce& law) {
   nonlinear::SteadyOptions options{.from = 20, .to = 90};
   options.of = {"m1.x"};
-  return nonlinear::steady_branch(model::System::checked(description).value(), options);
+  return nonlinear::steady_branch(on_rubber(law), options);
 }
 
 TEST(Payne, MotionIsThatOfItsOwnAmplitude) {
@@ -60,6 +65,22 @@ TEST(Payne, MotionsBehindAFoldAreUnstable) {
     unstable += found.points[i].stable ? 0 : 1;
   }
   EXPECT_GT(unstable, 0u);
+}
+
+/// Undamped: m ω² = k + k'(A), with the energy m ω² A²/2.
+TEST(Payne, UndampedModeHasTheEnergyOfItsAmplitude) {
+  constexpr elements::PayneForce law{.stiffness = 3e5, .loss = 6e4, .amplitude = 2e-4, .exponent = 0.55};
+  nonlinear::BackboneOptions options;
+  options.up_to = 5e-3;
+  options.harmonics = 1;
+  options.of = {"m1.x"};
+  const nonlinear::Backbone found = nonlinear::backbone(on_rubber(law), options);
+  ASSERT_GT(found.points.size(), 10u);
+  for (const nonlinear::BackbonePoint& point : found.points) {
+    const double omega = point.angular_frequency, amplitude = point.results[0].largest;
+    EXPECT_THAT(mass * omega * omega, RelativelyNear(stiffness + of_rubber(law, amplitude).real(), 1e-9));
+    EXPECT_THAT(point.energy, RelativelyNear(0.5 * mass * omega * omega * amplitude * amplitude, 1e-9));
+  }
 }
 
 }  // namespace payne_test

@@ -12,9 +12,8 @@
 #include "trivet/modal/modes.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/ending_cause.h"
-#include "trivet/nonlinear/machine_laws.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
-#include "trivet/numerics/periodic/branch.h"
+#include "trivet/nonlinear/free_motion.h"
+#include "trivet/numerics/periodic/branch_walk.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::nonlinear {
@@ -60,146 +59,6 @@ std::vector<Deflection> laws_of(const model::System& system, const assembly::Ass
     }
   return found;
 }
-
-/// (K − k²ω²A) q_k + i (k ω (B − 2 ζ ω A) + K_loss) q_k + W f_k = 0 for k = 0 … H in all coordinates (losses for k >
-/// 0). Undamped motions that begin at rest have cosines only. Unknowns: the cosines of all harmonics, harmonic by
-/// harmonic; damped, the sines from the first harmonic on as well, and a multiple of ζ. Parameter: ω.
-class FreeMotion {
- public:
-  FreeMotion(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections, bool damped,
-             Index harmonics)
-      : A_(assembled.matrices.A),
-        B_(assembled.matrices.B),
-        K_(assembled.matrices.K),
-        K_loss_(assembled.matrices.K_loss),
-        damped_(damped),
-        harmonics_(harmonics),
-        across_(A_.rows(), to_index(deflections.size())),
-        laws_(deflections, harmonics, harmonics),
-        wider_(deflections, 3 * harmonics, harmonics) {
-    for (std::size_t j = 0; j < deflections.size(); ++j) across_.col(to_index(j)) = deflections[j].on_coordinates;
-  }
-
-  [[nodiscard]] Index coordinates() const { return A_.rows(); }
-  [[nodiscard]] Index size() const {
-    return damped_ ? coordinates() * (2 * harmonics_ + 1) + 1 : coordinates() * (harmonics_ + 1);
-  }
-  [[nodiscard]] const MatrixXd& across() const { return across_; }
-
-  /// Row of the Fourier coefficient c (numerics/periodic/fourier_basis.h) of the first coordinate among the unknowns;
-  /// negative if it is not one of them.
-  [[nodiscard]] Index place(Index coefficient) const {
-    const Index n = coordinates();
-    if (damped_) return n * coefficient;
-    return coefficient == 0 ? 0 : coefficient % 2 == 1 ? n * (coefficient + 1) / 2 : -1;
-  }
-
-  /// Fourier coefficients × coordinates.
-  [[nodiscard]] MatrixXd motion(const VectorXd& unknowns) const {
-    MatrixXd found = MatrixXd::Zero(numerics::coefficient_count(harmonics_), coordinates());
-    for (Index c = 0; c < found.rows(); ++c)
-      if (place(c) >= 0) found.row(c) = unknowns.segment(place(c), coordinates()).transpose();
-    return found;
-  }
-  [[nodiscard]] double damping_ratio(const VectorXd& unknowns) const {
-    return damped_ ? unknowns(size() - 1) / ratio_scale_ : 0;
-  }
-  [[nodiscard]] MatrixXd deflections(const VectorXd& unknowns) const { return motion(unknowns) * across_; }
-
-  [[nodiscard]] const MachineLaws& laws() const { return laws_; }
-  [[nodiscard]] MatrixXd forces(const VectorXd& unknowns, double omega) const {
-    return laws_.forces(deflections(unknowns), omega);
-  }
-
-  void evaluate(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
-    const Index n = coordinates(), count = numerics::coefficient_count(harmonics_);
-    const double ratio = damping_ratio(unknowns);
-    equations.value = VectorXd::Zero(size());
-    equations.by_unknowns = MatrixXd::Zero(size(), size());
-    equations.by_parameter = VectorXd::Zero(size());
-    for (Index c = 0; c < count; ++c) {
-      const Index row = place(c);
-      if (row < 0) continue;
-      const Index harmonic = (c + 1) / 2;
-      const auto k = static_cast<double>(harmonic);
-      const MatrixXd stiffness = K_ - k * k * omega * omega * A_;
-      const auto q = unknowns.segment(row, n);
-      equations.value.segment(row, n) += stiffness * q;
-      equations.by_unknowns.block(row, row, n, n) += stiffness;
-      equations.by_parameter.segment(row, n) -= 2 * k * k * omega * (A_ * q);
-      if (!damped_ || c == 0) continue;
-      const bool is_cosine = c % 2 == 1;
-      const Index other = place(is_cosine ? c + 1 : c - 1);
-      const double sign = is_cosine ? 1 : -1;
-      const VectorXd beside = unknowns.segment(other, n);
-      MatrixXd damping = sign * k * omega * (B_ - 2 * ratio * omega * A_);
-      if (K_loss_.size() > 0) damping += sign * K_loss_;
-      equations.value.segment(row, n) += damping * beside;
-      equations.by_unknowns.block(row, other, n, n) += damping;
-      equations.by_unknowns.col(size() - 1).segment(row, n) -=
-          sign * 2 * k * omega * omega / ratio_scale_ * (A_ * beside);
-      equations.by_parameter.segment(row, n) += sign * k * ((B_ - 4 * ratio * omega * A_) * beside);
-    }
-    add_forces(unknowns, omega, equations);
-    if (damped_) {  // the phase: the rate of the first harmonic, weighted by its cosines, is zero at phase 0
-      const VectorXd weights = A_ * phase_;
-      equations.value(size() - 1) = weights.dot(unknowns.segment(place(2), n));
-      equations.by_unknowns.row(size() - 1).segment(place(2), n) = weights.transpose();
-    }
-  }
-
-  /// The mode whose rate at phase 0 is zero, and the value of its unknown for ζ = 1: of the size of the motion.
-  void set_mode(const VectorXd& shape, double ratio_scale) {
-    phase_ = shape;
-    ratio_scale_ = ratio_scale;
-  }
-
-  /// Largest amplitude that the harmonics from H + 1 to 3H add, as a share of the largest.
-  [[nodiscard]] double left_out(const VectorXd& unknowns, double omega) const {
-    const MatrixXd course = deflections(unknowns);
-    MatrixXd padded = MatrixXd::Zero(numerics::coefficient_count(3 * harmonics_), course.cols());
-    padded.topRows(course.rows()) = course;
-    const MatrixXd forces = wider_.forces(padded, omega);
-    if (!forces.allFinite()) return foundation::infinity;  // a loop that does not close
-    double sum = 0;
-    for (Index k = harmonics_ + 1; k <= 3 * harmonics_; ++k) {
-      const double frequency = static_cast<double>(k) * omega;
-      const MatrixXd right = across_ * forces.middleRows(2 * k - 1, 2).transpose();
-      if (right.isZero(0)) continue;
-      sum += (across_.transpose() * numerics::PivotedLu<double>(K_ - frequency * frequency * A_).solve(right))
-                 .rowwise()
-                 .norm()
-                 .maxCoeff();
-    }
-    return sum / course.cwiseAbs().maxCoeff();
-  }
-
- private:
-  void add_forces(const VectorXd& unknowns, double omega, numerics::Equations& equations) const {
-    const CoupledForces forces = laws_.at(deflections(unknowns), omega);
-    const Index n = coordinates();
-    for (Index c = 0; c < forces.force.rows(); ++c) {
-      if (place(c) < 0) continue;
-      equations.value.segment(place(c), n) += across_ * forces.force.row(c).transpose();
-      equations.by_parameter.segment(place(c), n) += across_ * forces.by_omega.row(c).transpose();
-    }
-    for (const CoupledForces::Tangent& tangent : forces.tangents) {
-      const MatrixXd outer = across_.col(tangent.of) * across_.col(tangent.by).transpose();
-      for (Index c = 0; c < tangent.matrix.rows(); ++c)
-        for (Index d = 0; d < tangent.matrix.cols(); ++d)
-          if (place(c) >= 0 && place(d) >= 0)
-            equations.by_unknowns.block(place(c), place(d), n, n) += tangent.matrix(c, d) * outer;
-    }
-  }
-
-  MatrixXd A_, B_, K_, K_loss_;
-  bool damped_;
-  Index harmonics_;
-  MatrixXd across_;  ///< coordinates × deflections
-  MachineLaws laws_, wider_;
-  VectorXd phase_;
-  double ratio_scale_ = 1;
-};
 
 /// Deflections with friction that sticks in undamped motion; without a spring it is left out.
 std::vector<std::string> with_friction(const model::System& system, const assembly::Assembled& assembled) {
@@ -263,65 +122,58 @@ class FreeCourse {
   }
 
  private:
-  void follow(const numerics::Branch& branch, BranchPoint now, Backbone& found,
+  void follow(const numerics::Branch& branch, const BranchPoint& start, Backbone& found,
               const foundation::Progress& progress) const {
-    found.points.push_back(observed(now, found));
-    constexpr double accurate = 1e-13;
-    constexpr numerics::StepControl control{.longest = 0.06, .shortest = 1e-8};
-    constexpr double first_step = 0.05, short_step = 1e-4;
-    double step = first_step;
-    BranchPoint smooth = now;  // the last point before short steps, of which `since` is the length
-    double since = 0, hopped = 0;
-    std::size_t points_before = found.points.size(), energies_before = 0;
+    found.points.push_back(observed(start, found));
+    constexpr double accurate = 1e-13, first_step = 0.05;
+    numerics::BranchWalk walk(branch, start, {.longest = 0.06, .shortest = 1e-8, .sharp_turns = 1e-4}, first_step, 0,
+                              foundation::infinity);
+    std::size_t points_before = found.points.size(), energies_before = 0;  // at the last smooth point
     while (found.points.back().share < 1) {
       if (static_cast<int>(found.points.size()) >= options_.most_points) {
         found.ended = fmt::format("stopped after {} points", options_.most_points);
         break;
       }
-      std::optional<numerics::Branch::Advance> advance = branch.advance(now, step, control);
-      if (!advance) {
-        advance = branch.beyond_kink(smooth, std::max(since, 2 * hopped), 0, foundation::infinity);
-        step = first_step;
-        if (advance) {
-          hopped = advance->length;
-          now = smooth;
-          found.points.resize(points_before);
-          found.at_energy.resize(energies_before);
-        }
+      std::optional<numerics::BranchWalk::Step> step = walk.next();
+      const BranchPoint& now = walk.now();
+      if (step && step->hops) {
+        found.points.resize(points_before);
+        found.at_energy.resize(energies_before);
       }
-      if (!advance || !(advance->to.parameter > 0)) {
-        constexpr double ahead = 1e-3;
-        const VectorXd beyond = now.unknowns +
-            ahead * now.tangent.head(now.unknowns.size()).cwiseProduct(now.scale.head(now.unknowns.size()));
-        found.ended =
-            fmt::format("no further motion beyond {:.6g} Hz and {:.4g} J: the step of the branch became too short{}",
-                        now.parameter / foundation::two_pi, found.points.back().energy,
-                        ending_cause(deflections_, motion_.laws(), motion_.deflections(now.unknowns),
-                                     motion_.deflections(beyond), now.parameter));
+      if (!step || !(step->to.parameter > 0)) {
+        found.ended = no_further(now, found.points.back().energy);
         break;
       }
-      const double energy = found.points.back().energy, next_energy = this->energy(advance->to);
+      const BranchPoint& next = step->to;
+      const double energy = found.points.back().energy, next_energy = this->energy(next);
       for (const double wanted : options_.at_energy)
         if ((energy < wanted) != (next_energy < wanted))
           if (const auto there = branch.zero([&](const BranchPoint& point) { return this->energy(point) - wanted; },
-                                             now, 0, advance->length, accurate * wanted))
+                                             now, 0, step->length, accurate * wanted))
             found.at_energy.push_back(observed(*there, found));
-      now = advance->to;
-      found.points.push_back(observed(now, found));
-      since += advance->length;
-      if (advance->length >= short_step) {
-        smooth = now;
-        since = hopped = 0;
-        points_before = found.points.size();
-        energies_before = found.at_energy.size();
-      }
+      found.points.push_back(observed(next, found));
       constexpr double back = 0.5;  // of where it began
       if (found.points.back().deflection < back * found.points.front().deflection) {
-        found.ended = fmt::format("the branch returns to rest at {:.6g} Hz", now.parameter / foundation::two_pi);
+        found.ended = fmt::format("the branch returns to rest at {:.6g} Hz", next.parameter / foundation::two_pi);
         break;
       }
       if (progress) progress("backbone", std::clamp(found.points.back().share, 0.0, 1.0));
+      walk.go(std::move(*step));
+      if (!walk.is_smooth()) continue;
+      points_before = found.points.size();
+      energies_before = found.at_energy.size();
     }
+  }
+
+  /// Why the branch ends at a point from which no step leads further.
+  [[nodiscard]] std::string no_further(const BranchPoint& point, double energy) const {
+    constexpr double ahead = 1e-3;
+    const Index size = point.unknowns.size();
+    const VectorXd beyond = point.unknowns + ahead * point.tangent.head(size).cwiseProduct(point.scale.head(size));
+    return fmt::format("no further motion beyond {:.6g} Hz and {:.4g} J: the step of the branch became too short{}",
+                       point.parameter / foundation::two_pi, energy,
+                       ending_cause(deflections_, motion_.laws(), motion_.deflections(point.unknowns),
+                                    motion_.deflections(beyond), point.parameter));
   }
 
   /// The mode with a small amplitude, as cosines of the first harmonic.
@@ -329,11 +181,19 @@ class FreeCourse {
   [[nodiscard]] VectorXd starting_shape(double small) const {
     double factor = std::numeric_limits<double>::infinity();
     const double round_off = 1e-9 * shape_.cwiseAbs().maxCoeff();
+    bool moves_any = false;
     for (const Deflection& one : deflections_) {
       const double deflection = std::abs(one.on_coordinates.dot(shape_));
-      if (deflection > round_off) factor = std::min(factor, small * end_of(one) / deflection);
+      if (deflection <= round_off) continue;
+      moves_any = true;
+      factor = std::min(factor, small * end_of(one) / deflection);
     }
     factor = std::min(factor, small * std::sqrt(2 * options_.up_to_energy) / omega_);  // modal mass 1
+    if (!std::isfinite(factor) && moves_any)
+      throw foundation::NotComputable(fmt::format("backbone: mode {} moves nonlinear parts in {} only; give {}",
+                                                  options_.mode + 1,
+                                                  std::isfinite(options_.up_to) ? "rotation" : "translation",
+                                                  std::isfinite(options_.up_to) ? "up_to_angle" : "up_to"));
     if (!std::isfinite(factor))
       throw foundation::NotComputable(fmt::format(
           "backbone: mode {} does not move the nonlinear parts, so it stays linear; take others", options_.mode + 1));
@@ -366,10 +226,13 @@ class FreeCourse {
     return branch.after(point, 0);
   }
 
-  /// Undamped: above rest, at phase 0, where all is at rest. Damped: the largest kinetic energy over a period.
+  /// Undamped: above rest, at phase 0, where all is at rest. Damped, or where a stiffness depends on the amplitude, so
+  /// that it has no potential: the largest kinetic energy over a period.
   [[nodiscard]] double energy(const BranchPoint& point) const {
     const MatrixXd motion = motion_.motion(point.unknowns);
-    if (!options_.damped) {
+    const bool has_potential = std::all_of(deflections_.begin(), deflections_.end(),
+                                           [](const Deflection& one) { return one.law.of_amplitude().empty(); });
+    if (!options_.damped && has_potential) {
       const VectorXd q = (numerics::fourier_row(options_.harmonics, 0) * motion).transpose();
       double sum = q.dot(assembled_.matrices.K * q) / 2;
       const VectorXd deviations = motion_.across().transpose() * q;
@@ -383,11 +246,10 @@ class FreeCourse {
     MatrixXd rates(motion.rows(), motion.cols());
     for (Index i = 0; i < motion.cols(); ++i)
       rates.col(i) = point.parameter * numerics::phase_derivative(motion.col(i));
-    constexpr int samples = 64;
+    const Index samples = this->samples();
     double largest = 0;
-    for (int n = 0; n < samples; ++n) {
-      const VectorXd v =
-          (numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples) * rates).transpose();
+    for (Index n = 0; n < samples; ++n) {
+      const VectorXd v = (numerics::fourier_row(options_.harmonics, phase(n, samples)) * rates).transpose();
       largest = std::max(largest, v.dot(assembled_.matrices.A * v) / 2);
     }
     return largest;
@@ -404,9 +266,9 @@ class FreeCourse {
     for (Index k = 1; k <= options_.harmonics; ++k)
       for (Index i = 0; i < motion.cols(); ++i) result.coordinates(i, k) = {motion(2 * k - 1, i), -motion(2 * k, i)};
     const MatrixXd course = motion_.deflections(point.unknowns);
-    constexpr int samples = 64;
-    for (int n = 0; n < samples; ++n) {
-      const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, foundation::two_pi * n / samples);
+    const Index samples = this->samples();
+    for (Index n = 0; n < samples; ++n) {
+      const Eigen::RowVectorXd row = numerics::fourier_row(options_.harmonics, phase(n, samples));
       for (Index j = 0; j < course.cols(); ++j) {
         const double deviation = std::abs(row.dot(course.col(j)));
         result.deflection = std::max(result.deflection, deviation);
@@ -420,6 +282,12 @@ class FreeCourse {
     result.results = observer_.at(result.coordinates, forces, point.parameter, 0, remainder ? &*remainder : nullptr);
     found.left_out = std::max(found.left_out, motion_.left_out(point.unknowns, point.parameter));
     return result;
+  }
+
+  /// Of a period: between them the highest harmonic turns by less than a tenth of a revolution.
+  [[nodiscard]] Index samples() const { return std::max<Index>(64, 10 * options_.harmonics); }
+  static double phase(Index sample, Index samples) {
+    return foundation::two_pi * static_cast<double>(sample) / static_cast<double>(samples);
   }
 
   [[nodiscard]] double end_of(const Deflection& deflection) const {

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/ending_cause.h"
+#include "trivet/numerics/periodic/branch_walk.h"
 
 namespace trivet::nonlinear {
 
@@ -19,9 +19,6 @@ using Eigen::VectorXd;
 using numerics::BranchPoint;
 
 namespace {
-
-/// A shorter step may turn by any angle: a slider begins to slip in both senses.
-constexpr double sharp_turns = 1e-4;
 
 /// Frequencies at which a linear mode resonates, and beside them; a second and a third of them for the harmonics. A
 /// mode that hardly moves the nonlinear parts does not bend the branch, which would pass it in one step.
@@ -126,9 +123,7 @@ std::optional<std::size_t> nearest(const std::vector<SteadyEquations::Place>& pl
                near = 5e-3 * parameter + std::abs(change);
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    VectorXd way(now.scale.size());
-    way << places[i].unknowns - now.unknowns, places[i].parameter - now.parameter;
-    if (now.tangent.dot(way.cwiseQuotient(now.scale)) <= 0) continue;  // behind
+    if (now.tangent.dot(now.way_to(places[i].unknowns, places[i].parameter)) <= 0) continue;  // behind
     const double away = std::abs(places[i].parameter - parameter);
     if (away < near && !(found && std::abs(places[*found].parameter - parameter) <= away)) found = i;
   }
@@ -144,9 +139,7 @@ std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations:
   const BranchPoint& now = points_.back();
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (points_.size() < fewest && ends[i].unknowns == points_.front().unknowns) continue;
-    VectorXd way(now.scale.size());
-    way << ends[i].unknowns - now.unknowns, ends[i].parameter - now.parameter;
-    way = way.cwiseQuotient(now.scale);
+    const VectorXd way = now.way_to(ends[i].unknowns, ends[i].parameter);
     constexpr double beside = 0.2;  // of the step
     if (now.tangent.dot(way) >= 0 && way.norm() <= length && next.tangent.dot(now.tangent) > 0 &&
         (way - now.tangent.dot(way) * now.tangent).norm() <= beside * length)
@@ -179,83 +172,43 @@ std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next)
 bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
                       const foundation::Progress& progress) {
   constexpr double first_step = 0.02;  // in shares of the deflection and of the band
-  constexpr numerics::StepControl control{.sharp_turns = sharp_turns};
-  // Directions after sharp turns may be wrong: after so many, the curve is sought from the last point before them.
-  constexpr int most_sharp_turns = 6;
-  int turned = 0;
-  double step = first_step, hopped = 0;
+  // A short step may turn by any angle: a slider begins to slip in both senses.
+  constexpr numerics::StepControl control{.sharp_turns = 1e-4};
+  numerics::BranchWalk walk(branch_, points_.back(), control, first_step, leaves_downwards_ ? options_.from : 0.0,
+                            options_.to);
   Extent smooth = extent();
-  bool at_corner = false;
   while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
-    const bool is_smooth = !at_corner && (lengths_.empty() || lengths_.back() >= sharp_turns);
-    if (is_smooth) hopped = 0;
-    if (is_smooth || at_corner) {
-      smooth = extent();
-      turned = 0;
-    }
     if (to_index(points_.size()) >= options_.most_points) {
       ended_ = fmt::format("stopped after {} points", options_.most_points);
       break;
     }
-    std::optional<numerics::Branch::Advance> advance;
-    const bool is_crowded = turned == most_sharp_turns;
-    if (!is_crowded) advance = branch_.advance(points_.back(), step, control);
-    at_corner = false;
-    if (!advance) {
-      const double since = std::accumulate(lengths_.begin() + to_index(smooth.points) - 1, lengths_.end(), 0.0);
-      advance = branch_.beyond_kink(points_[smooth.points - 1], std::max(since, 2 * hopped),
-                                    leaves_downwards_ ? options_.from : 0.0, options_.to);
-      at_corner = advance.has_value();
-    }
-    if (at_corner) {
+    std::optional<numerics::BranchWalk::Step> step = walk.next();
+    const BranchPoint& now = walk.now();
+    if (step && step->hops) {
       cut_to(smooth);
-      corners_.push_back(points_.back().parameter);
-      hopped = advance->length;
-      step = first_step;
+      corners_.push_back(now.parameter);
     }
-    if (!advance && is_crowded) advance = branch_.advance(points_.back(), step, control);
-    if (is_crowded) turned = 0;
-    const BranchPoint& now = points_.back();
-    if (!advance || !(advance->to.parameter > 0)) {
-      constexpr double ahead = 1e-3;
-      const VectorXd beyond = now.unknowns +
-          ahead * now.tangent.head(now.unknowns.size()).cwiseProduct(now.scale.head(now.unknowns.size()));
-      const auto courses = [&](const VectorXd& unknowns) {
-        return Eigen::MatrixXd(unknowns.reshaped(balance().coefficients(), unknowns.size() / balance().coefficients()));
-      };
-      ended_ = fmt::format("no further motion beyond {}: the step of the branch became too short{}",
-                           equations_.place(now.parameter),
-                           ending_cause(known_.deflections(), balance().laws(), courses(now.unknowns), courses(beyond),
-                                        equations_.driving(now.parameter).omega));
+    if (!step || !(step->to.parameter > 0)) {
+      ended_ = no_further(now);
       break;
     }
-    BranchPoint next = std::move(advance->to);
-    double length = advance->length;
-    const bool turns_sharply = next.tangent.dot(now.tangent) < control.least_cosine;
-    if (next.parameter > options_.to) {
-      std::optional<BranchPoint> end = branch_.at(options_.to, now, 0, length);
+    const bool beyond_upper = step->to.parameter > options_.to,
+               beyond_lower = leaves_downwards_ && step->to.parameter < options_.from && now.parameter > options_.from;
+    if (beyond_upper || beyond_lower) {
+      std::optional<BranchPoint> end = branch_.at(beyond_upper ? options_.to : options_.from, now, 0, step->length);
       if (!end) {
-        step = length / 2;
-        constexpr double shortest = 1e-7;
-        if (step > shortest) continue;
-        ended_ = "no motion was found at the upper end of the band";
+        walk.shorten(step->length / 2);
+        constexpr double shortest = 2e-7;
+        if (step->length > shortest) continue;
+        ended_ = fmt::format("no motion was found at the {} end of the band", beyond_upper ? "upper" : "lower");
         break;
       }
-      if (end->parameter_direction() < 0) end->tangent = -end->tangent;
-      length = numerics::Branch::length(now, *end);
-      next = std::move(*end);
+      if ((end->parameter_direction() > 0) != beyond_upper) end->tangent = -end->tangent;
+      step->length = numerics::Branch::length(now, *end);
+      step->to = std::move(*end);
     }
-    if (leaves_downwards_ && next.parameter < options_.from && now.parameter > options_.from) {
-      std::optional<BranchPoint> end = branch_.at(options_.from, now, 0, length);
-      if (!end) {
-        ended_ = "no motion was found at the lower end of the band";
-        break;
-      }
-      if (end->parameter_direction() > 0) end->tangent = -end->tangent;
-      length = numerics::Branch::length(now, *end);
-      next = std::move(*end);
-    }
-    stopped_at_ = passed(ends, next, length);
+    const BranchPoint& next = step->to;
+    stopped_at_ = passed(ends, next, step->length);
     const std::optional<double> returns = ends.empty() ? std::nullopt : returns_to_one_period(next);
     if (returns && !stopped_at_) stopped_at_ = nearest(ends, now, next, *returns);
     if (returns && !stopped_at_) break;
@@ -271,24 +224,40 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     if (ended_ = unknown_forces(next); !ended_.empty()) break;
     const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next);
     constexpr double least = 1e-5;
-    if (!on_the_way && length > least && !at_corner) {
-      step = length / 2;
+    if (!on_the_way && step->length > least && !step->hops) {
+      walk.shorten(step->length / 2);
       continue;
     }
     for (const BranchPoint& there : on_the_way.value_or(std::vector<BranchPoint>()))
       if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
-    if (on_the_way && !on_the_way->empty()) length = numerics::Branch::length(points_.back(), next);
-    if (!add_step(next, length, most_left_out)) return false;
-    if (turns_sharply) ++turned;
-    if (leaves_downwards_ && next.parameter <= options_.from) break;
-    if (next.parameter < options_.from) {
-      ended_ = "left the band downwards at " + equations_.place(next.parameter);
+    const bool is_whole = !on_the_way || on_the_way->empty();
+    if (!add_step(next, is_whole ? step->length : numerics::Branch::length(points_.back(), next), most_left_out))
+      return false;
+    walk.go(std::move(*step));
+    if (walk.is_smooth()) smooth = extent();
+    const double parameter = walk.now().parameter;
+    if (leaves_downwards_ && parameter <= options_.from) break;
+    if (parameter < options_.from) {
+      ended_ = "left the band downwards at " + equations_.place(parameter);
       break;
     }
-    if (progress)
-      progress("steady motion", std::clamp((next.parameter - options_.from) / equations_.width(), 0.0, 1.0));
+    if (progress) progress("steady motion", std::clamp((parameter - options_.from) / equations_.width(), 0.0, 1.0));
   }
   return true;
+}
+
+/// Why the path ends at a point from which no step leads further.
+std::string SteadyPath::no_further(const BranchPoint& point) const {
+  constexpr double ahead = 1e-3;
+  const Index size = point.unknowns.size(), coefficients = balance().coefficients();
+  const VectorXd beyond = point.unknowns + ahead * point.tangent.head(size).cwiseProduct(point.scale.head(size));
+  const auto courses = [&](const VectorXd& unknowns) {
+    return Eigen::MatrixXd(unknowns.reshaped(coefficients, size / coefficients));
+  };
+  return fmt::format("no further motion beyond {}: the step of the branch became too short{}",
+                     equations_.place(point.parameter),
+                     ending_cause(known_.deflections(), balance().laws(), courses(point.unknowns), courses(beyond),
+                                  equations_.driving(point.parameter).omega));
 }
 
 /// Of a motion over which the forces are not known, with its place.

@@ -108,6 +108,7 @@ class SteadyPath {
   [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
   [[nodiscard]] Extent extent() const;
   void cut_to(const Extent& end);
+  [[nodiscard]] std::string no_further(const numerics::BranchPoint& point) const;
   [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
 
   const SteadyOptions& options_;

@@ -56,8 +56,8 @@ Json backbone(const project::Case&, const study::Answers& answers) {
   for (const Backbone& found : modes_of(answers)) {
     Json mode{{"mode", found.mode + 1},       {"angular_frequency", found.angular_frequency},
               {"harmonics", found.harmonics}, {"left_out", number(found.left_out)},
-              {"ended", found.ended},         {"results", Json::array()},
-              {"points", Json::array()}};
+              {"ended", found.ended},         {"held", found.held},
+              {"results", Json::array()},     {"points", Json::array()}};
     for (std::size_t c = 0; c < found.results.size(); ++c)
       mode["results"].push_back({{"name", found.results[c]}, {"unit", found.units[c]}});
     for (const BackbonePoint& p : found.points) mode["points"].push_back(point(p));

@@ -26,6 +26,12 @@ MatrixXd bordered(const Equations& equations, const VectorXd& scale, const Vecto
 
 }  // namespace
 
+VectorXd BranchPoint::way_to(const VectorXd& other, double other_parameter) const {
+  VectorXd way(scale.size());
+  way << other - unknowns, other_parameter - parameter;
+  return way.cwiseQuotient(scale);
+}
+
 /// All unknowns share the largest, unless they are smaller than their own smallest scale.
 Branch::Branch(EvaluateEquations evaluate, VectorXd smallest_scale, double parameter_scale, BranchOptions options)
     : Branch(
@@ -171,9 +177,9 @@ std::optional<Branch::Advance> Branch::beyond_kink(const BranchPoint& from, doub
   const double sense = from.parameter_direction() < 0 ? -1 : 1;
   // From the point itself, a solution behind it is found first, or, at a contact that is half closed, none: also from
   // one that has it closed, and open. λ may turn at the kink.
-  for (const double way : {sense, -sense})
+  for (const double towards : {sense, -sense})
     for (const double share : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
-      const double parameter = std::clamp(from.parameter + way * share * parameter_scale_, lowest, highest);
+      const double parameter = std::clamp(from.parameter + towards * share * parameter_scale_, lowest, highest);
       if (parameter == from.parameter) continue;
       for (const double size : {1.0, 1.001, 0.999}) {
         std::optional<BranchPoint> there = start(size * from.unknowns, parameter);
@@ -181,12 +187,10 @@ std::optional<Branch::Advance> Branch::beyond_kink(const BranchPoint& from, doub
         const int found = orientation(*there);
         if (found == 0) continue;
         if (found != along) there->tangent = -there->tangent;
-        VectorXd change(from.scale.size());
-        change << there->unknowns - from.unknowns, there->parameter - from.parameter;
-        change = change.cwiseQuotient(from.scale);
-        const double away = change.norm();
+        const VectorXd way = from.way_to(there->unknowns, there->parameter);
+        const double away = way.norm();
         // Before the kink, the way to a solution is against the direction that the branch has there.
-        if (away >= least && away <= close && change.dot(there->tangent) > 0) return Advance{*there, away};
+        if (away >= least && away <= close && way.dot(there->tangent) > 0) return Advance{*there, away};
       }
     }
   return std::nullopt;
@@ -199,10 +203,7 @@ int Branch::orientation(const BranchPoint& point) const {
 }
 
 double Branch::length(const BranchPoint& from, const BranchPoint& to) {
-  const Eigen::Index n = from.unknowns.size();
-  VectorXd change(n + 1);
-  change << to.unknowns - from.unknowns, to.parameter - from.parameter;
-  return from.tangent.dot(change.cwiseQuotient(from.scale));
+  return from.tangent.dot(from.way_to(to.unknowns, to.parameter));
 }
 
 bool Branch::hides_folds(const BranchPoint& from, const BranchPoint& to, double step) {

@@ -27,6 +27,8 @@ struct BranchPoint {
   Eigen::VectorXd bend = {};  ///< estimate of d(tangent)/ds, across the tangent; empty: unknown
 
   [[nodiscard]] double parameter_direction() const { return tangent(tangent.size() - 1); }
+  /// To a place nearby, divided by `scale`, as the tangent is.
+  [[nodiscard]] Eigen::VectorXd way_to(const Eigen::VectorXd& other, double other_parameter) const;
 };
 
 struct BranchOptions {
