@@ -54,7 +54,7 @@ bool lies_on(const SteadyPath& path, const SteadyPath& other) {
   const std::vector<numerics::BranchPoint> there = other.all_at(middle.parameter);
   return std::any_of(there.begin(), there.end(), [&](const numerics::BranchPoint& one) {
     return one.unknowns.size() == middle.unknowns.size() &&
-        (one.unknowns - middle.unknowns).norm() <= same * middle.unknowns.norm();
+        path.balance().are_same(one.unknowns, middle.unknowns, same);
   });
 }
 

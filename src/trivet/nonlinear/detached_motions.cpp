@@ -80,8 +80,8 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
       std::vector<BranchPoint> there = path.all_at(motion.parameter);
       if (path.points().size() < followed && path.points().front().parameter == motion.parameter) there = path.points();
       return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
-        return std::min((other.unknowns - motion.unknowns).norm(), (other.unknowns - image).norm()) <=
-            same * std::max(other.unknowns.norm(), motion.unknowns.norm());
+        return path.balance().are_same(other.unknowns, motion.unknowns, same) ||
+            path.balance().are_same(other.unknowns, image, same);
       });
     };
     return std::any_of(known.begin(), known.end(), [&](const SteadyPath* path) { return lies_on(*path); }) ||

@@ -15,6 +15,7 @@ HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vec
                                  Index harmonics)
     : machine_(machine),
       harmonics_(harmonics),
+      sizes_(deflections, machine.static_receptance()),
       laws_(deflections, harmonics, harmonics),
       wider_(deflections, 3 * harmonics, harmonics) {}
 
@@ -97,6 +98,27 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   }
 }
 
+VectorXd HarmonicBalance::largest(const VectorXd& unknowns) const {
+  return unknowns.reshaped(coefficients(), machine_.size()).cwiseAbs().colwise().maxCoeff().transpose();
+}
+
+VectorXd HarmonicBalance::largest_harmonics(const VectorXd& unknowns) const {
+  return unknowns.reshaped(coefficients(), machine_.size())
+      .bottomRows(coefficients() - 1)
+      .cwiseAbs()
+      .colwise()
+      .maxCoeff()
+      .transpose();
+}
+
+bool HarmonicBalance::are_same(const VectorXd& one, const VectorXd& other, double share) const {
+  const VectorXd sizes = sizes_.largest_of_kind(largest(one).cwiseMax(largest(other)));
+  const auto scaled = [&](const VectorXd& motion) {
+    return (motion.reshaped(coefficients(), machine_.size()) * sizes.cwiseInverse().asDiagonal()).norm();
+  };
+  return scaled(one - other) <= share * std::max(scaled(one), scaled(other));
+}
+
 MatrixXd HarmonicBalance::forces(const VectorXd& unknowns, double omega) const {
   return laws_.forces(unknowns.reshaped(coefficients(), machine_.size()), omega);
 }
@@ -106,18 +128,19 @@ double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {
   padded.topRows(coefficients()) = unknowns.reshaped(coefficients(), machine_.size());
   const MatrixXd forces = wider_.forces(padded, omega);
   if (!forces.allFinite()) return foundation::infinity;  // a loop that does not close
-  return added(forces, harmonics_, omega) / unknowns.cwiseAbs().maxCoeff();
+  return added(forces, harmonics_, unknowns, omega);
 }
 
-/// Largest deflections that the forces of the harmonics above one cause, added up.
-double HarmonicBalance::added(const MatrixXd& forces, Index above, double omega) const {
+/// Largest shares of the deflections that the forces of the harmonics above one cause, added up.
+double HarmonicBalance::added(const MatrixXd& forces, Index above, const VectorXd& unknowns, double omega) const {
+  const VectorXd sizes = sizes_.largest_of_kind(largest(unknowns));
   double sum = 0;
   Eigen::VectorXcd force(forces.cols());
   Eigen::MatrixXcd receptance;
   for (Index k = above + 1; 2 * k < forces.rows(); ++k) {
     for (Index j = 0; j < forces.cols(); ++j) force(j) = {forces(2 * k - 1, j), -forces(2 * k, j)};
     machine_.set_receptance(static_cast<double>(k) * omega, receptance);
-    sum += (receptance * force).cwiseAbs().maxCoeff();
+    sum += (receptance * force).cwiseAbs().cwiseQuotient(sizes).maxCoeff();
   }
   return sum;
 }
@@ -125,7 +148,7 @@ double HarmonicBalance::added(const MatrixXd& forces, Index above, double omega)
 double HarmonicBalance::held_share(const VectorXd& unknowns, double omega) const {
   const double known = machine_.known_to() / omega;
   if (!(known < static_cast<double>(harmonics_))) return 0;
-  return added(forces(unknowns, omega), static_cast<Index>(known), omega) / unknowns.cwiseAbs().maxCoeff();
+  return added(forces(unknowns, omega), static_cast<Index>(known), unknowns, omega);
 }
 
 }  // namespace trivet::nonlinear

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "trivet/nonlinear/condensed_machine.h"
+#include "trivet/nonlinear/deflection_sizes.h"
 #include "trivet/nonlinear/machine_laws.h"
 #include "trivet/numerics/periodic/branch.h"
 
@@ -36,17 +37,25 @@ class HarmonicBalance {
   [[nodiscard]] const MachineLaws& laws() const { return laws_; }
   /// Coefficients × deflections: the forces over a motion.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::VectorXd& unknowns, double omega) const;
-  /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient: what the
-  /// truncation leaves out, to first order.
+  /// Largest coefficient of each deflection: of all, or without the mean.
+  [[nodiscard]] Eigen::VectorXd largest(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] Eigen::VectorXd largest_harmonics(const Eigen::VectorXd& unknowns) const;
+  [[nodiscard]] const DeflectionSizes& sizes() const { return sizes_; }
+  /// Is one motion another, but for a share of its largest deflections?
+  [[nodiscard]] bool are_same(const Eigen::VectorXd& one, const Eigen::VectorXd& other, double share) const;
+  /// Largest deflection that the harmonics from H + 1 to 3H add, as a share of the largest coefficient of its kind:
+  /// what the truncation leaves out, to first order.
   [[nodiscard]] double left_out(const Eigen::VectorXd& unknowns, double omega) const;
   /// The same of harmonics beyond the end of the data of an element.
   [[nodiscard]] double held_share(const Eigen::VectorXd& unknowns, double omega) const;
 
  private:
-  [[nodiscard]] double added(const Eigen::MatrixXd& forces, Eigen::Index above, double omega) const;
+  [[nodiscard]] double added(const Eigen::MatrixXd& forces, Eigen::Index above, const Eigen::VectorXd& unknowns,
+                             double omega) const;
 
   const CondensedMachine& machine_;
   Eigen::Index harmonics_;
+  DeflectionSizes sizes_;
   MachineLaws laws_;
   MachineLaws wider_;  ///< the same laws with 3H harmonics: those of a cube
 };

@@ -149,7 +149,7 @@ std::vector<SteadyPoint> ObservedPath::landings(const MotionsAt& known, const Br
   constexpr double same = 1e-2;  // of the motion
   std::vector<SteadyPoint> stable;
   for (const BranchPoint& other : known(fold.parameter)) {
-    if ((other.unknowns - fold.unknowns).norm() < same * fold.unknowns.norm()) continue;
+    if (path_.balance().are_same(other.unknowns, fold.unknowns, same)) continue;
     SteadyPoint point = steady(other);
     if (point.stable) stable.push_back(std::move(point));
   }

@@ -67,12 +67,12 @@ void settle_end(const StabilityChange& at, bool is_last, SteadyBranch& curve) {
 
 /// Does a curve of the same period pass the motion at a change of stability? Where it was not located exactly, a curve
 /// from another change may come by.
-bool passes(const SteadyBranch& curve, const SteadyPoint& change) {
+bool passes(const SteadyBranch& curve, const SteadyPoint& change, const HarmonicBalance& balance) {
   constexpr double near = 1e-3, same = 0.02;
   const double parameter = curve.parameter(change);
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const SteadyPoint& point) {
     return std::abs(curve.parameter(point) - parameter) < near * parameter &&
-        (point.deflections - change.deflections).norm() < same * change.deflections.norm();
+        balance.are_same(point.deflections.reshaped(), change.deflections.reshaped(), same);
   });
 }
 
@@ -144,7 +144,8 @@ class Curves {
     if (one.changes_at_ends.size() > 1) settle_end(found.changes[one.changes_at_ends.back()], true, curve);
     if (!doubled) {
       for (StabilityChange& change : found.changes)
-        if (!change.curve && change.kind == StabilityChange::Kind::branch_point && passes(curve, change.point))
+        if (!change.curve && change.kind == StabilityChange::Kind::branch_point &&
+            passes(curve, change.point, path_.balance()))
           change.curve = found.further.size();
       observed.add_landings(of_one_period, curve);
     } else {

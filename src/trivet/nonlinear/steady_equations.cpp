@@ -25,8 +25,16 @@ SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vec
       balance_(machine, deflections, harmonics) {
   constexpr double share = 1e-3;
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
-  smallest_ = motion.size() > 0 ? share * motion.cwiseAbs().maxCoeff() : 0;
-  if (!(smallest_ > 0))
+  smallest_ = share * balance_.sizes().largest_of_kind(balance_.largest_harmonics(motion));
+  const auto vanish = [](const numerics::Load& load) {
+    return std::all_of(load.terms().begin(), load.terms().end(),
+                       [](const numerics::LoadTerm& term) { return term.value.isZero(0); });
+  };
+  const bool is_zero =
+      std::all_of(excitation.loadings.begin(), excitation.loadings.end(),
+                  [&](const assembly::Loading& loading) { return vanish(loading.force) && vanish(loading.motion); });
+  if (is_zero) throw foundation::NotComputable("steady: the excitation is zero; give it an amplitude");
+  if (motion.isZero(0))
     throw foundation::NotComputable(
         "steady: no excitation moves a nonlinear part, so that the motion is linear; take response");
 }
@@ -45,14 +53,17 @@ std::string SteadyEquations::place(double parameter) const {
 VectorXd SteadyEquations::scale(const VectorXd& unknowns) const {
   constexpr double of_mean = 1e-4;
   const Index C = balance_.coefficients();
-  double mean = 0, harmonic = smallest_;
-  for (Index i = 0; i < unknowns.size(); ++i) {
-    double& largest = i % C == 0 ? mean : harmonic;
-    largest = std::max(largest, std::abs(unknowns(i)));
+  const VectorXd means = unknowns(Eigen::seqN(0, unknowns.size() / C, C)).cwiseAbs();
+  const VectorXd mean = balance_.sizes().largest_of_kind(means);
+  const VectorXd harmonic = balance_.sizes()
+                                .largest_of_kind(balance_.largest_harmonics(unknowns))
+                                .cwiseMax(smallest_)
+                                .cwiseMax(of_mean * mean);
+  VectorXd result(unknowns.size());
+  for (Index j = 0; j < mean.size(); ++j) {
+    result.segment(j * C, C).setConstant(harmonic(j));
+    result(j * C) = std::max(mean(j), harmonic(j));
   }
-  harmonic = std::max(harmonic, of_mean * mean);
-  VectorXd result = VectorXd::Constant(unknowns.size(), harmonic);
-  for (Index i = 0; i < unknowns.size(); i += C) result(i) = std::max(mean, harmonic);
   return result;
 }
 

@@ -28,8 +28,9 @@ class SteadyEquations {
   /// "12.5 rad/s"
   [[nodiscard]] std::string place(double parameter) const;
 
-  /// Harmonics are compared with the largest one, means with the largest mean too: a mean that changes little must not
-  /// hide a resonance. What stays near zero is compared with a thousandth of the linear motion.
+  /// Harmonics are compared with the largest one of their kind (DeflectionSizes), means with the largest mean too: a
+  /// mean that changes little must not hide a resonance. What stays near zero is compared with a thousandth of the
+  /// linear motion.
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   /// Its solutions. The equations must outlive it, and so for the next ones.
@@ -56,7 +57,7 @@ class SteadyEquations {
   double first_harmonic_;  ///< its frequency over the one that is varied
   bool of_shaft_;
   HarmonicBalance balance_;
-  double smallest_;  ///< scale of a harmonic
+  Eigen::VectorXd smallest_;  ///< scales of harmonics, per deflection
 };
 
 }  // namespace trivet::nonlinear
