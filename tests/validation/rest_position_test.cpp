@@ -215,6 +215,82 @@ laws.x = {curve = {rows = [[-1, -5000], [0, 0], [0.01, 50], [0.02, 10], [0.1, 40
               RelativelyNear(0.02 + (weight - 30) / (1000 + 3990 / 0.08), 1e-10));
 }
 
+/// Washers of k z + q z² pass their limit load, and bear less than nothing before a stop: its kink is at a negative
+/// load. Beyond it q z² + (k + k_stop) z + k_stop gap + m g = 0.
+TEST(RestPosition, IsFoundBeyondNegativeLoads) {
+  constexpr double k = 5e4, q = 5e6, stop = 5e5, gap = 0.015, weight = 50 * 9.80665;
+  const model::System system = test::project(R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.press]
+mass = 50
+free = ["z"]
+[elements.washers]
+type = "three_springs"
+on = "press"
+at = [0, 0, 0]
+translation = [0, 0, 5e4]
+laws.z = {quadratic = 5e6}
+[elements.bump]
+type = "stop"
+on = "press"
+at = [0, 0, 0]
+axis = "-z"
+gap = 0.015
+stiffness = 5e5
+)")
+                                   .base()
+                                   .system;
+  const double half = (k + stop) / (2 * q), root = -half + std::sqrt(half * half - (stop * gap + weight) / q);
+  EXPECT_THAT(system.elements()[0].nonlinear_parts[0].at_rest, RelativelyNear(root, 1e-12));
+  const nonlinear::RestPosition rest = nonlinear::rest_position(system);
+  ASSERT_EQ(rest.limit_loads.size(), 1u);
+  EXPECT_THAT(rest.limit_loads[0], RelativelyNear(k * k / (4 * q) / weight, 1e-9));
+}
+
+/// A buckled support, −8000 x + 2·10⁷ x³, leaves its middle to the side to which its load pushes it.
+TEST(RestPosition, LeavesAnUnstableMiddleToTheSideOfItsLoad) {
+  for (const double force : {200.0, -200.0}) {
+    const model::System system = test::project(R"(trivet = 1
+[bodies.sieve]
+mass = 20
+free = ["x"]
+[elements.buckled]
+type = "three_springs"
+on = "sieve"
+at = [0, 0, 0]
+translation = [1000, 0, 0]
+laws.x = {polynomial = [-9000, 0, 2e7]}
+[excitations.chute]
+type = "constant"
+on = "sieve"
+at = [0, 0, 0]
+force = [)" + std::to_string(force) + ", 0, 0]\n")
+                                     .base()
+                                     .system;
+    const double x = system.elements()[0].nonlinear_parts[0].at_rest;
+    EXPECT_THAT(-8000 * x + 2e7 * x * x * x, RelativelyNear(force, 1e-10));
+    EXPECT_GT(x * force, 0);
+  }
+}
+
+TEST(RestPosition, StatesWithUnknownForcesAreNotListed) {
+  const project::Project project = test::project(R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.m]
+mass = 1
+free = ["z"]
+[elements.mount]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 1e5]
+laws.z = {curve = {rows = [[-0.001, 50], [0, 0], [0.001, -50]], beyond = "refuse"}, cubic = -2e8}
+)");
+  const std::vector<nonlinear::RestState> states = nonlinear::rest_states(project.base().system);
+  ASSERT_EQ(states.size(), 1u);
+  EXPECT_LT(std::abs(states[0].deflections.at(0).second), 1e-3);
+}
+
 /// A mount that softens, with loads up to one part in ten thousand below its limit load: the stable one of two roots.
 TEST(RestPosition, IsTheStableOneJustBelowALimitLoad) {
   const double k = 1e5, softening = 4e8, limit_at = std::sqrt(k / (3 * softening));

@@ -8,10 +8,12 @@
 #include <random>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
+#include "trivet/numerics/periodic/branch_walk.h"
 #include "trivet/numerics/search/zero_between.h"
 
 namespace trivet::nonlinear {
@@ -61,6 +63,7 @@ LoadPath::LoadPath(const model::System& undeformed) {
         "a free_length with which it is tensioned");
   }
   receptance_ = across_.transpose() * stiffness.solve(across_);
+  sizes_.emplace(deflections_, receptance_);
   const VectorXd displacement = stiffness.solve(load);
   linear_ = across_.transpose() * displacement;
   of_load_ = across_.transpose() * stiffness.solve(assembly::static_load(without_built_in_forces(linear), assembled));
@@ -166,15 +169,20 @@ std::optional<VectorXd> LoadPath::solved(VectorXd now, double held) const {
 }
 
 std::pair<VectorXd, std::vector<double>> LoadPath::followed() const {
-  Followed found = followed(of_load_);
+  Followed found = followed(of_load_, false);
   if (!found.deflections && of_load_ != linear_)
-    if (Followed together = followed(linear_); together.deflections || !found.starts) found = std::move(together);
+    if (Followed together = followed(linear_, false); together.deflections || !found.starts)
+      found = std::move(together);
+  // From an unstable position without load, the machine may leave to either side.
+  for (const VectorXd& growing : {of_load_, linear_})
+    if (!found.deflections)
+      if (Followed other_side = followed(growing, true); other_side.deflections) found = std::move(other_side);
   if (found.deflections) return {std::move(*found.deflections), std::move(found.turns)};
   throw foundation::NotComputable(fmt::format(
       "static: no position of rest was found: the load can be raised to {:.4g} of its whole only", found.highest));
 }
 
-LoadPath::Followed LoadPath::followed(const VectorXd& growing) const {
+LoadPath::Followed LoadPath::followed(const VectorXd& growing, bool other_side) const {
   constexpr numerics::StepControl control{.longest = 0.5,
                                           .shortest = 1e-10,
                                           .growth = 1.5,
@@ -182,58 +190,50 @@ LoadPath::Followed LoadPath::followed(const VectorXd& growing) const {
                                           .hidden_folds = 1e-4,
                                           .sharp_turns = 1e-4};  // a stop closes
   constexpr int most_points = 5000;
+  constexpr double smallest = 1e-3;
   const numerics::Branch branch(
       [&](const VectorXd& unknowns, double share, numerics::Equations& equations) {
         evaluate(unknowns, (1 - share) * growing, equations);
         equations.by_parameter = -growing;
       },
-      VectorXd::Constant(linear_.size(), 1e-3 * linear_.cwiseAbs().maxCoeff()), 1.0);
+      1.0,
+      [&](const VectorXd& unknowns) {
+        return VectorXd(sizes_->largest_of_kind(unknowns.cwiseAbs().cwiseMax(smallest * linear_.cwiseAbs())));
+      });
   Followed found;
-  std::optional<BranchPoint> now = branch.start(VectorXd::Zero(linear_.size()), 0);
+  const std::optional<BranchPoint> start = branch.start(VectorXd::Zero(linear_.size()), 0, other_side);
   const bool builds_in = growing != linear_;
-  found.starts = now && !(builds_in && !is_stable(now->unknowns));
+  found.starts = start && !(builds_in && !is_stable(start->unknowns));
   if (!found.starts) return found;
   if (growing.isZero(0)) {
-    found.deflections = now->unknowns;
+    found.deflections = start->unknowns;
     return found;
   }
   constexpr double first_step = 0.05;
-  double step = first_step;
-  BranchPoint smooth = *now;  // the last point before short steps, of which `since` is the length
-  double since = 0, hopped = 0;
-  std::size_t turns_before = 0;
-  for (int i = 0; now && i < most_points; ++i) {
-    std::optional<numerics::Branch::Advance> advance = branch.advance(*now, step, control);
-    if (!advance) {
-      advance = branch.beyond_kink(smooth, std::max(since, 2 * hopped), 0, 1);
-      if (!advance) break;
-      hopped = advance->length;
-      now = smooth;
-      found.turns.resize(turns_before);
-      step = first_step;
-    }
-    const BranchPoint& next = advance->to;
-    const bool turns_back = next.parameter_direction() < 0 && now->parameter_direction() > 0;
+  numerics::BranchWalk walk(branch, *start, control, first_step, -foundation::infinity, 1);
+  std::size_t turns_before = 0;  // at the last smooth point
+  for (int i = 0; i < most_points; ++i) {
+    std::optional<numerics::BranchWalk::Step> step = walk.next();
+    if (!step) break;
+    if (step->hops) found.turns.resize(turns_before);
+    const BranchPoint& now = walk.now();
+    const bool turns_back = step->to.parameter_direction() < 0 && now.parameter_direction() > 0;
     std::optional<BranchPoint> fold;
-    if (turns_back) fold = branch.fold(*now, advance->length);
-    const double reached = fold ? fold->parameter : next.parameter,
-                 rising_to = fold ? numerics::Branch::length(*now, *fold) : advance->length;
+    if (turns_back) fold = branch.fold(now, step->length);
+    const double reached = fold ? fold->parameter : step->to.parameter,
+                 rising_to = fold ? numerics::Branch::length(now, *fold) : step->length;
     if (reached >= 1) {
-      if (const std::optional<BranchPoint> whole = branch.at(1, *now, 0, rising_to)) {
+      if (const std::optional<BranchPoint> whole = branch.at(1, now, 0, rising_to)) {
         found.deflections = whole->unknowns;
         return found;
       }
-      step = advance->length / 2;
+      walk.shorten(step->length / 2);
       continue;
     }
     found.highest = std::max(found.highest, reached);
     if (fold) found.turns.push_back(fold->parameter);
-    now = next;
-    since += advance->length;
-    if (advance->length < control.sharp_turns) continue;
-    smooth = *now;
-    since = hopped = 0;
-    turns_before = found.turns.size();
+    walk.go(std::move(*step));
+    if (walk.is_smooth()) turns_before = found.turns.size();
   }
   return found;
 }
@@ -261,6 +261,19 @@ std::vector<double> LoadPath::starts(Index j) const {
   return found;
 }
 
+bool LoadPath::are_known(const VectorXd& deflections) const {
+  const auto is_within = [](double value, const std::pair<double, double>& range) {
+    return value >= range.first && value <= range.second;
+  };
+  for (Index j = 0; j < deflections.size(); ++j) {
+    const Deflection& one = deflections_[to_size(j)];
+    if (one.distance ? !is_within(one.distance->distance(deflections.segment<3>(j)), one.distance->range())
+                     : !is_within(deflections(j), one.law.range()))
+      return false;
+  }
+  return true;
+}
+
 std::vector<VectorXd> LoadPath::all() const {
   std::vector<VectorXd> found;
   if (linear_.size() == 0) return found;
@@ -275,7 +288,7 @@ std::vector<VectorXd> LoadPath::all() const {
   for (int i = 0; i < most_starts; ++i) {
     VectorXd start(linear_.size());
     for (std::size_t j = 0; j < choices.size(); ++j) start(to_index(j)) = choices[j][chosen[j]];
-    if (const std::optional<VectorXd> rest = solved(start, 0)) {
+    if (const std::optional<VectorXd> rest = solved(start, 0); rest && are_known(*rest)) {
       constexpr double same = 1e-6;
       const bool is_known = std::any_of(found.begin(), found.end(), [&](const VectorXd& other) {
         return (other - *rest).norm() <= same * std::max(other.norm(), rest->norm()) || other == *rest;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "trivet/nonlinear/deflection_sizes.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/numerics/periodic/branch.h"
 
@@ -33,7 +34,8 @@ class LoadPath {
   [[nodiscard]] std::pair<Eigen::VectorXd, std::vector<double>> followed() const;
 
   /// All positions of rest at the whole load that Newton's method finds from many starts: combinations of the positions
-  /// that each deflection has if the others move as in the linear machine. In the order of the first deflection.
+  /// that each deflection has if the others move as in the linear machine. Only those at which all forces are known, in
+  /// the order of the first deflection.
   [[nodiscard]] std::vector<Eigen::VectorXd> all() const;
 
   /// Is the energy least there? For slow motions; dampers do not matter.
@@ -57,8 +59,9 @@ class LoadPath {
     std::optional<Eigen::VectorXd> deflections;
     std::vector<double> turns;
   };
-  /// @param growing  the part of linear_ that grows from zero
-  [[nodiscard]] Followed followed(const Eigen::VectorXd& growing) const;
+  /// @param growing     the part of linear_ that grows from zero
+  /// @param other_side  at first the load falls
+  [[nodiscard]] Followed followed(const Eigen::VectorXd& growing, bool other_side) const;
   /// Newton's method with a line search. @param held  share of the references that holds the machine in addition
   [[nodiscard]] std::optional<Eigen::VectorXd> solved(Eigen::VectorXd now, double held) const;
   /// Deflections that the load and forces of the parts cause together.
@@ -68,6 +71,7 @@ class LoadPath {
   /// If no force falls, the position of rest has the least energy. Newton's method with an exact search along each step
   /// finds it across kinks of any stiffness. @param held  as above
   [[nodiscard]] std::optional<Forced> least_energy(Forced now, double held) const;
+  [[nodiscard]] bool are_known(const Eigen::VectorXd& deflections) const;  ///< the forces
   /// Positions of one deflection that may begin a search.
   [[nodiscard]] std::vector<double> starts(Eigen::Index deflection) const;
 
@@ -76,6 +80,7 @@ class LoadPath {
   Eigen::MatrixXd across_;                         ///< free coordinates × deflections
   Eigen::MatrixXd receptance_;                     ///< deflections × deflections
   Eigen::VectorXd linear_, of_load_, references_;  ///< of_load_: without built-in forces
+  std::optional<DeflectionSizes> sizes_;
   bool loaded_ = false;
 };
 

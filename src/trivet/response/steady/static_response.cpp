@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/response/steady/static_response.h"
 
+#include <algorithm>
+
 #include "trivet/assembly/loads.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -21,7 +23,9 @@ RestRow rest_row(const assembly::Assembled& assembled, const assembly::Channel& 
 }
 
 StaticSolution static_solution(const model::System& system, const assembly::Assembled& assembled) {
-  if (!system.description().gravity && system.description().constant_forces.empty())
+  const bool is_nonlinear = std::any_of(system.elements().begin(), system.elements().end(),
+                                        [](const model::Element& e) { return e.law.nonlinear.has_value(); });
+  if (!system.description().gravity && system.description().constant_forces.empty() && !is_nonlinear)
     throw foundation::NotComputable(
         "static: the model has no static load; give gravity = [0, 0, -9.80665] or an excitation of type \"constant\"");
   for (std::size_t e = 0; e < assembled.elements.size(); ++e)
