@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "support/matchers.h"
@@ -48,6 +49,30 @@ TEST(PhaseResonance, OfOneHarmonicIsTheClosedForm) {
     EXPECT_THAT(damping * omega * amplitude, RelativelyNear(load * point.load_factor, 1e-9));
     EXPECT_THAT(mass * omega * omega, RelativelyNear(stiffness + 0.75 * cubic * amplitude * amplitude, 1e-9));
     EXPECT_NEAR(point.results[0].harmonics(0).real(), 0, 1e-9 * amplitude);
+  }
+}
+
+/// The origin of time has no part in it: neither a phase of the force nor its delay, which changes with the frequency.
+TEST(PhaseResonance, LagsTheForceWhateverItsPhase) {
+  struct Shift {
+    std::complex<double> factor;
+    double delay;
+  };
+  for (const Shift& shift : {Shift{std::polar(1.0, 1.1), 0}, Shift{-1, 0}, Shift{1, 0.013}, Shift{{0, -1}, 0.004}}) {
+    model::Description shifted = hardening(cubic).description();
+    shifted.excitations[0].action.amplitude *= shift.factor;
+    shifted.excitations[0].action.delay = shift.delay;
+    const nonlinear::SteadyBranch found =
+        nonlinear::steady_branch(model::System::checked(shifted).value(), at_90_degrees(1));
+    ASSERT_GT(found.points.size(), 10u);
+    ASSERT_TRUE(found.at_phase);
+    EXPECT_EQ(found.at_phase->behind, "F");
+    for (const nonlinear::SteadyPoint& point : found.points) {
+      const double omega = point.angular_frequency, amplitude = std::abs(point.results[0].harmonics(0));
+      EXPECT_THAT(damping * omega * amplitude, RelativelyNear(load * point.load_factor, 1e-9));
+      EXPECT_THAT(mass * omega * omega, RelativelyNear(stiffness + 0.75 * cubic * amplitude * amplitude, 1e-9));
+      EXPECT_TRUE(point.stable);
+    }
   }
 }
 

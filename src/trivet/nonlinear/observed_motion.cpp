@@ -156,9 +156,13 @@ Observer::Observer(const model::System& system, const assembly::Assembled& assem
     : assembled_(assembled),
       excitation_(std::move(excitation)),
       channels_(assembly::channels(system, assembled, of, quantity)),
-      // Undamped free motion has no friction of stops, whose columns are the last.
-      direct_(direct_forces(system, assembled, of, quantity).leftCols(to_index(deflections.size()))),
+      direct_(MatrixXd::Zero(to_index(channels_.size()), to_index(deflections.size()))),
       feedthrough_(MatrixXd::Zero(direct_.rows(), direct_.cols())) {
+  // Undamped free motion has no friction of stops, whose columns are the last, and a displacement that is followed as a
+  // deflection bears no force.
+  const MatrixXd direct = direct_forces(system, assembled, of, quantity);
+  const Index both = std::min(direct.cols(), direct_.cols());
+  direct_.leftCols(both) = direct.leftCols(both);
   constexpr int acceleration = 2;
   if (std::none_of(channels_.begin(), channels_.end(),
                    [](const assembly::Channel& channel) { return channel.derivative == acceleration; }))

@@ -43,6 +43,24 @@ bool has_orders(const model::System& system, const std::vector<std::string>& sel
          }));
 }
 
+PeriodicExcitation::Reference reference_of(const model::Excitation& excitation,
+                                           const excitation::ComplexVector6& amplitude) {
+  const auto first = std::find_if(amplitude.begin(), amplitude.end(),
+                                  [](const std::complex<double>& component) { return component != 0.0; });
+  return {excitation.name, first == amplitude.end() ? 0 : std::arg(*first), excitation.action.delay};
+}
+
+/// Of the excitation that is the first of these, by name, at an order.
+PeriodicExcitation::Reference reference_of(const model::System& system, const std::string& name, double order) {
+  const auto& excitations = system.description().excitations;
+  const model::Excitation& excitation =
+      *std::find_if(excitations.begin(), excitations.end(), [&](const model::Excitation& e) { return e.name == name; });
+  if (const auto* orders = std::get_if<model::Orders>(&excitation.course))
+    for (const excitation::Order& one : orders->list)
+      if (one.order == order) return reference_of(excitation, one.fixed.isZero(0) ? one.per_speed_squared : one.fixed);
+  return reference_of(excitation, excitation.action.amplitude);
+}
+
 }  // namespace
 
 PeriodicExcitation periodic_excitation(const model::System& system, const assembly::Assembled& assembled,
@@ -52,8 +70,10 @@ PeriodicExcitation periodic_excitation(const model::System& system, const assemb
     found.harmonics.push_back(1);
     found.loadings.push_back(assembly::harmonic_loading(system, assembled, selected));
     for (const model::Excitation& excitation : system.description().excitations)
-      if (model::is_selected(excitation, selected) && std::holds_alternative<model::Harmonic>(excitation.course))
+      if (model::is_selected(excitation, selected) && std::holds_alternative<model::Harmonic>(excitation.course)) {
+        if (found.names.empty()) found.reference = reference_of(excitation, excitation.action.amplitude);
         found.names.push_back(excitation.name);
+      }
     return found;
   }
   for (const model::Excitation& excitation : system.description().excitations) {
@@ -77,6 +97,7 @@ PeriodicExcitation periodic_excitation(const model::System& system, const assemb
   }
   found.first_harmonic = *divisor;
   found.of_shaft = true;
+  found.reference = reference_of(system, orders.front().excitations.front(), orders.front().order);
   for (const response::OrderLoading& one : orders) {
     const auto harmonic = static_cast<Eigen::Index>(std::llround(one.order / *divisor));
     if (!found.harmonics.empty() && found.harmonics.back() == harmonic) {  // the same order with other digits

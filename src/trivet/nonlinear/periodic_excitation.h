@@ -17,6 +17,15 @@ struct PeriodicExcitation {
   bool of_shaft = false;                    ///< orders of a shaft speed, not one frequency
   std::vector<Eigen::Index> harmonics;      ///< ascending
   std::vector<assembly::Loading> loadings;  ///< one per harmonic, over its own frequency
+  /// What phases are told from: the first excitation of the model at the lowest frequency, and of its force (or motion)
+  /// the first component that is not zero.
+  struct Reference {
+    std::string name;
+    double phase = 0;  ///< ahead of cos ωt [rad]
+    double delay = 0;  ///< [s]
+    [[nodiscard]] double phase_at(double omega) const { return phase - omega * delay; }
+  };
+  Reference reference;
   [[nodiscard]] Eigen::Index highest() const { return harmonics.empty() ? 1 : harmonics.back(); }
 };
 

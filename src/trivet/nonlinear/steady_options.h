@@ -14,8 +14,9 @@ namespace trivet::nonlinear {
 /// Instead of a fixed frequency over the load factor: that at which a result lags the excitation by a phase.
 struct PhaseLag {
   std::string of;           ///< a displacement
-  double lag = 0;           ///< of its harmonic at the lowest frequency of the excitation, behind phase 0 [rad]
+  double lag = 0;           ///< of its harmonic at the lowest frequency of the excitation [rad]
   double from = 0, to = 0;  ///< the frequency at the lower end of the load is sought here [rad/s]
+  std::string behind = {};  ///< of a result: the excitation (PeriodicExcitation::reference)
 };
 
 struct SteadyOptions {

@@ -37,25 +37,27 @@ TextBox box_of(const PixelPoint& at) {
   return {at.x - mark_radius, at.y - mark_radius, at.x + mark_radius, at.y + mark_radius};
 }
 
-/// The first place that is free, inside the frame or else beyond it.
+/// The first place that is free, inside the frame or else beyond it, but not below it, where ticks have their numbers.
 std::optional<TextPlace> free_place(const PlotPanel& panel, const PanelMark& mark, const std::vector<TextBox>& taken) {
   const PixelPoint at = panel.at(mark.x, mark.y);
   constexpr double above = -8, below = 17, line = 14, beside = 9, middle = 4, edge = 0.1;
   const double share = panel.x.share(mark.x);
   const char* anchor = share > 1 - edge ? "end" : share < edge ? "start" : "middle";
-  const std::array<TextPlace, 6> places = {{{{at.x, at.y + above}, anchor},
+  const std::array<TextPlace, 9> places = {{{{at.x, at.y + above}, anchor},
                                             {{at.x, at.y + below}, anchor},
                                             {{at.x + beside, at.y + middle}, "start"},
                                             {{at.x - beside, at.y + middle}, "end"},
                                             {{at.x, at.y + above - line}, anchor},
-                                            {{at.x, at.y + below + line}, anchor}}};
+                                            {{at.x, at.y + below + line}, anchor},
+                                            {{at.x, at.y + above - 2 * line}, anchor},
+                                            {{at.x, at.y + below + 2 * line}, anchor},
+                                            {{at.x, at.y + above - 3 * line}, anchor}}};
   const TextBox frame = {panel.corner.x, panel.corner.y, panel.corner.x + panel.width, panel.corner.y + panel.height};
   for (const bool inside : {true, false})
     for (const TextPlace& place : places) {
       const TextBox here = box_of(mark, place);
-      if (inside &&
-          (here.left < frame.left || here.right > frame.right || here.top < frame.top || here.bottom > frame.bottom))
-        continue;
+      if (here.bottom > frame.bottom) continue;
+      if (inside && (here.left < frame.left || here.right > frame.right || here.top < frame.top)) continue;
       if (std::none_of(taken.begin(), taken.end(), [&](const TextBox& other) { return overlap(here, other); }))
         return place;
     }

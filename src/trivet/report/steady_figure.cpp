@@ -157,8 +157,13 @@ PanelRow harmonics_row(const SteadyBranch& branch, std::size_t result, const pro
     const std::string name = k == 0 ? "|mean|"
         : branch.of_shaft           ? fmt::format("order {:.4g}", static_cast<double>(k) * branch.first_harmonic)
                                     : fmt::format("harmonic {}", k);
-    for (PanelCurve& piece : pieces(branch, display, value, series_colour(to_size(k)), name)) {
-      if (!piece.key.empty() && piece.key.front() != name) piece.key.clear();  // dashes mean the same as above
+    std::vector<PanelCurve> course = pieces(branch, display, value, series_colour(to_size(k)), name);
+    const bool has_stable = std::any_of(course.begin(), course.end(), [&](const PanelCurve& piece) {
+      return !piece.key.empty() && piece.key.front() == name;
+    });
+    for (PanelCurve& piece : course) {
+      if (!piece.key.empty() && piece.key.front() != name)  // dashes mean the same as above
+        piece.key = has_stable ? std::vector<std::string>() : std::vector<std::string>{name};
       row.curves.push_back(std::move(piece));
     }
   }
@@ -214,6 +219,7 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
                     quantity_cell(extremes[c].largest, unit),
                     right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
                     quantity_cell(extremes[c].smallest, unit),
+                    quantity_cell(extremes[c].at->results[c].mean, unit),
                     quantity_cell(extremes[c].largest_of_all, unit)});
   }
   if (nonlinear::stable_points(branch).empty()) return hint("No motion of this branch is stable.");
@@ -222,6 +228,7 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
                      right("largest stable"),
                      right("at [" + results::varied_unit(branch, display) + "]"),
                      right("smallest stable"),
+                     right("mean there"),
                      right("largest, also unstable")},
                     rows);
 }
@@ -238,17 +245,22 @@ std::string steady_tables(const study::Answers& answers) {
   const auto* branch = answers.find<SteadyBranch>("steady");
   if (!branch) return "";
   std::vector<std::vector<Cell>> rows;
-  for (const Fold& fold : branch->folds)
+  const auto add_fold = [&](const Fold& fold, const std::string& of) {
     for (std::size_t c = 0; c < branch->results.size(); ++c) {
       const double from = fold.point.results[c].half_of_range();
       if (!(from > 0)) continue;
       rows.push_back(
-          {{std::string(fold.upper ? "rising " : "falling ") + results::varied_word(*branch)},
+          {{std::string(fold.upper ? "rising " : "falling ") + results::varied_word(*branch) + of},
            right(fmt::format("{:.6g}", place(*branch, fold.point, answers.display))),
            {branch->results[c]},
            quantity_cell(from, branch->units[c]),
            fold.lands ? quantity_cell(fold.lands->results[c].half_of_range(), branch->units[c]) : right("–")});
     }
+  };
+  for (const Fold& fold : branch->folds) add_fold(fold, "");
+  for (std::size_t i = 0; i < branch->further.size(); ++i)
+    for (const Fold& fold : branch->further[i].folds)
+      if (nonlinear::jumps_at(branch->further[i], fold)) add_fold(fold, fmt::format(", curve {}", i + 1));
   const std::string about = hint(fmt::format(
       "Periodic motions connected with the one at the lower end of the band; {}. {} harmonics, which leave out at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
@@ -256,10 +268,10 @@ std::string steady_tables(const study::Answers& answers) {
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
       branch->harmonics, branch->left_out,
-      branch->at_phase
-          ? fmt::format(" At each load the frequency is the one at which {} lags the excitation by {:.4g}°.",
-                        branch->at_phase->of, 360 / foundation::two_pi * branch->at_phase->lag)
-          : "",
+      branch->at_phase ? fmt::format(" At each load the frequency is the one at which {} lags \"{}\" by {:.4g}°.",
+                                     branch->at_phase->of, branch->at_phase->behind,
+                                     360 / foundation::two_pi * branch->at_phase->lag)
+                       : "",
       branch->ended.empty() ? "" : " " + branch->ended + "."));
   const std::string stability = stable_table(*branch, answers.display) + stability_block(*branch, answers.display);
   if (rows.empty())

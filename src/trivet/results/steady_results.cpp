@@ -101,7 +101,10 @@ Json steady(const project::Case&, const study::Answers& answers) {
   const SteadyBranch& branch = branch_of(answers);
   Json result{
       {"over", branch.over == nonlinear::Parameter::frequency ? "frequency" : "load_factor"},
-      {"at_phase", branch.at_phase ? Json{{"of", branch.at_phase->of}, {"lag", branch.at_phase->lag}} : Json(nullptr)},
+      {"at_phase",
+       branch.at_phase
+           ? Json{{"of", branch.at_phase->of}, {"lag", branch.at_phase->lag}, {"behind", branch.at_phase->behind}}
+           : Json(nullptr)},
       {"excitations", branch.excitations},
       {"of_shaft", branch.of_shaft},
       {"first_harmonic", branch.first_harmonic},
@@ -219,8 +222,8 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
     table.add(row);
     if (i == last) break;
   }
-  return fmt::format("  at each load the frequency is the one at which {} lags the excitation by {:.4g}°\n",
-                     branch.at_phase->of, 360 / foundation::two_pi * branch.at_phase->lag) +
+  return fmt::format("  at each load the frequency is the one at which {} lags \"{}\" by {:.4g}°\n",
+                     branch.at_phase->of, branch.at_phase->behind, 360 / foundation::two_pi * branch.at_phase->lag) +
       table.text();
 }
 
