@@ -192,6 +192,7 @@ TEST(RubbingContact, TwoVerdictsOnStabilityAgree) {
     const nonlinear::SteadyBranch branch = nonlinear::steady_branch(rest.system, options);
     EXPECT_GT(branch.winding.points, 4);
     EXPECT_TRUE(branch.winding.differs_at.empty());
+    EXPECT_EQ(branch.winding.undecided, 0);
   }
 }
 

@@ -185,6 +185,7 @@ TEST(RubbingRing, TwoVerdictsOnStabilityAgree) {
     const nonlinear::SteadyBranch branch = nonlinear::steady_branch(rest.system, options);
     EXPECT_GT(branch.winding.points, 4);
     EXPECT_TRUE(branch.winding.differs_at.empty());
+    EXPECT_EQ(branch.winding.undecided, 0);
   }
 }
 
@@ -233,6 +234,7 @@ friction = {coefficient = 0.2, stiffness = 1e5}
     options.deep = true;
     const nonlinear::SteadyBranch branch = nonlinear::steady_branch(rest.system, options);
     EXPECT_TRUE(branch.winding.differs_at.empty());
+    EXPECT_EQ(branch.winding.undecided, 0);
     return branch.at.at(0);
   };
   const nonlinear::SteadyPoint one = point(before), other = point(ring + stop);

@@ -130,6 +130,7 @@ TEST(RingWhirl, HasTheRadiusAndStabilityOfItsClosedForm) {
   }
   EXPECT_GE(rubbing, 4u);
   EXPECT_TRUE(found.winding.differs_at.empty());
+  EXPECT_EQ(found.winding.undecided, 0);
   EXPECT_GT(found.winding.points, 10);
 }
 

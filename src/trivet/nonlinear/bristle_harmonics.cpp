@@ -34,9 +34,11 @@ BristleHarmonics bristle_harmonics(const BristleLoop& loop, const VectorXd& defl
   const Index count = deflection.size(), harmonics = (count - 1) / 2, nodes = loop.phases().size();
   BristleHarmonics found{VectorXd::Zero(count), {}, {}};
   if (!loop.moves()) {
+    const MatrixXd stuck = sticking(law, count, omega);
+    found.force = stuck * deflection;
     if (with_tangent) {
-      found.tangent = sticking(law, count, omega);
-      found.by_omega.setZero(count);
+      found.tangent = stuck;
+      found.by_omega = sticking(law, count, 1) * deflection - sticking(law, count, 0) * deflection;
     }
     return found;
   }

@@ -31,11 +31,11 @@ Eigen::Index more_harmonics(Eigen::Index harmonics) { return std::min(most_stead
 
 void check_harmonics(const SteadyOptions& options, const PeriodicExcitation& excitation) {
   const Eigen::Index highest = excitation.highest();
-  if (highest > most_steady_harmonics)
+  if (highest > most_steady_harmonics && options.harmonics == 0)
     throw foundation::NotComputable(
-        fmt::format("steady: the highest order is harmonic {} of the motion, and at most {} are computed; name "
-                    "excitations whose orders have a larger common divisor",
-                    highest, most_steady_harmonics));
+        fmt::format("steady: the highest order is harmonic {} of the motion, and at most {} are taken unless more are "
+                    "given; give harmonics = {}, or name excitations whose orders have a larger common divisor",
+                    highest, most_steady_harmonics, highest));
   if (options.harmonics > 0 && options.harmonics < highest)
     throw foundation::InvalidInput(fmt::format(
         "steady: {} harmonics, and the highest order is harmonic {} of the motion, of which order {:.6g} is the first; "

@@ -110,9 +110,10 @@ std::string KnownForces::add_turns(std::size_t j, const LawHarmonics& law, const
   }
   if (turns.size() > before) return "";
   return fmt::format(
-      "the friction of {} rests: up to {:.4g} it does not move at all; give it a stiffness, with which it "
-      "can stick",
-      deflections_[j].name, limit);
+      "the friction of {} rests: up to {:.4g} {} it does not move at all; give it a stiffness, with which it can "
+      "stick, "
+      "or begin where the excitation moves it",
+      deflections_[j].name, limit, deflections_[j].is_rotation ? "N m" : "N");
 }
 
 /// At each turn the forces that would hold all frictions that turn there: one of them exceeds its static limit, or they

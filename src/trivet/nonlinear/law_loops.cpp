@@ -82,6 +82,8 @@ std::vector<LawLoop> law_loops(const model::NonlinearPart& part, double own_stif
     extent = std::max(extent, std::visit(Extent{own_stiffness, part.at_rest}, law));
     if (!std::holds_alternative<elements::DampingForce>(law)) slow.push_back(law);
   }
+  const auto [low, high] = LawAbout(slow).range();
+  extent = std::min({extent, part.at_rest - low, high - part.at_rest});
   std::vector<LawLoop> loops;
   if (slow.empty() || !(extent > 0)) return loops;
   const LawHarmonics law(LawAbout(slow, part.at_rest), 20);

@@ -7,7 +7,7 @@
 
 #include "trivet/foundation/index.h"
 #include "trivet/nonlinear/contact_share.h"
-#include "trivet/numerics/linalg/pivoted_lu.h"
+#include "trivet/numerics/linalg/lane_lu.h"
 
 namespace trivet::nonlinear {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 bool is_behind_fold(const HarmonicBalance& balance, const Eigen::VectorXd& unknowns, const Driving& driving) {
   numerics::Equations equations;
   balance.evaluate(unknowns, driving, Parameter::frequency, equations);
-  return numerics::PivotedLu<double>(equations.by_unknowns).determinant() < 0;
+  return numerics::LaneLu(equations.by_unknowns).determinant_sign() < 0;
 }
 
 }  // namespace

@@ -72,6 +72,11 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   return without;
 }
 
+bool jumps_at(const SteadyBranch& curve, const Fold& fold) {
+  return curve.points[fold.after].stable ||
+      (fold.after + 1 < curve.points.size() && curve.points[fold.after + 1].stable);
+}
+
 std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch) {
   const std::vector<const SteadyPoint*> stable = stable_points(branch);
   std::vector<StableExtremes> found;

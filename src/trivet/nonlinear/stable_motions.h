@@ -11,6 +11,9 @@ namespace trivet::nonlinear {
 /// Stable motions of a curve and of its further ones, and folds beside a stable point, which are their ends.
 [[nodiscard]] std::vector<const SteadyPoint*> stable_points(const SteadyBranch& branch);
 
+/// Does a stable motion of the curve end at its fold?
+[[nodiscard]] bool jumps_at(const SteadyBranch& curve, const Fold& fold);
+
 /// Extremes of one result over the stable motions, and the largest value of all motions.
 struct StableExtremes {
   const SteadyPoint* at = nullptr;  ///< the motion with the largest value

@@ -50,6 +50,9 @@ std::optional<std::complex<double>> AmplitudeStiffness::at(double omega) const {
   for (std::size_t i = 0; i + 1 < angular_frequency.size(); ++i) {
     const double low = angular_frequency[i] * (1 - round_off), high = angular_frequency[i + 1] * (1 + round_off);
     if (omega < std::min(low, high) || omega > std::max(low, high)) continue;
+    const double before = i > 0 ? angular_frequency[i - 1] : 0;
+    const bool goes_on = (angular_frequency[i] - before) * (angular_frequency[i + 1] - angular_frequency[i]) > 0;
+    if (found && i > 0 && goes_on && std::abs(omega - angular_frequency[i]) <= round_off * omega) continue;  // its end
     if (found) return std::nullopt;
     const double share = (omega - low) / (high - low);
     found = (1 - share) * stiffness(to_index(i)) + share * stiffness(to_index(i) + 1);

@@ -86,12 +86,6 @@ std::string jump_words(const Fold& fold, const SteadyBranch& branch, const proje
                          : fmt::format("; {} other stable motions are known there", fold.stable_there)));
 }
 
-/// Is a motion beside the fold stable, so that it jumps there?
-bool jumps_at(const SteadyBranch& curve, const Fold& fold) {
-  return curve.points[fold.after].stable ||
-      (fold.after + 1 < curve.points.size() && curve.points[fold.after + 1].stable);
-}
-
 }  // namespace
 
 std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& display) {
@@ -101,7 +95,7 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
   bool any = !branch.folds.empty();
   for (std::size_t i = 0; i < branch.further.size(); ++i)
     for (const Fold& fold : branch.further[i].folds) {
-      if (!jumps_at(branch.further[i], fold)) continue;
+      if (!nonlinear::jumps_at(branch.further[i], fold)) continue;
       any = true;
       table.add({fmt::format("{}, curve {}", jump_of(branch, fold), i + 1), place_text(branch, fold.point, display, 9),
                  jump_words(fold, branch, display)});

@@ -65,7 +65,8 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
 namespace {
 
 /// Multipliers that are not accurate enough, and motions that creep.
-void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
+/// @param of  "", or "further curve 2: "
+void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
   constexpr double accurate = 1e-5, slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
   int left_at_once = 0, uncertain = 0, stable = 0, creep = 0;
   double worst = 0, slowest = 0;
@@ -88,23 +89,44 @@ void warn_of_multipliers(const nonlinear::SteadyBranch& branch, foundation::Prob
     }
   }
   if (left_at_once > 0)
+    warnings.warning("analyses.steady",
+                     fmt::format("{}{} of {} motions have no multipliers that can be computed", of, left_at_once,
+                                 branch.points.size()),
+                     "deviations grow beyond the largest number within a period, so these motions count as unstable",
+                     "check the signs of the laws and the stiffness of friction");
+  if (uncertain > 0)
     warnings.warning(
         "analyses.steady",
-        fmt::format("{} of {} motions have no multipliers that can be computed", left_at_once, branch.points.size()),
-        "deviations grow beyond the largest number within a period, so these motions count as unstable",
-        "check the signs of the laws and the stiffness of friction");
-  if (uncertain > 0)
-    warnings.warning("analyses.steady",
-                     fmt::format("the multipliers of {} of {} motions are uncertain", uncertain, branch.points.size()),
-                     fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst),
-                     "do not trust a stability that is close; compare the second verdict (--deep)");
+        fmt::format("{}the multipliers of {} of {} motions are uncertain", of, uncertain, branch.points.size()),
+        fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst),
+        "do not trust a stability that is close; compare the second verdict (--deep)");
   if (2 * creep > stable)
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("{}{} of {} stable motions are reached slowly: a deviation falls to 1/e in up to {:.2g} "
+                    "periods",
+                    of, creep, stable, -1 / std::log(slowest)),
+        "a multiplier is real and close to 1, for instance of friction that slips little",
+        "a machine may run with another mean for a long time");
+}
+
+/// @param of  as above
+void warn_of_verdicts(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
+  if (branch.held_share > 0)
     warnings.warning("analyses.steady",
-                     fmt::format("{} of {} stable motions are reached slowly: a deviation falls to 1/e in up to {:.2g} "
-                                 "periods",
-                                 creep, stable, -1 / std::log(slowest)),
-                     "a multiplier is real and close to 1, for instance of friction that slips little",
-                     "a machine may run with another mean for a long time");
+                     of + "harmonics leave the table of an element, which is held constant beyond its end",
+                     fmt::format("they have {:.2g} of the deflections", branch.held_share),
+                     "extend the table if this share matters");
+  if (!branch.winding.differs_at.empty() && !branch.winding.decides)
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("{}two verdicts on stability differ at {} of {} points", of, branch.winding.differs_at.size(),
+                    branch.winding.points),
+        branch.over == nonlinear::Parameter::load_factor
+            ? fmt::format("the first at {:.6g} times the load", branch.winding.differs_at.front())
+            : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
+        "take more harmonics; close to a change of stability both are uncertain");
+  warn_of_multipliers(of, branch, warnings);
 }
 
 }  // namespace
@@ -123,21 +145,7 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
                      asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
                                          : "near grazing contact no number of harmonics is enough");
-  if (branch.held_share > 0)
-    warnings.warning("analyses.steady",
-                     "harmonics leave the table of an element, which is held constant beyond its end",
-                     fmt::format("they have {:.2g} of the deflections", branch.held_share),
-                     "extend the table if this share matters");
-  if (!branch.winding.differs_at.empty() && !branch.winding.decides)
-    warnings.warning(
-        "analyses.steady",
-        fmt::format("two verdicts on stability differ at {} of {} points", branch.winding.differs_at.size(),
-                    branch.winding.points),
-        branch.over == nonlinear::Parameter::load_factor
-            ? fmt::format("the first at {:.6g} times the load", branch.winding.differs_at.front())
-            : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
-        "take more harmonics; close to a change of stability both are uncertain");
-  warn_of_multipliers(branch, warnings);
+  warn_of_verdicts("", branch, warnings);
   for (std::size_t i = 0; i < branch.further.size(); ++i) {
     const nonlinear::SteadyBranch& curve = branch.further[i];
     if (curve.left_out > asked.tolerance)
@@ -148,6 +156,7 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
     if (!curve.ended.empty())
       warnings.warning("analyses.steady", fmt::format("further curve {} is not whole", i + 1), curve.ended,
                        "what lies beyond is not computed");
+    warn_of_verdicts(fmt::format("further curve {}: ", i + 1), curve, warnings);
   }
   for (const std::string& name : branch.lost_means)
     warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",

@@ -146,6 +146,17 @@ TEST(BristleLoop, HarmonicsHaveTheirDerivatives) {
     }
 }
 
+/// A motion far below round-off of the slip: a spring and a damper.
+TEST(BristleLoop, OfAMotionThatIsTooSmallToSlipSticks) {
+  for (const LuGreFriction& law : laws()) {
+    VectorXd motion = VectorXd::Zero(numerics::coefficient_count(harmonics));
+    motion(1) = 1e-13 * law.slip / law.stiffness;
+    const nonlinear::BristleHarmonics found = nonlinear::bristle_harmonics(loop_of(law, motion), motion, omega, true);
+    EXPECT_NEAR(found.force(1), law.stiffness * motion(1), 1e-3 * law.stiffness * motion(1));
+    EXPECT_NEAR(found.force(2), -omega * (law.damping + law.viscous) * motion(1), 1e-3 * law.stiffness * motion(1));
+  }
+}
+
 /// A variation that repeats is one by the coefficients.
 TEST(BristleLoop, VariationOfTheSamePeriodIsTheTangent) {
   constexpr double of_interpolation = 1e-8;
@@ -154,13 +165,20 @@ TEST(BristleLoop, VariationOfTheSamePeriodIsTheTangent) {
     const BristleLoop loop = loop_of(law, motion);
     const MatrixXd tangent = nonlinear::bristle_harmonics(loop, motion, omega, true).tangent;
     const Eigen::MatrixXcd variation = nonlinear::BristleVariation(loop, omega, harmonics).at(0);
-    // cos kφ = (e^{ikφ} + e^{−ikφ})/2: the coefficient of cos nφ is the sum of those of e^{±inφ}.
+    // cos kφ = (e^{ikφ} + e^{−ikφ})/2 and sin kφ = (e^{ikφ} − e^{−ikφ})/2i. The coefficient of cos nφ is the sum of
+    // those of e^{±inφ}, that of sin nφ is i times their difference.
+    constexpr std::complex<double> i(0, 1);
     for (Index k = 1; k <= harmonics; ++k)
       for (Index n = 1; n <= harmonics; ++n) {
         const auto at = [&](Index of, Index by) { return variation(harmonics + of, harmonics + by); };
-        const std::complex<double> cosine = (at(n, k) + at(n, -k) + at(-n, k) + at(-n, -k)) / 2.0;
-        EXPECT_NEAR(tangent(2 * n - 1, 2 * k - 1), cosine.real(), of_interpolation * tangent.norm());
-        EXPECT_NEAR(0, cosine.imag(), of_interpolation * tangent.norm());
+        Eigen::Matrix2cd found;
+        found << (at(n, k) + at(n, -k) + at(-n, k) + at(-n, -k)) / 2.0,
+            (at(n, k) - at(n, -k) + at(-n, k) - at(-n, -k)) / (2.0 * i),
+            i * (at(n, k) + at(n, -k) - at(-n, k) - at(-n, -k)) / 2.0,
+            (at(n, k) - at(n, -k) - at(-n, k) + at(-n, -k)) / 2.0;
+        const Eigen::Matrix2d expected = tangent.block<2, 2>(2 * n - 1, 2 * k - 1);
+        EXPECT_LE((found.real() - expected).cwiseAbs().maxCoeff(), of_interpolation * tangent.norm()) << n << k;
+        EXPECT_LE(found.imag().cwiseAbs().maxCoeff(), of_interpolation * tangent.norm());
       }
   }
 }

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -35,6 +36,10 @@ void read_load_factor(TableReader& reader, const ResultNames& names, SteadyQuest
       names.refuse(phase, "of", asked.phase_of, "one displacement or rotation");
     constexpr double resonance = std::numbers::pi / 2;
     asked.lag = phase.number("lag", Quantity::angle).value_or(resonance);
+    if (std::abs(asked.lag) > 2 * std::numbers::pi)
+      phase.error("lag", fmt::format("{:.6g} degrees", asked.lag * 180 / std::numbers::pi),
+                  "a lag is less than a revolution; a number without a unit is in rad",
+                  "write for instance \"90 deg\"");
     phase.finish();
     if (reader.has("at")) reader.error("at", "at beside phase", "the frequency follows the phase then", "remove one");
   } else {

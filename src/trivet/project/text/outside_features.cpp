@@ -62,7 +62,8 @@ const Words nonlinear_answers = {"nonlinear",       "continuation", "harmonic_ba
 const Words turning = {"gyroscopic", "gyroscopic_moment", "spin", "spin_speed", "rotor", "rotors"};
 
 const OutsideFeature of_elements = {
-    "no such key: nonlinear laws are keys of `laws` (docs/nonlinear.md)",
+    "no such key here: nonlinear laws are keys of `laws`, of elements with a stiffness matrix; stops and struts have "
+    "their own keys (docs/nonlinear.md)",
     "write for instance laws.z = {cubic = \"1e10 N/m^3\"}, or type = \"stop\"; or remove the key"};
 const OutsideFeature of_designs = {
     "the best design is asked for in [analyses.optimize], and mounts are chosen by trivet select",
