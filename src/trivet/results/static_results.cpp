@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
 #include "trivet/results/answer_writer.h"
 #include "trivet/results/csv_field.h"
 #include "trivet/results/shown_numbers.h"
@@ -90,9 +95,13 @@ std::string states_text(const study::Answers& answers) {
 
 std::string static_text(const project::Case&, const study::Answers& answers) {
   TextTable table({"result", "value", "unit"});
+  std::map<std::string, double> largest;  // of each unit
+  for (const response::StaticValue& value : answers.statics->values)
+    largest[value.unit] = std::max(largest[value.unit], std::abs(value.value));
   for (const response::StaticValue& value : answers.statics->values) {
     const DisplayUnit unit = display_unit(answers.display, value.unit);
-    table.add({value.name, number_text(value.value * unit.factor, 9), unit.unit});
+    table.add(
+        {value.name, number_text(without_round_off(value.value, largest[value.unit]) * unit.factor, 9), unit.unit});
   }
   return "Static displacements and forces\n" + table.text() +
       (answers.load_sharing ? load_sharing_text(answers) : std::string()) + states_text(answers);

@@ -240,6 +240,12 @@ elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation) {
   const std::size_t before = reader.errors();
   elements::ScalarLaws laws;
   reader.also_known({"slip", "breakaway", "stiffness", "sliders", "berg"});
+  if (reader.has("lugre")) {
+    reader.also_known({"lugre"});
+    reader.error("lugre", "within friction", "bristles are a law beside it",
+                 R"(write lugre = {stiffness = "400 N/mm", slip = "40 N"} without friction around it)");
+    return {};
+  }
   const int given = static_cast<int>(reader.has("slip")) + static_cast<int>(reader.has("sliders")) +
       static_cast<int>(reader.has("berg"));
   if (given != 1) {
