@@ -26,28 +26,6 @@ const std::vector<Backbone>* modes_in(const study::Answers& answers) {
   return modes && !modes->empty() ? modes : nullptr;
 }
 
-/// A curve whose x may turn back: pieces in which it rises or falls, with ascending x.
-std::vector<PanelCurve> branch_pieces(const std::vector<double>& x, const std::vector<double>& y,
-                                      const std::string& stroke, const std::string& key) {
-  std::vector<PanelCurve> curves;
-  for (std::size_t i = 0; i + 1 < x.size();) {
-    const bool rises = x[i + 1] > x[i];
-    PanelCurve piece{{}, {x[i]}, {y[i]}, stroke};
-    for (++i; i < x.size(); ++i) {
-      piece.x.push_back(x[i]);
-      piece.y.push_back(y[i]);
-      if (i + 1 == x.size() || (x[i + 1] > x[i]) != rises) break;
-    }
-    if (!rises) {
-      std::reverse(piece.x.begin(), piece.x.end());
-      std::reverse(piece.y.begin(), piece.y.end());
-    }
-    if (curves.empty()) piece.key = {key};
-    curves.push_back(std::move(piece));
-  }
-  return curves;
-}
-
 double half_of_range(const BackbonePoint& point, std::size_t result) { return point.results[result].half_of_range(); }
 
 /// Rows of one result: its range over frequency and, if there is one, the damping ratio over its range.
@@ -68,8 +46,8 @@ std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t 
     }
     const std::string stroke = fmt::format("stroke=\"{}\" stroke-width=\"2\"", series_colour(m)),
                       key = fmt::format("mode {}", modes[m].mode + 1);
-    for (PanelCurve& piece : branch_pieces(frequency, range, stroke, key)) ranges.curves.push_back(std::move(piece));
-    for (PanelCurve& piece : branch_pieces(range, ratio, stroke, key)) damping.curves.push_back(std::move(piece));
+    for (PanelCurve& piece : turning_curve(frequency, range, stroke, key)) ranges.curves.push_back(std::move(piece));
+    for (PanelCurve& piece : turning_curve(range, ratio, stroke, key)) damping.curves.push_back(std::move(piece));
   }
   constexpr double margin = 0.05;
   const double space = std::max(margin * (high - low), margin * margin * high);

@@ -134,6 +134,27 @@ void draw_key(SvgCanvas& canvas, PixelPoint corner, const std::vector<PanelCurve
   }
 }
 
+std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
+                                      const std::string& stroke, const std::string& key) {
+  std::vector<PanelCurve> curves;
+  for (std::size_t i = 0; i + 1 < x.size();) {
+    const bool rises = x[i + 1] > x[i];
+    PanelCurve piece{{}, {x[i]}, {y[i]}, stroke};
+    for (++i; i < x.size(); ++i) {
+      piece.x.push_back(x[i]);
+      piece.y.push_back(y[i]);
+      if (i + 1 == x.size() || (x[i + 1] > x[i]) != rises) break;
+    }
+    if (!rises) {
+      std::reverse(piece.x.begin(), piece.x.end());
+      std::reverse(piece.y.begin(), piece.y.end());
+    }
+    if (curves.empty()) piece.key = {key};
+    curves.push_back(std::move(piece));
+  }
+  return curves;
+}
+
 void draw_row(SvgCanvas& canvas, const PlotPanel& panel, const PanelRow& row) {
   for (const auto& [from, to] : row.shaded) {
     const double left = panel.at(from, panel.y.from).x, right = panel.at(to, panel.y.from).x;

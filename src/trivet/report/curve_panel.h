@@ -23,6 +23,10 @@ struct PanelMark {
   std::string text;  ///< next to it; may be empty
 };
 
+/// A curve whose x may turn back: pieces in which it rises or falls, with ascending x; the first has the key.
+[[nodiscard]] std::vector<PanelCurve> turning_curve(const std::vector<double>& x, const std::vector<double>& y,
+                                                    const std::string& stroke, const std::string& key);
+
 /// A panel with its curves, and their key to the right of it.
 struct PanelRow {
   Axis x, y;

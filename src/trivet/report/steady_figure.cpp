@@ -7,6 +7,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
+#include "trivet/nonlinear/backbone.h"
 #include "trivet/nonlinear/stable_motions.h"
 #include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_figures.h"
@@ -104,8 +105,45 @@ void add_jumps(const SteadyBranch& branch, std::size_t result, const project::Sh
   }
 }
 
-PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project::ShownUnits& display,
+/// Free motions of the same result, within the band and the height of the forced ones.
+std::vector<PanelCurve> nonlinear_modes(const SteadyBranch& branch, std::size_t result, const study::Answers& answers,
+                                        const UnitPrefix& unit, double highest) {
+  std::vector<PanelCurve> found;
+  const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
+  if (!modes || branch.over != nonlinear::Parameter::frequency || branch.of_shaft) return found;
+  const auto [low, high] = std::minmax_element(
+      branch.points.begin(), branch.points.end(),
+      [](const SteadyPoint& a, const SteadyPoint& b) { return a.angular_frequency < b.angular_frequency; });
+  for (const nonlinear::Backbone& mode : *modes)
+    for (std::size_t c = 0; c < mode.results.size(); ++c) {
+      if (mode.results[c] != branch.results[result] || mode.units[c] != branch.units[result]) continue;
+      std::vector<double> x, y;
+      const auto end_piece = [&] {
+        for (PanelCurve& piece : turning_curve(x, y, "stroke=\"#000000\" stroke-width=\"1\"", "nonlinear mode, free")) {
+          if (!found.empty()) piece.key.clear();
+          found.push_back(std::move(piece));
+        }
+        x.clear();
+        y.clear();
+      };
+      for (const nonlinear::BackbonePoint& point : mode.points) {
+        const double height = unit.factor * point.results[c].half_of_range();
+        if (point.angular_frequency < low->angular_frequency || point.angular_frequency > high->angular_frequency ||
+            height > highest) {
+          end_piece();
+          continue;
+        }
+        x.push_back(results::shown_varied(branch, point.angular_frequency, answers.display));
+        y.push_back(height);
+      }
+      end_piece();
+    }
+  return found;
+}
+
+PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::Answers& answers,
                    const UnitPrefix& unit) {
+  const project::ShownUnits& display = answers.display;
   PanelRow row;
   if (!branch.linear_at.empty()) {
     PanelCurve linear{{"linear about rest"}, {}, {}, "stroke=\"#999999\" stroke-width=\"1\""};
@@ -134,6 +172,9 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const project
       row.curves.push_back(std::move(piece));
     }
   }
+  constexpr double beyond = 1.1;
+  for (PanelCurve& piece : nonlinear_modes(branch, result, answers, unit, beyond * largest))
+    row.curves.push_back(std::move(piece));
   add_jumps(branch, result, display, unit, row);
   std::set<std::string> named;  // once each: names beside each other would overlap
   for (const nonlinear::StabilityChange& change : branch.changes) {
@@ -192,7 +233,7 @@ std::vector<Figure> steady_figures(const study::Answers& answers) {
       if (branch->units[i] == branch->units[c]) of_unit = std::max(of_unit, largest[i]);
     if (!(largest[c] > invisible * of_unit)) continue;
     const UnitPrefix unit = unit_prefix(largest[c], results::display_unit(answers.display, branch->units[c]));
-    std::vector<PanelRow> rows = {range_row(*branch, c, answers.display, unit),
+    std::vector<PanelRow> rows = {range_row(*branch, c, answers, unit),
                                   harmonics_row(*branch, c, answers.display, unit)};
     double from = foundation::infinity, to = 0;
     for (const PanelRow& row : rows)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/excited_machine.h"
+#include "support/projects.h"
 #include "trivet/report/answer_figures.h"
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/curve_panel.h"
@@ -170,6 +171,35 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
   EXPECT_NEAR(
       std::min_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; })->y,
       10, round_off);
+}
+
+/// Only if it is of the same result in the same unit.
+TEST(SteadyFigure, HasTheFreeMotionsOverTheForcedOnes) {
+  const auto figure = [](const std::string& quantity) {
+    const project::Project project = test::project(R"(trivet = 1
+[bodies.m]
+mass = 1.5
+free = ["x"]
+[elements.spring]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [600, 0, 0]
+damping = {translation = [1, 0, 0]}
+laws.x = {cubic = 2e5}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [1, 0, 0]
+[analyses]
+steady = {of = ["m.x"], band = [10, 30], harmonics = 3}
+backbone = {of = ["m.x"], up_to = "0.1 m", harmonics = 3, quantity = ")" +
+                                                   quantity + "\"}\n");
+    return report::steady_figures(study::answers(project.base(), project.base().analyses)).at(0).svg;
+  };
+  EXPECT_EQ(count(figure("displacement"), "nonlinear mode, free"), 1);
+  EXPECT_EQ(count(figure("velocity"), "nonlinear mode, free"), 0);
 }
 
 }  // namespace answer_figures_test
