@@ -311,6 +311,29 @@ TEST(SteadyMotion, PeriodDoublesAtTheLoadThatShootingFinds) {
   EXPECT_FALSE(found.points.back().stable);
 }
 
+/// The same machine rests at x = 0, where it is unstable: the motions in its wells are found from them, the second well
+/// as the image of the first.
+TEST(SteadyMotion, OfAMachineBetweenTwoWellsIsFoundInThem) {
+  const model::System system =
+      oscillator(1, 3, 100, 1, elements::ElasticForce(elements::PolynomialForce{{-200, 0, 1e6}}));
+  nonlinear::SteadyOptions options{.from = 0.01, .to = 0.31, .over = nonlinear::Parameter::load_factor};
+  options.angular_frequency = 12.727922061357857;
+  options.harmonics = 15;
+  options.of = {"m1.x"};
+  options.detached = true;
+  const SteadyBranch found = nonlinear::steady_branch(system, options);
+  ASSERT_TRUE(found.search);
+  EXPECT_EQ(found.search->rests, 2);
+  EXPECT_FALSE(found.points.front().stable);
+  ASSERT_EQ(found.further.size(), 1u);
+  const SteadyBranch& well = found.further[0];
+  EXPECT_NE(well.points.front().stable, well.points.back().stable);
+  ASSERT_EQ(well.changes.size(), 1u);
+  constexpr double digits = 1e-6;  // of the reference
+  EXPECT_THAT(well.changes[0].point.load_factor, RelativelyNear(0.29884586401840224, digits));
+  EXPECT_THAT(std::abs(well.changes[0].point.results[0].mean), RelativelyNear(0.007844607525809, digits));
+}
+
 /// A loss factor is a complex stiffness: with one harmonic, a cubic of the amplitude alone.
 TEST(SteadyMotion, LossFactorOfAHardeningSpringKeepsItsPhaseAtEveryFrequency) {
   const double m = 1.5, k = 600, eta = 0.08, cubic = 2e5, F = 0.8;

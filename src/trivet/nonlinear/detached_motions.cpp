@@ -66,13 +66,15 @@ VectorXd mirrored(const VectorXd& unknowns, Index coefficients) {
 }  // namespace
 
 DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
-                             const std::vector<Deflection>& deflections, const SteadyOptions& options,
-                             const std::function<std::unique_ptr<SteadyPath>()>& new_path,
+                             const std::vector<Deflection>& deflections, const std::vector<VectorXd>& rests,
+                             const SteadyOptions& options, const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                              const foundation::Progress& progress) {
   constexpr int places = 24, starts = 16;
   constexpr double load_up_to = 20;
   constexpr double same = 1e-3;  // of the motion
-  DetachedPaths found{{places, places * starts, options.over == Parameter::frequency ? load_up_to : 0}, {}};
+  DetachedPaths found{
+      {places, places * starts, static_cast<int>(rests.size()), options.over == Parameter::frequency ? load_up_to : 0},
+      {}};
   const auto is_known = [&](const BranchPoint& motion) {
     const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
@@ -103,6 +105,11 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
       if (const std::optional<BranchPoint> motion =
               connected.motion_near(random_motion(of_size, connected.balance(), random), parameter))
         take(*motion);
+    for (const VectorXd& rest : rests) {
+      VectorXd guess = connected.balance().linear_motion(connected.driving(parameter));
+      for (Index j = 0; j < rest.size(); ++j) guess(j * connected.balance().coefficients()) = rest(j);
+      if (const std::optional<BranchPoint> motion = connected.motion_near(guess, parameter)) take(*motion);
+    }
     foundation::report_progress(progress, "detached motions", (i + 1.0) / places);
   }
   return found;

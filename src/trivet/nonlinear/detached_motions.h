@@ -14,6 +14,7 @@ namespace trivet::nonlinear {
 struct DetachedSearch {
   int places = 0;         ///< of the parameter, evenly over the band
   int starts = 0;         ///< of Newton's method, with random amplitudes and phases
+  int rests = 0;          ///< other positions of rest, about which motions were sought at each place
   double load_up_to = 0;  ///< the load was raised there at each place, through the folds of its path
 };
 
@@ -24,9 +25,11 @@ struct DetachedPaths {
 
 /// @param known     paths of the same period: the connected one and those that branch off it; their mirror images are
 ///                  known too
+/// @param rests     from the position of rest to others: changes of the deflections
 /// @param new_path  an empty path of the same machine and harmonics
 [[nodiscard]] DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
-                                           const std::vector<Deflection>& deflections, const SteadyOptions& options,
+                                           const std::vector<Deflection>& deflections,
+                                           const std::vector<Eigen::VectorXd>& rests, const SteadyOptions& options,
                                            const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                                            const foundation::Progress& progress);
 

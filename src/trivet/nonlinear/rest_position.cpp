@@ -245,6 +245,20 @@ RestPosition rest_position(const model::System& system) {
 
 namespace {
 
+/// In the order of LoadPath::deflections.
+VectorXd deflections_at_rest(const model::System& system) {
+  std::vector<double> found;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts) found.push_back(part.at_rest);
+  for (const model::Element& element : system.elements())
+    for (const model::DistancePart& part : element.distance_parts)
+      found.insert(found.end(), part.at_rest.begin(), part.at_rest.end());
+  for (const model::Element& element : system.elements())
+    for (const model::RubbingPart& part : element.rubbing_parts)
+      found.insert(found.end(), part.at_rest.begin(), part.at_rest.end());
+  return Eigen::Map<const VectorXd>(found.data(), to_index(found.size()));
+}
+
 RestPosition rest_in(const model::System& undeformed) {
   model::Description description = undeformed.description();
   const LoadPath path(undeformed);
@@ -278,29 +292,32 @@ RestPosition rest_in(const model::System& undeformed) {
       }
   }
   const model::System there = undeformed.in_other_state(description);
-  VectorXd deflections = VectorXd::Zero(to_index(path.deflections().size()));
-  Index next = 0;
-  for (const model::Element& element : description.elements)
-    for (const model::NonlinearPart& part : element.nonlinear_parts) deflections(next++) = part.at_rest;
-  for (const model::Element& element : there.elements())
-    for (const model::DistancePart& part : element.distance_parts) {
-      deflections.segment<3>(next) = part.at_rest;
-      next += 3;
-    }
-  for (const model::Element& element : there.elements())
-    for (const model::RubbingPart& part : element.rubbing_parts) {
-      deflections.segment<2>(next) = part.at_rest;
-      next += 2;
-    }
-  return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections)};
+  return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections_at_rest(there))};
 }
 
 }  // namespace
 
-std::vector<RestState> rest_states(const model::System& system) {
+namespace {
+
+LoadPath path_from_undeformed(const model::System& system) {
   model::Description description = system.description();
   undeform(description);
-  const LoadPath path(system.in_other_state(std::move(description)));
+  return LoadPath(system.in_other_state(std::move(description)));
+}
+
+}  // namespace
+
+std::vector<VectorXd> to_other_positions_of_rest(const model::System& system) {
+  constexpr double same = 1e-6;
+  const VectorXd here = deflections_at_rest(system);
+  std::vector<VectorXd> found;
+  for (const VectorXd& there : path_from_undeformed(system).all())
+    if ((there - here).norm() > same * std::max(there.norm(), here.norm())) found.push_back(there - here);
+  return found;
+}
+
+std::vector<RestState> rest_states(const model::System& system) {
+  const LoadPath path = path_from_undeformed(system);
   std::vector<RestState> states;
   for (const VectorXd& deflections : path.all()) {
     RestState state{{}, path.is_stable(deflections)};

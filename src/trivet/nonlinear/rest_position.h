@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,6 +25,10 @@ struct RestState {
 };
 /// All positions of rest that a search from many starts finds.
 [[nodiscard]] std::vector<RestState> rest_states(const model::System& system);
+
+/// From the position of rest of a machine to all others that the search finds: changes of its deflections, in the order
+/// of ReferenceMachine::deflections.
+[[nodiscard]] std::vector<Eigen::VectorXd> to_other_positions_of_rest(const model::System& system);
 
 /// "mount: its laws have 1.061e+06 N/m along z at rest, at a deflection of -0.002845 m", for every nonlinear part,
 /// after a sentence that analyses are linear about rest; empty for a linear machine.

@@ -16,6 +16,7 @@
 #include "trivet/nonlinear/observed_path.h"
 #include "trivet/nonlinear/phase_resonance.h"
 #include "trivet/nonlinear/reference_machine.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/nonlinear/steady_path.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
@@ -109,7 +110,8 @@ class Curves {
         return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
                                             path_.balance().harmonics());
       };
-      detached_ = detached_paths(path_, of_one_period, machine_.deflections, options_, new_path, progress_);
+      detached_ = detached_paths(path_, of_one_period, machine_.deflections,
+                                 to_other_positions_of_rest(machine_.system), options_, new_path, progress_);
       for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
       found.search = detached_.search;
     }

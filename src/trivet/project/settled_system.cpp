@@ -43,7 +43,8 @@ void settle(model::System& system, foundation::Problems& problems) {
     if (!rest.stable)
       problems.warning("elements", "an unstable position of rest",
                        "the machine would leave it for another one; all analyses are about the unstable one",
-                       "see all of them: static = {states = \"all\"}; check the signs of the laws");
+                       "see all of them: static = {states = \"all\"}, and motions about them: steady = {branches = "
+                       "\"all\"}; check the signs of the laws");
     system = std::move(rest.system);
     check_bush_directions(system, problems);
   } catch (const foundation::NotComputable& reason) {

@@ -128,6 +128,7 @@ Json steady(const project::Case&, const study::Answers& answers) {
   if (branch.search)
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
+                        {"positions_of_rest", branch.search->rests},
                         {"load_up_to", branch.search->load_up_to}};
   for (const SteadyBranch& curve : branch.further) {
     Json one{{"found", curve.found == Found::detached ? "detached" : "branched"},
