@@ -13,9 +13,11 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/modal/roots.h"
+#include "trivet/project/model_number.h"
 #include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
+#include "trivet/study/explanation.h"
 
 namespace explain_test {
 
@@ -244,6 +246,101 @@ TEST(ModelParameters, MoveAnElementWithoutChangingIt) {
     EXPECT_EQ(other.warnings().list().size(), system.warnings().list().size()) << "it still resists no rigid motion";
   }
   EXPECT_EQ(moved, 18);
+}
+
+/// Bears its weight on hardening mounts, a stop, a gas spring along a line, and rubber whose stiffness depends on
+/// frequency.
+constexpr const char* nonlinear_machine = R"(trivet = 1
+gravity = [0, 0, -9.80665]
+[bodies.machine]
+mass = 200
+center_of_mass = [0.02, -0.03, 0.2]
+inertia = {about = "center_of_mass", xx = 9, yy = 12, zz = 14, xy = 0.5}
+[excitations.f]
+type = "harmonic"
+on = "machine"
+at = [0.1, 0.2, 0.3]
+force = [10, 20, 50]
+[elements.front]
+type = "bushing"
+on = "machine"
+at = [0.4, 0.1, 0]
+translation = [1e5, 1.2e5, 6e4]
+rotation = [900, 800, 500]
+damping = {loss_factor = 0.05}
+laws.z = {cubic = 4e9, quadratic = 1e6}
+[elements.rear]
+type = "bushing"
+on = "machine"
+at = [-0.3, -0.2, 0.05]
+translation = [1e5, 1.1e5, 5e4]
+damping = {fractional_zener = {ratio = 0.3, time = "10 ms", order = 0.5}}
+laws.z = {cubic = 6e9}
+[elements.stop]
+type = "stop"
+on = "machine"
+at = [-0.2, 0.3, 0]
+axis = "-z"
+gap = "1 mm"
+stiffness = 3e6
+power = 1.5
+[elements.lift]
+type = "strut"
+on = "machine"
+at = [0.1, -0.3, 0]
+from_at = [0.1, -0.4, -0.3]
+free_length = "340 mm"
+stiffness = 3e4
+coefficient = 150
+[analyses]
+response = {of = ["machine.z", "machine.rx", "front.force.z"], band = ["2 Hz", "30 Hz"]}
+)";
+
+TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
+  const project::Project file = test::project(nonlinear_machine);
+  const project::Case& base = file.base();
+  const study::Explanation found = study::explanation(base, {{}, 3});
+  ASSERT_EQ(found.peaks.size(), 3u);
+  EXPECT_FALSE(found.notes.empty()) << "the tangents that were used";
+  int compared = 0, moved = 0;
+  for (const study::ExplainedPeak& peak : found.peaks) {
+    for (std::size_t e = 0; e < base.system.elements().size(); ++e) {
+      const auto& share = peak.shares.elements[e];
+      EXPECT_NEAR(share.by_direction.sum(), share.stored, 1e-9) << base.system.elements()[e].name;
+    }
+    const response::Question asked = question({peak.name});
+    double largest_height = 0, largest_frequency = 0;
+    for (const response::Sensitivity& s : peak.sensitivities) {
+      const double size = found.parameters[s.parameter].size / 0.01;
+      largest_height = std::max(largest_height, std::abs(s.height.value()) * size);
+      largest_frequency = std::max(largest_frequency, std::abs(s.frequency.value()) * size);
+    }
+    for (const response::Sensitivity& s : peak.sensitivities) {
+      const response::Parameter& parameter = found.parameters[s.parameter];
+      const project::ModelNumber number(parameter.name, "");
+      const double before = number.read(base).value(), size = parameter.size / 0.01;
+      const bool is_added = parameter.change != "+1 %";
+      const double step = step_by_circles * (is_added ? 0.2 : 1);
+      std::array<double, 2> difference = {0, 0};
+      for (const auto& [node, weight] :
+           {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
+        const double value = is_added ? before + node * step : before * (1 + node * step);
+        const auto there = project::changed_system(base, {{number, value}});
+        ASSERT_TRUE(there) << parameter.name;
+        const auto logarithms = nearest(peaks_of(*there, asked), 0, peak.peak.angular_frequency);
+        for (std::size_t k = 0; k < 2; ++k) difference[k] += weight / step * logarithms[k];
+      }
+      EXPECT_NEAR(*s.height * size, difference[0] * size, truncation_by_circles * largest_height)
+          << parameter.name << " on the height of " << peak.name;
+      EXPECT_NEAR(*s.frequency * size, difference[1] * size, truncation_by_circles * largest_frequency)
+          << parameter.name << " on the frequency of " << peak.name;
+      ++compared;
+      // Without the new position of rest, more mass lowers every frequency; here it hardens the mounts.
+      if (parameter.name == "bodies.machine.mass_about_center" && *s.frequency > -0.1) ++moved;
+    }
+  }
+  EXPECT_GT(compared, 60);
+  EXPECT_GT(moved, 0);
 }
 
 TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {

@@ -69,6 +69,7 @@ Json sensitivities_json(const study::Explanation& explanation, const study::Expl
 std::string explain_json(const project::Case& variant, const study::Explanation& explanation) {
   Json result{
       {"peaks", Json::array()}, {"left_out", explanation.left_out}, {"warnings", json::warnings(explanation.warnings)}};
+  if (!explanation.notes.empty()) result["notes"] = explanation.notes;
   for (const study::ExplainedPeak& peak : explanation.peaks)
     result["peaks"].push_back({{"name", peak.name},
                                {"unit", peak.unit},

@@ -96,6 +96,7 @@ std::string levers_table(const study::Explanation& explanation, const study::Exp
 std::string explain_text(const project::Case& variant, const study::Explanation& explanation) {
   std::string text;
   for (const auto& problem : explanation.warnings.list()) text += foundation::message(problem) + "\n";
+  for (const std::string& note : explanation.notes) text += "note: " + note + "\n";
   if (!text.empty()) text += "\n";
   if (explanation.peaks.empty()) return text + "No resonance peaks: nothing to explain\n";
   for (const study::ExplainedPeak& peak : explanation.peaks) {

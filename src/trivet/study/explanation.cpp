@@ -12,6 +12,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/deflections.h"
+#include "trivet/nonlinear/rest_position.h"
 #include "trivet/response/steady/element_directions.h"
 #include "trivet/study/explanation_words.h"
 
@@ -29,6 +30,18 @@ project::AnswerSelection selection_of(const project::Case& variant, const Explai
   return selection;
 }
 
+/// A nonlinear machine in its new position of rest, near the old one.
+model::System changed(const model::System& system, const response::Parameter& parameter, double amount) {
+  model::System found = response::changed(system, parameter, amount);
+  if (!nonlinear::is_nonlinear(found)) return found;
+  nonlinear::RestPosition there = nonlinear::rest_position(found);
+  const nonlinear::RestPosition here = nonlinear::rest_position(system);
+  if (there.stable != here.stable || there.limit_loads.size() != here.limit_loads.size())
+    throw foundation::NotComputable(
+        fmt::format("a change of {} by {:.2g} moves the machine to another position of rest", parameter.name, amount));
+  return std::move(there.system);
+}
+
 response::Question question_of(const project::AnswerSelection& selection, const response::Peaks& peaks) {
   response::Question question;
   for (const response::CurveSummary& curve : peaks.curves) question.channels.push_back(curve.name);
@@ -37,6 +50,7 @@ response::Question question_of(const project::AnswerSelection& selection, const 
                                                         const assembly::Assembled& assembled) {
     return assembly::harmonic_loading(system, assembled, excitations);
   };
+  question.changed = changed;
   return question;
 }
 
@@ -151,8 +165,15 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
     if (peak.shares.elements[e].stored > peak.shares.elements[first].stored) first = e;
   if (elements.empty() || !(peak.shares.elements[first].stored > 0)) return std::nullopt;
   std::optional<Candidate> chosen = candidate(variant, first, peak, parameters);
+  const std::optional<Candidate> best = strongest(variant, {}, peak, parameters);
+  if (!chosen && best && model::has_laws(elements[first]))
+    peak.notes.push_back(
+        fmt::format("\"{}\" has {:.3g} % of the strain energy, and its stiffness is that of its laws "
+                    "or its deformation, of which there are no slopes: map takes their numbers",
+                    elements[first].name, 100 * peak.shares.elements[first].stored));
+  if (!chosen) chosen = best;
   if (!chosen) return std::nullopt;
-  if (const auto best = strongest(variant, {}, peak, parameters)) {
+  if (best) {
     const double enough = idle * effect(best->parameter, peak, parameters);
     if (effect(chosen->parameter, peak, parameters) < enough) {
       const bool whole = chosen->parameter.ends_with(".scale") || chosen->parameter.ends_with(".stiffness_factor.all");
@@ -170,7 +191,7 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
 void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter,
                  const ExplainedPeak& peak, Trial& trial) {
   constexpr double beyond_recognition = 0.2;
-  const model::System system = response::changed(variant.system, parameter, trial.amount);
+  const model::System system = question.changed(variant.system, parameter, trial.amount);
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, {peak.name}, question.quantity);
@@ -223,10 +244,6 @@ void try_more(const project::Case& variant, const response::Question& question,
 
 Explanation explanation(const project::Case& variant, const ExplainRequest& request,
                         const foundation::Progress& progress) {
-  if (nonlinear::is_nonlinear(variant.system))
-    throw foundation::NotComputable(
-        "explain: a change of a nonlinear machine moves its position of rest, which the sensitivities do not follow; "
-        "take map or optimize, which do");
   const project::AnswerSelection selection = selection_of(variant, request);
   project::Analyses analyses;
   analyses.peaks = project::PeaksRequest{selection};
@@ -238,6 +255,7 @@ Explanation explanation(const project::Case& variant, const ExplainRequest& requ
   Explanation result;
   result.modes = found.modes;
   result.warnings = found.warnings;
+  result.notes = nonlinear::notes_about_rest(variant.system);
   for (const response::Peak& peak : peaks.list)
     if (std::isinf(peak.amplitude) && !peak.nearest_mode)
       throw foundation::NotComputable("explain: an unbounded peak belongs to no undamped mode");

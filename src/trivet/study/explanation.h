@@ -46,6 +46,7 @@ struct Explanation {
   int left_out = 0;                  ///< number of further peaks beyond `most`
   modal::Modes modes;
   foundation::Problems warnings;
+  std::vector<std::string> notes;  ///< of a nonlinear machine: the tangents of its laws at rest
 };
 
 /// @throws foundation::InvalidInput for an answer that the model does not have, NotComputable without excitation

@@ -47,7 +47,7 @@ class List {
     const model::Element& element = system_.elements()[e];
     const std::string path = "elements." + foundation::path_key(element.name);
     const Matrix6 k = element_directions(system_.bodies(), element).stiffness;
-    if (!k.isZero(0)) {
+    if (!k.isZero(0) && !element.over_deflection) {  // whose stiffness is that of its deflection
       if (element.law.preload)
         relative(path + ".stiffness_factor.all", [e](Description& d, double amount) {
           add_deformation_stiffness(d, e, amount);

@@ -125,11 +125,13 @@ class PeakOfModel {
   bool is_maximum_ = false;
 };
 
-/// The element jets, evaluated again for the parameter's element.
+/// The element jets, evaluated again for the parameter's element and for those with nonlinear parts, whose tangents
+/// follow the position of rest.
 ElementJets changed_jets(const DrivenModel& driven, const PeakOfModel& peak, const Parameter& parameter) {
   ElementJets jets = peak.jets();
-  if (parameter.law && jets[*parameter.law])
-    jets[*parameter.law] = element_jet(driven.assembled.elements[*parameter.law], peak.place().angular_frequency);
+  for (std::size_t e = 0; e < jets.size(); ++e)
+    if (jets[e] && (parameter.law == e || driven.system.elements()[e].law.nonlinear))
+      jets[e] = element_jet(driven.assembled.elements[e], peak.place().angular_frequency);
   return jets;
 }
 
@@ -145,7 +147,7 @@ std::vector<Dynamics> derivatives(const model::System& system, const Question& q
     result.back().add(-1, peak.dynamics());
   }
   for (const auto& [node, weight] : nodes) {
-    const model::System other = changed(system, parameter, node * parameter.step);
+    const model::System other = question.changed(system, parameter, node * parameter.step);
     const DrivenModel driven(other, question);
     for (std::size_t i = 0; i < peaks.size(); ++i)
       result[i].add(weight / parameter.step, driven.at(peaks[i].place(), changed_jets(driven, peaks[i], parameter)));

@@ -17,11 +17,15 @@ namespace trivet::response {
 /// Returns the load of a model; called again for a changed model.
 using LoadOf = std::function<assembly::Loading(const model::System&, const assembly::Assembled&)>;
 
+/// Returns a model with one parameter changed.
+using ChangedModel = std::function<model::System(const model::System&, const Parameter&, double amount)>;
+
 /// The results and the load to examine.
 struct Question {
   std::vector<std::string> channels;  ///< full channel names
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
   LoadOf load;
+  ChangedModel changed = response::changed;
 };
 
 /// A maximum of |y(ω)|.
@@ -52,8 +56,8 @@ struct SensitivityTable {
 /// the maximum is of second order); y = cᵀq, Zq = h gives dy = λᵀ(dh − dZ q) + dcᵀq with Zᵀλ = c. The frequency moves
 /// by −F_ωp/F_ωω with F = |y|². An unbounded peak moves with its mode: dω = −φᵀ dZ φ / φᵀ Z_ω φ. dZ, dc, dh are
 /// fourth-order differences of the assembled model. They are exact to round-off, because the model is polynomial in all
-/// parameters except system damping and the mass of elements. Only the first derivative of the model is numerical,
-/// never that of the resonance, so light damping costs no accuracy.
+/// parameters except system damping, the mass of elements, and tangents that follow the position of rest. Only the
+/// first derivative of the model is numerical, never that of the resonance, so light damping costs no accuracy.
 [[nodiscard]] SensitivityTable peak_sensitivities(const model::System& system, const assembly::Assembled& assembled,
                                                   const Question& question, const std::vector<PeakPlace>& peaks,
                                                   const foundation::Progress& progress = {});

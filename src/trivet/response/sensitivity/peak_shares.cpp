@@ -88,15 +88,18 @@ ElementEnergy energy(const model::System& system, std::size_t e, const assembly:
   Vector12c ends = Vector12c::Zero();
   for (Eigen::Index j = 0; j < map.end_columns; ++j) ends += map.ends.col(j).head<12>() * q(map.rows[to_size(j)]);
   if (ground.size() > 0) ends += map.moved_by_ground(ground).head<12>();
+  const auto at_centre = [&](const spatial::Matrix6& of_k) -> spatial::Matrix6 {
+    const spatial::Matrix6 from_centre = numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
+    return from_centre.transpose() * of_k * from_centre;
+  };
+  const auto& laws = system.elements()[e].law.nonlinear;
   if (jet) {
     const elements::Matrix12c& d = (*jet)[0];
     result.stored = 0.25 * form(ends, d.real());
     result.dissipated = 0.5 * omega * ends.dot(d * ends).imag();
-    // Its dynamic stiffness at the same centre.
-    const Eigen::Matrix<double, 6, 6> from_centre =
-        numerics::inverse(spatial::Matrix6(directions.deformation.rightCols<6>()));
-    directions.stiffness = from_centre.transpose() * d.bottomRightCorner<6, 6>().real() * from_centre;
+    directions.stiffness = at_centre(d.bottomRightCorner<6, 6>().real());
   } else {
+    if (laws) directions.stiffness += at_centre(laws->tangent.bottomRightCorner<6, 6>());
     VectorXcd all = map.coordinates(q);
     all.head<12>() = ends;
     result.stored = 0.25 * form(all, map.matrices.stiffness);
