@@ -148,6 +148,18 @@ TEST(MarchedMotion, DampedStop) {
   expect_agreement(elements::ElasticForce(stop), {.force = force}, 1);
 }
 
+TEST(MarchedMotion, DampedStopWithACurve) {
+  const elements::GapStop stop{
+      .gap_above = 2e-3,
+      .dissipation = 1.5,
+      .curve = elements::KnotCurve({0, 1e-3, 3e-3}, {0, 20, 120}, elements::Interpolation::linear)};
+  const auto force = [](double x, double v) {
+    const double travel = x - 2e-3, pushed = travel < 1e-3 ? 2e4 * travel : 20 + 5e4 * (travel - 1e-3);
+    return travel > 0 ? pushed * std::max(0.0, 1 + 1.5 * v) : 0;
+  };
+  expect_agreement(elements::ElasticForce(stop), {.force = force}, 1);
+}
+
 /// Bristles with a Stribeck curve and their dampers; the third number is the force of their deflection alone.
 TEST(MarchedMotion, LuGre) {
   const elements::LuGreFriction law{

@@ -14,6 +14,10 @@ struct Contact {
 
 Contact contact(const GapStop& stop, double penetration) {
   if (penetration <= 0) return {};
+  if (stop.curve) {
+    const KnotCurve::ValueAndSlope there = stop.curve->at(penetration);
+    return {there.value, there.slope, stop.curve->integral(penetration)};
+  }
   if (stop.power == 1)
     return {stop.stiffness * penetration, stop.stiffness, stop.stiffness * penetration * penetration / 2};
   const double slope = stop.stiffness * std::pow(penetration, stop.power - 1), force = slope * penetration;
@@ -35,6 +39,9 @@ ForceAndTangent push(const GasForce& gas, double deflection) {
   const double slope = gas.exponent * pressure / share * gas.area * gas.area / gas.volume;
   return {(pressure - gas.atmosphere) * gas.area + slope * (share - wanted) * gas.volume / gas.area, slope};
 }
+
+/// Linear in the travel, between the knots of its curve?
+bool is_straight(const GapStop& stop) { return stop.curve ? stop.curve->is_linear() : stop.power == 1; }
 
 struct Force {
   double deflection;
@@ -98,7 +105,7 @@ ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double
 
 bool is_piecewise_bilinear(const ElasticForce& law) {
   const auto* stop = std::get_if<GapStop>(&law);
-  return stop ? stop->power == 1 : is_piecewise_linear(law);
+  return stop ? is_straight(*stop) : is_piecewise_linear(law);
 }
 
 double mixed_derivative(const ElasticForce& law, double deflection, double rate) {
@@ -107,7 +114,7 @@ double mixed_derivative(const ElasticForce& law, double deflection, double rate)
   const bool closed_above = deflection > stop.upper(), closed_below = deflection < stop.lower();
   const double closing = closed_above ? rate : -rate;
   if (!(closed_above || closed_below) || 1 + stop.dissipation * closing <= 0) return 0;
-  return (closed_above ? 1 : -1) * stop.stiffness * stop.dissipation;
+  return (closed_above ? 1 : -1) * contacts(stop, deflection).tangent * stop.dissipation;
 }
 
 bool is_damped(const ElasticForce& law) {
@@ -139,7 +146,7 @@ bool is_monotone(const ElasticForce& law) {
 }
 
 bool is_piecewise_linear(const ElasticForce& law) {
-  if (const auto* stop = std::get_if<GapStop>(&law)) return stop->power == 1 && stop->dissipation == 0;
+  if (const auto* stop = std::get_if<GapStop>(&law)) return is_straight(*stop) && stop->dissipation == 0;
   if (const auto* curve = std::get_if<ForceCurve>(&law)) return curve->force.is_linear();
   if (std::holds_alternative<GasForce>(law)) return false;
   return std::get<PolynomialForce>(law).coefficients.size() <= 1;
@@ -148,8 +155,11 @@ bool is_piecewise_linear(const ElasticForce& law) {
 std::vector<double> kinks(const ElasticForce& law) {
   std::vector<double> found;
   if (const auto* stop = std::get_if<GapStop>(&law)) {
-    if (std::isfinite(stop->gap_below)) found.push_back(stop->lower());
-    if (std::isfinite(stop->gap_above)) found.push_back(stop->upper());
+    const std::vector<double> beyond = stop->curve ? stop->curve->knots() : std::vector<double>{0};
+    if (std::isfinite(stop->gap_below))
+      for (const double travel : beyond) found.insert(found.begin(), stop->lower() - travel);
+    if (std::isfinite(stop->gap_above))
+      for (const double travel : beyond) found.push_back(stop->upper() + travel);
   }
   if (const auto* curve = std::get_if<ForceCurve>(&law)) found = curve->force.knots();
   return found;

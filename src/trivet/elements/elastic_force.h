@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,7 +18,7 @@ struct PolynomialForce {
 };
 
 /// Elastic stops at one or both ends of a gap: f = k (δ − g)^p beyond the gap g above, f = −k (−g' − δ)^p beyond the
-/// gap g' below, 0 between them. p = 1.5: Hertz.
+/// gap g' below, 0 between them. p = 1.5: Hertz. Or, in place of k (…)^p, a curve over the travel beyond the gap.
 /// Damping acts only in contact and never pulls: the force is multiplied by max(0, 1 + b v), with the rate v at which
 /// the stop closes. [Hunt, Crossley, J. Appl. Mech. 42 (1975)]
 struct GapStop {
@@ -29,6 +30,7 @@ struct GapStop {
   double dissipation = 0;                                       ///< b [s/m], ≥ 0
   bool gaps_at_rest = false;                                    ///< gaps are those of the machine at rest
   double counted_from = 0;                                      ///< deflection from which gaps are counted
+  std::optional<KnotCurve> curve = {};                          ///< from (0, 0), never falling, in place of k and p
 
   [[nodiscard]] double upper() const { return counted_from + gap_above; }  ///< deflection at which it closes
   [[nodiscard]] double lower() const { return counted_from - gap_below; }

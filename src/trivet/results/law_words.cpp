@@ -33,7 +33,10 @@ struct LawWords {
     if (std::isfinite(law.gap_above)) words += fmt::format(" gap {} {},", n(law.gap_above), length);
     if (std::isfinite(law.gap_below)) words += fmt::format(" gap below {} {},", n(law.gap_below), length);
     if (law.gaps_at_rest) words += " from rest,";
-    words += fmt::format(" {} {}/{}", n(law.stiffness), force, length);
+    if (law.curve)
+      words += fmt::format(" curve of {} points over {} {}", law.curve->knots().size(), n(law.curve->knots().back()),
+                           length);
+    else words += fmt::format(" {} {}/{}", n(law.stiffness), force, length);
     if (law.power != 1) words += fmt::format("^{0}, power {0}", n(law.power));
     if (law.dissipation > 0) words += fmt::format(", dissipation {} s/{}", n(law.dissipation), length);
     return words;

@@ -15,7 +15,10 @@ const std::vector<ScalarLaws>& laws() {
       {PolynomialForce{{3, -2, 5, 7}}},
       {GapStop{.gap_above = 0.3, .gap_below = 0.4, .stiffness = 20}},
       {GapStop{.gap_above = -0.1, .stiffness = 20, .power = 1.5}},
-      {GapStop{.gap_below = 0.2, .stiffness = 5, .power = 2}, PolynomialForce{{0, 0, 4}}}};
+      {GapStop{.gap_below = 0.2, .stiffness = 5, .power = 2}, PolynomialForce{{0, 0, 4}}},
+      {GapStop{.gap_above = 0.1,
+               .gap_below = 0.2,
+               .curve = KnotCurve({0, 0.3, 0.6}, {0, 5, 20}, Interpolation::monotone_cubic)}}};
   return all;
 }
 
@@ -39,6 +42,9 @@ TEST(ScalarLaw, StopActsBeyondItsGapOnly) {
   EXPECT_DOUBLE_EQ(force_at_rest(stop, -0.5).force, -20 * (0.5 - 0.4));
   EXPECT_THAT(kinks_at_rest(stop), ElementsAre(-0.4, 0.3));
   EXPECT_THAT(kinks_at_rest({GapStop{.gap_above = 0.3, .stiffness = 20}}), ElementsAre(0.3));
+  const KnotCurve curve({0, 0.1, 0.3}, {0, 2, 9}, Interpolation::linear);
+  EXPECT_THAT(kinks_at_rest({GapStop{.gap_above = 1, .gap_below = 2, .curve = curve}}),
+              testing::Pointwise(testing::DoubleNear(1e-15), {-2.3, -2.1, -2.0, 1.0, 1.1, 1.3}));
   EXPECT_TRUE(kinks_at_rest({PolynomialForce{{1}}}).empty());
 }
 

@@ -37,7 +37,7 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
     const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(axis, span.arm, span.n_from_k, centre);
     const double own =
         element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
-    if (stop->power == 1 && stop->stiffness < own)
+    if (!stop->curve && stop->power == 1 && stop->stiffness < own)
       reader.problems()
           .warning(law.path() + ".stiffness", fmt::format("{:.6g}", stop->stiffness),
                    fmt::format("the stop is softer than the element itself, {:.6g}", own), "check digits and unit")
@@ -152,9 +152,10 @@ const ElementLaw stop_law = {
    "gap": {"$ref": "#/$defs/number", "description": "m, >= 0: travel of the body along the axis until it meets the stop"},
    "gaps": {"type": "array", "items": {"$ref": "#/$defs/number"}, "minItems": 2, "maxItems": 2, "description": "m: along and against the axis"},
    "ring": {"$ref": "#/$defs/number", "description": "m, > 0: play of a pin within a ring, in all directions across the axis"},
-   "stiffness": {"$ref": "#/$defs/number", "description": "N/m beyond the gap; with power p: N/m^p, a bare number"},
+   "stiffness": {"$ref": "#/$defs/number", "description": "N/m beyond the gap; with power p: N/m^p, a bare number; or a curve"},
    "power": {"$ref": "#/$defs/number", "description": "of the travel beyond the gap, 1 to 10 (default: 1); 1.5: Hertz's contact"},
    "dissipation": {"$ref": "#/$defs/number", "description": "s/m, >= 0: the force grows by this times the closing speed (default: 0)"},
+   "curve": {"$ref": "#/$defs/curve_of_stop"},
    "gap_at": {"enum": ["unloaded", "rest"], "description": "the state in which the gap is measured (default: unloaded)"},
    "friction": {"type": "object", "additionalProperties": false, "required": ["coefficient", "stiffness"], "description": "while it is closed: across its axis, or around and along the wall of its ring", "properties": {
      "coefficient": {"$ref": "#/$defs/number", "description": "> 0: the friction is at most this times the force on the stop"},
@@ -162,6 +163,6 @@ const ElementLaw stop_law = {
    "damping": false,
    "scale": false,
    "laws": false},
-  "required": ["stiffness"]})json"};
+  "oneOf": [{"required": ["stiffness"]}, {"required": ["curve"], "properties": {"power": false}}]})json"};
 
 }  // namespace trivet::project

@@ -105,6 +105,39 @@ std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bo
   return law.coefficients.empty() ? std::nullopt : std::optional(law);
 }
 
+namespace {
+
+/// Force over the travel beyond the gap, in place of a stiffness.
+std::optional<elements::KnotCurve> read_curve_of_stop(TableReader& reader, bool is_rotation) {
+  const Node* table = reader.table("curve");
+  if (!table) return std::nullopt;
+  for (const char* other : {"stiffness", "power"}) {
+    if (reader.has(other))
+      reader.error(other, std::string("curve and ") + other, "the force of a stop is a curve, or stiffness and power",
+                   "remove one");
+    static_cast<void>(reader.node(other));
+  }
+  TableReader inside(*table, reader.path() + ".curve", reader.problems());
+  const elements::Interpolation interpolation = read_interpolation(inside);
+  const auto points = read_points(inside, "travel", "force", travel_quantity(is_rotation), force_quantity(is_rotation));
+  inside.finish();
+  if (!points) return std::nullopt;
+  const char* source = inside.has("rows") ? "rows" : "file";
+  if (points->x.front() != 0) {
+    inside.error(source, fmt::format("a travel from {:.6g}", points->x.front()),
+                 "it is counted from where the stop closes, and never negative", "begin at [0, 0]");
+    return std::nullopt;
+  }
+  if (!std::is_sorted(points->y.begin(), points->y.end()) || !(points->y.back() > 0)) {
+    inside.error(source, "a force that falls or vanishes", "a stop pushes more the farther it is compressed",
+                 "correct the rows; for other forces take the law curve");
+    return std::nullopt;
+  }
+  return elements::KnotCurve(points->x, points->y, interpolation);
+}
+
+}  // namespace
+
 std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation, std::optional<double> ring) {
   const std::size_t before = reader.errors();
   elements::GapStop law;
@@ -131,16 +164,21 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
                                            : "gaps",
                    fmt::format("{:.6g} {}", gap, si_unit(travel)), "a gap is ≥ 0",
                    "describe a preloaded stop by its rest position: gravity closes gaps");
-  law.power = reader.number("power", Quantity::pure).value_or(1);
-  if (!(law.power >= 1 && law.power <= 10))
-    reader.error("power", fmt::format("{:.6g}", law.power), "it is from 1 (linear) to 10; 1.5 is Hertz's contact",
-                 "correct it");
-  const Quantity stiffness = law.power != 1 ? Quantity::pure
-      : is_rotation                         ? Quantity::moment_per_angle
-                                            : Quantity::force_per_length;
-  law.stiffness = reader.required_number("stiffness", stiffness);
-  if (reader.errors() == before && !(law.stiffness > 0))
-    reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
+  if (reader.has("curve")) {
+    law.curve = read_curve_of_stop(reader, is_rotation);
+  } else {
+    reader.also_known({"curve"});
+    law.power = reader.number("power", Quantity::pure).value_or(1);
+    if (!(law.power >= 1 && law.power <= 10))
+      reader.error("power", fmt::format("{:.6g}", law.power), "it is from 1 (linear) to 10; 1.5 is Hertz's contact",
+                   "correct it");
+    const Quantity stiffness = law.power != 1 ? Quantity::pure
+        : is_rotation                         ? Quantity::moment_per_angle
+                                              : Quantity::force_per_length;
+    law.stiffness = reader.required_number("stiffness", stiffness);
+    if (reader.errors() == before && !(law.stiffness > 0))
+      reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
+  }
   law.dissipation = reader.number("dissipation", Quantity::pure).value_or(0);
   if (!(law.dissipation >= 0))
     reader.error("dissipation", fmt::format("{:.6g} s/m", law.dissipation), "a stop does not feed energy: it is ≥ 0",
