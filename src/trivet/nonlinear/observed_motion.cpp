@@ -150,6 +150,22 @@ double largest_at(const VectorXd& phases, const VectorXd& values, const At& at) 
 
 }  // namespace
 
+double ObservedMotion::value_at(double phase) const {
+  double sum = mean;
+  for (Index k = 0; k < harmonics.size(); ++k)
+    sum += (harmonics(k) * std::polar(1.0, static_cast<double>(k + 1) * phase)).real();
+  return sum;
+}
+
+double ObservedMotion::slope_at(double phase) const {
+  double sum = 0;
+  for (Index k = 0; k < harmonics.size(); ++k) {
+    const auto order = static_cast<double>(k + 1);
+    sum -= order * (harmonics(k) * std::polar(1.0, order * phase)).imag();
+  }
+  return sum;
+}
+
 Observer::Observer(const model::System& system, const assembly::Assembled& assembled, PeriodicExcitation excitation,
                    const std::vector<Deflection>& deflections, const std::vector<std::string>& of,
                    assembly::MotionQuantity quantity)

@@ -19,6 +19,9 @@ struct ObservedMotion {
   double rms = 0;                    ///< of the deviation from the mean
 
   [[nodiscard]] double half_of_range() const { return (largest - smallest) / 2; }
+  /// By the harmonics, at a phase of the first one.
+  [[nodiscard]] double value_at(double phase) const;
+  [[nodiscard]] double slope_at(double phase) const;  ///< d/d(phase)
 };
 
 /// Results of periodic motions: channels of the machine, with the forces of its nonlinear parts.

@@ -31,6 +31,9 @@ namespace trivet::report {
 
 /// Periodic motions of nonlinear machines, one figure per result: stable, unstable, jumps and harmonics.
 [[nodiscard]] std::vector<Figure> steady_figures(const study::Answers& answers);
+/// Paths of bodies and points over one period, in the stable motion with the largest range and before and after jumps;
+/// of one coordinate alone, its velocity over it.
+[[nodiscard]] std::vector<Figure> orbit_figures(const study::Answers& answers);
 [[nodiscard]] std::vector<Figure> backbone_figures(const study::Answers& answers);
 
 /// Shock response spectra, one figure per excitation.

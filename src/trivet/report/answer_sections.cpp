@@ -37,7 +37,7 @@ const std::vector<Shown>& all_shown() {
       {"Run-up", run_up_tables, {campbell_figures, waterfall_figures, run_up_figures}},
       {"Transmissibility", transmissibility_table, {transmissibility_figures}},
       {"Power into the ground", power_table, {power_figures}},
-      {"Steady motion of the nonlinear machine", steady_tables, {steady_figures}},
+      {"Steady motion of the nonlinear machine", steady_tables, {steady_figures, orbit_figures}},
       {"Nonlinear modes", backbone_tables, {backbone_figures}},
       {"Shock response spectrum", shock_table, {shock_figures}},
       {"Earthquake", earthquake_tables, {}},

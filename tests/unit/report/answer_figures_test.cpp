@@ -4,13 +4,15 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "support/excited_machine.h"
 #include "support/projects.h"
-#include "trivet/report/answer_figures.h"
+#include "trivet/nonlinear/steady_branch.h"
 #include "trivet/report/answer_sections.h"
 #include "trivet/report/curve_panel.h"
 
@@ -200,6 +202,70 @@ backbone = {of = ["m.x"], up_to = "0.1 m", harmonics = 3, quantity = ")" +
   };
   EXPECT_EQ(count(figure("displacement"), "nonlinear mode, free"), 1);
   EXPECT_EQ(count(figure("velocity"), "nonlinear mode, free"), 0);
+}
+
+constexpr const char* whirling = R"(trivet = 1
+[bodies.m]
+mass = 2
+free = ["x", "y"]
+[elements.spring]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [800, 1000, 0]
+damping = {translation = [2, 2, 0]}
+laws.x = {cubic = 2e5, quadratic = 5e3}
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [1, 1, 0]
+phase = [0, "-90 deg", 0, 0, 0, 0]
+[analyses.steady]
+band = [10, 30]
+harmonics = 5
+)";
+
+/// Two coordinates: their plane; one: its velocity over it. Forces have none, nor has a body at rest.
+TEST(OrbitFigure, HasThePathsOfTheLargestMotionAndOfJumps) {
+  const auto figures = [](const std::string& keys) {
+    const project::Project project = test::project(whirling + keys);
+    return report::orbit_figures(study::answers(project.base(), project.base().analyses));
+  };
+  const std::vector<report::Figure> both = figures("of = [\"m\"]\n");
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_EQ(count(both[0].svg, "largest stable motion"), 1);
+  EXPECT_GE(count(both[0].svg, "before a jump"), 1);
+  EXPECT_EQ(count(both[0].svg, "before a jump"), count(both[0].svg, "after it"));
+  EXPECT_EQ(count(both[0].svg, ">y [mm]<"), 1);
+  const std::vector<report::Figure> one = figures("of = [\"m.x\"]\n");
+  ASSERT_EQ(one.size(), 1u);
+  EXPECT_EQ(count(one[0].svg, "velocity of x ["), 1);
+  EXPECT_TRUE(figures("of = [\"spring.force.x\"]\n").empty());
+  const std::string idle =
+      "of = [\"m.x\", \"still\"]\n[bodies.still]\nmass = 1\nfree = [\"x\", \"y\"]\n"
+      "[elements.foot]\ntype = \"three_springs\"\non = \"still\"\nat = [0, 0, 0]\n"
+      "translation = [100, 100, 0]\n";
+  EXPECT_EQ(figures(idle).size(), 1u);
+}
+
+TEST(ObservedMotion, HasTheExtremesOfItsCourse) {
+  const project::Project project = test::project(std::string(whirling) + "of = [\"m.x\"]\n");
+  const study::Answers answers = study::answers(project.base(), project.base().analyses);
+  const auto& branch = *answers.find<nonlinear::SteadyBranch>("steady");
+  const nonlinear::ObservedMotion& motion = branch.points[branch.points.size() / 2].results[0];
+  constexpr int samples = 4000;
+  constexpr double step = 1e-4;
+  double largest = -INFINITY, smallest = INFINITY;
+  for (int s = 0; s < samples; ++s) {
+    const double phase = 2 * std::numbers::pi * s / samples, value = motion.value_at(phase);
+    largest = std::max(largest, value);
+    smallest = std::min(smallest, value);
+    EXPECT_NEAR(motion.slope_at(phase), (motion.value_at(phase + step) - motion.value_at(phase - step)) / (2 * step),
+                1e-6 * motion.half_of_range());
+  }
+  EXPECT_NEAR(largest, motion.largest, 1e-5 * motion.half_of_range());
+  EXPECT_NEAR(smallest, motion.smallest, 1e-5 * motion.half_of_range());
 }
 
 }  // namespace answer_figures_test
