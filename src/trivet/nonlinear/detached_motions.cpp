@@ -67,14 +67,14 @@ VectorXd mirrored(const VectorXd& unknowns, Index coefficients) {
 
 DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
                              const std::vector<Deflection>& deflections, const std::vector<VectorXd>& rests,
-                             const SteadyOptions& options, const std::function<std::unique_ptr<SteadyPath>()>& new_path,
+                             const ResonancesAtLoad& resonances, const SteadyOptions& options,
+                             const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                              const foundation::Progress& progress) {
   constexpr int places = 24, starts = 16;
-  constexpr double load_up_to = 20;
   constexpr double same = 1e-3;  // of the motion
-  DetachedPaths found{
-      {places, places * starts, static_cast<int>(rests.size()), options.over == Parameter::frequency ? load_up_to : 0},
-      {}};
+  DetachedPaths found{{places, places * starts, static_cast<int>(rests.size()), resonances.curves,
+                       options.over == Parameter::frequency ? load_of_search : 0},
+                      {}};
   const auto is_known = [&](const BranchPoint& motion) {
     const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
@@ -95,11 +95,15 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
     path->follow_detached(motion, progress);
     found.paths.push_back(std::move(path));
   };
+  for (const SteadyEquations::Place& there : resonances.motions)
+    if (there.parameter > options.from && there.parameter < options.to)
+      if (const std::optional<BranchPoint> motion = connected.motion_near(there.unknowns, there.parameter))
+        take(*motion);
   std::mt19937_64 random(20261126);
   for (int i = 0; i < places; ++i) {
     const double parameter = options.from + (options.to - options.from) * (i + 0.5) / places;
     if (options.over == Parameter::frequency)
-      for (const BranchPoint& motion : connected.motions_over_load(parameter, load_up_to)) take(motion);
+      for (const BranchPoint& motion : connected.motions_over_load(parameter, load_of_search)) take(motion);
     const std::vector<double> of_size = sizes(connected, deflections, parameter);
     for (int s = 0; s < starts; ++s)
       if (const std::optional<BranchPoint> motion =

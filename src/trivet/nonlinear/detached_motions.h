@@ -5,9 +5,13 @@
 #include <memory>
 #include <vector>
 
+#include "trivet/nonlinear/resonances_at_load.h"
 #include "trivet/nonlinear/steady_path.h"
 
 namespace trivet::nonlinear {
+
+/// The load is raised to this many times itself where detached motions are sought.
+inline constexpr double load_of_search = 20;
 
 /// What was done to find motions that are not connected with the one at the lower end of the band. It is a search, not
 /// a proof that there are no more.
@@ -15,6 +19,7 @@ struct DetachedSearch {
   int places = 0;         ///< of the parameter, evenly over the band
   int starts = 0;         ///< of Newton's method, with random amplitudes and phases
   int rests = 0;          ///< other positions of rest, about which motions were sought at each place
+  int resonances = 0;     ///< curves of phase resonance over the load, on which it was sought too
   double load_up_to = 0;  ///< the load was raised there at each place, through the folds of its path
 };
 
@@ -26,10 +31,12 @@ struct DetachedPaths {
 /// @param known     paths of the same period: the connected one and those that branch off it; their mirror images are
 ///                  known too
 /// @param rests     from the position of rest to others: changes of the deflections
+/// @param resonances  under the whole load; empty over the load factor
 /// @param new_path  an empty path of the same machine and harmonics
 [[nodiscard]] DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<const SteadyPath*>& known,
                                            const std::vector<Deflection>& deflections,
-                                           const std::vector<Eigen::VectorXd>& rests, const SteadyOptions& options,
+                                           const std::vector<Eigen::VectorXd>& rests,
+                                           const ResonancesAtLoad& resonances, const SteadyOptions& options,
                                            const std::function<std::unique_ptr<SteadyPath>()>& new_path,
                                            const foundation::Progress& progress);
 

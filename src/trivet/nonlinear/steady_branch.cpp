@@ -110,8 +110,9 @@ class Curves {
         return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
                                             path_.balance().harmonics());
       };
-      detached_ = detached_paths(path_, of_one_period, machine_.deflections,
-                                 to_other_positions_of_rest(machine_.system), options_, new_path, progress_);
+      detached_ =
+          detached_paths(path_, of_one_period, machine_.deflections, to_other_positions_of_rest(machine_.system),
+                         resonances(), options_, new_path, progress_);
       for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
       found.search = detached_.search;
     }
@@ -126,6 +127,11 @@ class Curves {
   }
 
  private:
+  [[nodiscard]] ResonancesAtLoad resonances() const {
+    if (options_.over != Parameter::frequency) return {};
+    return resonances_at_load(machine_, options_, path_.balance().harmonics(), load_of_search, progress_);
+  }
+
   static ObservedPath::MotionsAt motions_of(const std::vector<const SteadyPath*>& paths) {
     return [paths](double parameter) {
       std::vector<numerics::BranchPoint> all;

@@ -115,12 +115,15 @@ std::string detached_text(const SteadyBranch& branch, const project::ShownUnits&
   if (!branch.search) return "";
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
   std::string text = fmt::format(
-      "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}\n", detached.size(),
-      branch.search->starts, branch.search->places,
+      "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
+      detached.size(), branch.search->starts, branch.search->places,
       branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
       branch.search->load_up_to > 0
-          ? fmt::format(", and there with the load raised to {:g} times", branch.search->load_up_to)
-          : "");
+          ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)
+          : "",
+      branch.search->resonances > 0 ? fmt::format(", and along {} {} of phase resonance", branch.search->resonances,
+                                                  branch.search->resonances == 1 ? "curve" : "curves")
+                                    : "");
   if (detached.empty()) return text;
   TextTable table({"detached curve", "from [" + varied_unit(branch, display) + "]", "to", "points", "unstable",
                    "largest half of the range"});

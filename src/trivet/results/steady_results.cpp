@@ -130,6 +130,7 @@ Json steady(const project::Case&, const study::Answers& answers) {
                         {"starts", branch.search->starts},
                         {"positions_of_rest", branch.search->rests},
                         {"load_up_to", branch.search->load_up_to}};
+                        {"resonances", branch.search->resonances},
   for (const SteadyBranch& curve : branch.further) {
     Json one{{"found", curve.found == Found::detached ? "detached" : "branched"},
              {"periods", curve.periods},
