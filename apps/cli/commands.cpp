@@ -21,6 +21,7 @@
 #include "trivet/results/project_json.h"
 #include "trivet/results/written_answers.h"
 #include "trivet/study/asked_questions.h"
+#include "trivet/study/cut_short.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/whole_study.h"
 
@@ -226,7 +227,8 @@ int answer_command(const std::string& which, const Options& options) {
     write_output((plain ? warnings_text(answers) : std::string()) + rendered(which, variant, answers, options));
     Strictness strictness;
     strictness.add(answers);
-    return strictness.exit_code(options.strict, answers.failures.empty() ? done : not_computed);
+    const bool complete = answers.failures.empty() && !study::is_cut_short(answers);
+    return strictness.exit_code(options.strict, complete ? done : not_computed);
   } catch (const BadArgument& bad) {
     write_failure(bad);
     return wrong_input;

@@ -12,6 +12,7 @@
 #include "trivet/results/verdict_results.h"
 #include "trivet/results/verdict_words.h"
 #include "trivet/results/written_answers.h"
+#include "trivet/study/cut_short.h"
 #include "trivet/study/whole_study.h"
 
 namespace trivet::cli {
@@ -46,8 +47,9 @@ int run_command(const Options& options) {
   write_output(verdicts + text + fmt::format("Report: {}/report.html\n", options.output));
   Strictness strictness;
   for (const study::Answers& answers : study.answers) strictness.add(answers);
-  const bool complete = std::all_of(study.answers.begin(), study.answers.end(),
-                                    [](const study::Answers& answers) { return answers.failures.empty(); });
+  const bool complete = std::all_of(study.answers.begin(), study.answers.end(), [](const study::Answers& answers) {
+    return answers.failures.empty() && !study::is_cut_short(answers);
+  });
   return strictness.exit_code(options.strict, complete ? done : not_computed);
 }
 

@@ -60,7 +60,8 @@ def faults(trivet, arguments, folder, cache, seconds, memory=MOST_MEMORY):
         if code not in (0, 1, 2):
             found.append(f"exit code {code}")
         said = messages + (output if running else "")
-        if code != 0 and "error:" not in said and "NOT COMPUTED" not in said and "DISAGREES" not in output:
+        told = any(words in said for words in ("error:", "NOT COMPUTED", "ends before the end"))
+        if code != 0 and not told and "DISAGREES" not in output:
             found.append("no message")
         if messages.count("\n") > MOST_LINES:
             found.append(f"{messages.count(chr(10))} lines of messages")

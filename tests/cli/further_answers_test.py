@@ -41,6 +41,30 @@ def model(folder, text):
 
 
 class FurtherAnswers(unittest.TestCase):
+    def test_a_curve_of_motions_that_ends_early_is_shown_with_exit_code_1(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = model(
+                folder,
+                """laws.z = {friction = {slip = 4, breakaway = 4}}
+[excitations.push]
+type = "harmonic"
+on = "mass"
+at = [0, 0, 0]
+force = [0, 0, 12]
+[analyses]
+steady = {of = ["mass.z"], band = ["4 rad/s", "18 rad/s"], harmonics = 15}
+""",
+            )
+            shown, data = trivet("steady", path), trivet("steady", path, "--json")
+            run = trivet("run", path, "-o", pathlib.Path(folder) / "results")
+        self.assertEqual([shown.returncode, data.returncode, run.returncode], [1, 1, 1])
+        self.assertIn("ends before the end of the band", shown.stdout)
+        self.assertIn("connected with the one at ", shown.stdout)
+        found = json.loads(data.stdout)
+        self.assertIn("rests for a part of the period", found["ended"])
+        self.assertGreater(found["begun_at"], 4)
+        self.assertGreater(len(found["points"]), 5)
+
     def test_root_mean_square_is_the_area_under_the_density(self):
         result = answer(self, "random", EXAMPLES / "optical_table/table.toml")
         hertz = [w / 6.283185307179586 for w in result["angular_frequency"]]

@@ -87,12 +87,35 @@ TEST(CoulombFriction, MultipliersAreTheSharesOfTwoTurns) {
 TEST(CoulombFriction, IsNotComputedWhereItRests) {
   const auto rests =
       testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("rests for a part of the period"));
-  EXPECT_THAT([] { (void)branch_of(with_friction(11), 15, {18, 22}); }, rests);
+  EXPECT_THAT([] { (void)branch_of(with_friction(11), 15, {18, 19.5}); }, rests);
   // A load that does not move it at all: the rate of the harmonics never becomes that of a turning point.
   model::Description weak = with_friction(slip).description();
   weak.excitations[0].action.amplitude *= 0.04;
   EXPECT_THAT([&] { (void)branch_of(model::System::checked(weak).value(), 9, {18, 22}); },
               testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("it does not move at all")));
+}
+
+/// A band from below: the curve begins where it does not rest, and goes down to where the force at its turns would hold
+/// it.
+TEST(CoulombFriction, BeginsAboveThePlaceWhereItRests) {
+  double rests = 12, moves = 18;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (rests + moves) / 2;
+    (den_hartog(middle).turning_force < slip ? rests : moves) = middle;
+  }
+  nonlinear::SteadyOptions options{.from = 8, .to = 28};
+  options.harmonics = 61;
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(with_friction(slip), options);
+  ASSERT_TRUE(branch.begun_at);
+  EXPECT_GT(*branch.begun_at, moves);
+  EXPECT_THAT(branch.ended, testing::HasSubstr("rests for a part of the period"));
+  double lowest = options.to, highest = 0;
+  for (const nonlinear::SteadyPoint& point : branch.points) {
+    lowest = std::min(lowest, point.angular_frequency);
+    highest = std::max(highest, point.angular_frequency);
+  }
+  EXPECT_THAT(lowest, RelativelyNear(moves, 2e-3));  // a step of 1e-4 of the band, and 61 harmonics
+  EXPECT_DOUBLE_EQ(highest, options.to);
 }
 
 /// Two halves side by side are one whole: the same motion, and at rest for the same loads.
@@ -112,7 +135,7 @@ TEST(CoulombFriction, TwoHalvesAreOneWhole) {
   ASSERT_EQ(branch.at.size(), 2u);
   for (const nonlinear::SteadyPoint& point : branch.at)
     EXPECT_THAT(point.results[0].largest, RelativelyNear(den_hartog(point.angular_frequency).largest, of_turns));
-  EXPECT_THAT([&] { (void)branch_of(halves(0.5), 9, {18, 22}); }, testing::Throws<foundation::NotComputable>());
+  EXPECT_THAT([&] { (void)branch_of(halves(0.5), 9, {13, 14}); }, testing::Throws<foundation::NotComputable>());
 }
 
 /// The second verdict has the jumps too.

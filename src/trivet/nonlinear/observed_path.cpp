@@ -23,6 +23,7 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   found.left_out = path_.left_out();
   found.held_share = path_.held_share();
   found.ended = path_.ended();
+  found.begun_at = path_.begun_at();
   found.closed = path_.closed();
   found.corners = path_.corners();
   for (const BranchPoint& point : path_.points()) {

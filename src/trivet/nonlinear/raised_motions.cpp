@@ -35,19 +35,19 @@ std::optional<BranchPoint> at_small_load(const SteadyEquations& equations, const
 
 }  // namespace
 
-std::optional<BranchPoint> first_motion(const SteadyEquations& equations, const numerics::Branch& branch) {
-  const double from = equations.options().from;
-  const VectorXd linear = equations.balance().linear_motion(equations.driving(from));
-  if (std::optional<BranchPoint> found = branch.start(linear, from)) return found;
-  const numerics::Branch over_load = equations.over_load(from);
-  if (const auto raised = followed_to_one(over_load, at_small_load(equations, over_load, from)))
-    if (std::optional<BranchPoint> found = branch.start(raised->unknowns, from)) return found;
-  const numerics::Branch over_forces = equations.over_nonlinear_forces(from);
+std::optional<BranchPoint> first_motion(const SteadyEquations& equations, const numerics::Branch& branch,
+                                        double parameter) {
+  const VectorXd linear = equations.balance().linear_motion(equations.driving(parameter));
+  if (std::optional<BranchPoint> found = branch.start(linear, parameter)) return found;
+  const numerics::Branch over_load = equations.over_load(parameter);
+  if (const auto raised = followed_to_one(over_load, at_small_load(equations, over_load, parameter)))
+    if (std::optional<BranchPoint> found = branch.start(raised->unknowns, parameter)) return found;
+  const numerics::Branch over_forces = equations.over_nonlinear_forces(parameter);
   if (const auto raised = followed_to_one(over_forces, over_forces.start(linear, 0)))
-    if (std::optional<BranchPoint> found = branch.start(raised->unknowns, from)) return found;
+    if (std::optional<BranchPoint> found = branch.start(raised->unknowns, parameter)) return found;
   // A force that jumps as friction breaks away cannot be raised.
   for (const double larger : {1.5, 2.0, 3.0, 5.0})
-    if (std::optional<BranchPoint> found = branch.start(larger * linear, from)) return found;
+    if (std::optional<BranchPoint> found = branch.start(larger * linear, parameter)) return found;
   return std::nullopt;
 }
 

@@ -59,8 +59,11 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   add_stable_stretches(branch, stable);
   for (const SteadyBranch& curve : branch.further) add_stable_stretches(curve, stable);
   std::sort(stable.begin(), stable.end());
-  const auto [from, to] =
-      std::minmax({branch.parameter(branch.points.front()), branch.parameter(branch.points.back())});
+  double from = branch.parameter(branch.points.front()), to = from;
+  for (const SteadyPoint& point : branch.points) {
+    from = std::min(from, branch.parameter(point));
+    to = std::max(to, branch.parameter(point));
+  }
   double covered = from;
   constexpr double same = 1e-5;  // a curve begins where the harmonics have it, beside the change of stability
   for (const auto& [low, high] : stable) {

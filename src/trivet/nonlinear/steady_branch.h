@@ -99,6 +99,7 @@ struct SteadyBranch {
                                         ///< force depends on what happened before
   std::vector<std::string> lost_means;  ///< deflections whose smooth loops bear a force at rest and lose it in motion
   std::string ended;                    ///< why the branch ends before the end of the band; empty: it does not
+  std::optional<double> begun_at;       ///< parameter, if none at the lower end is on it
   std::vector<double> corners;          ///< parameters at which its direction changes at once
   bool closed = false;                  ///< a detached one that returns to its first point
   /// How a further curve was found: by the search for detached ones, or followed from a change of stability.
@@ -111,9 +112,9 @@ struct SteadyBranch {
   [[nodiscard]] std::vector<const SteadyBranch*> further_ones(Found how) const;
 };
 
-/// The branch of periodic motions that is connected with the motion at the lower end of the band, through all folds,
-/// with the motions that begin where it loses its stability.
-/// @throws foundation::NotComputable if there is no motion at the lower end, or for what CondensedMachine and
+/// The branch of periodic motions that is connected with the motion at the lower end of the band, or if there is none,
+/// with the first one found above it, through all folds, with the motions that begin where it loses its stability.
+/// @throws foundation::NotComputable if no motion is found, or for what CondensedMachine and
 /// PeriodicStability cannot represent
 [[nodiscard]] SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                                          const foundation::Progress& progress = {});

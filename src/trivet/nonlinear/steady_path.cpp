@@ -55,32 +55,69 @@ SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflec
       resonances_(resonances(machine.poles(), excitation, options)),
       equations_(machine, deflections, excitation, options, harmonics),
       known_(deflections),
-      branch_(equations_.branch()) {}
+      branch_(equations_.branch()),
+      most_points_(options.most_points) {}
 
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
-  const std::optional<BranchPoint> start = first_motion(equations_, branch_);
-  if (!start)
-    throw foundation::NotComputable(fmt::format(
-        "steady: no motion was found at the lower end of the band, {}; begin elsewhere: lower, or above the "
-        "motions that were sought{}",
-        equations_.place(options_.from), known_.hint()));
-  if (const std::string reason = unknown_forces(*start); !reason.empty())
-    throw foundation::NotComputable("steady: " + reason);
-  return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
+  const std::optional<BranchPoint> start = first_motion(equations_, branch_, options_.from);
+  const std::string reason = start
+      ? unknown_forces(*start)
+      : fmt::format("no motion was found at the lower end of the band, {}", equations_.place(options_.from));
+  if (reason.empty()) return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
+  const std::optional<BranchPoint> above = lowest_motion();
+  if (!above)
+    throw foundation::NotComputable(
+        fmt::format("steady: {}; at {} places above it no motion with known forces was found either; choose another "
+                    "band{}",
+                    reason, places_above, start ? "" : known_.hint()));
+  if (!follow_through(*above, most_left_out, progress)) return false;
+  if (std::min(points_.front().parameter, points_.back().parameter) > options_.from) {
+    begun_at_ = above->parameter;
+    if (ended_.empty()) ended_ = reason + "; the curve of motions found above it does not come there";
+  }
+  return true;
+}
+
+/// The first motion whose forces are known on the way from the lower end of the band to the upper one: by Newton's
+/// method from the linear motion, and only if that finds none by the longer ways to one.
+std::optional<BranchPoint> SteadyPath::lowest_motion() const {
+  const double ratio = std::pow(options_.to / options_.from, 1.0 / (places_above + 1));
+  for (const bool by_all_ways : {false, true}) {
+    double parameter = options_.from;
+    for (int i = 0; i < places_above; ++i) {
+      parameter *= ratio;
+      std::optional<BranchPoint> found = by_all_ways
+          ? first_motion(equations_, branch_, parameter)
+          : branch_.start(balance().linear_motion(driving(parameter)), parameter);
+      if (found && unknown_forces(*found).empty()) return found;
+    }
+  }
+  return std::nullopt;
+}
+
+/// There may be many such curves, of twice the harmonics, whose motions hardly differ.
+void SteadyPath::limit_points_of_further_curve() {
+  constexpr Index fewest = 200, most = 1000, work = 100'000;
+  most_points_ = std::min(most_points_, std::clamp(work / balance().size(), fewest, most));
 }
 
 void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Progress& progress) {
-  constexpr double any = std::numeric_limits<double>::infinity();
+  limit_points_of_further_curve();
+  (void)follow_through(start, std::numeric_limits<double>::infinity(), progress);
+}
+
+bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, const foundation::Progress& progress) {
   leaves_downwards_ = true;
-  (void)add_point(start, any);
-  (void)walk(any, {{start.unknowns, start.parameter}}, progress);
+  if (!add_point(start, most_left_out)) return false;
+  if (!walk(most_left_out, {{start.unknowns, start.parameter}}, progress)) return false;
   closed_ = stopped_at_.has_value();
-  if (closed_) return;
+  if (closed_) return true;
   // It has left the band, or ended: the whole curve from there.
   BranchPoint end = points_.back();
   end.tangent = -end.tangent;
   end.bend.resize(0);
   const std::string ended = ended_;
+  most_points_ += to_index(points_.size());
   points_.clear();
   asked_for_.clear();
   lengths_.clear();
@@ -88,15 +125,16 @@ void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Pro
   turns_.clear();
   pieces_.clear();
   ended_.clear();
-  (void)add_point(end, any);
-  (void)walk(any, {}, progress);
+  if (!add_point(end, most_left_out) || !walk(most_left_out, {}, progress)) return false;
   if (!ended.empty()) ended_ = ended_.empty() ? ended : ended + "; " + ended_;
+  return true;
 }
 
 bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const VectorXd& along,
                                  const std::vector<SteadyEquations::Place>& ends,
                                  const foundation::Progress& progress) {
   constexpr double any = std::numeric_limits<double>::infinity();
+  limit_points_of_further_curve();
   leaves_downwards_ = true;
   const Index n = start.unknowns.size();
   const std::optional<VectorXd> weakest = equations_.weakest_direction(start);
@@ -178,8 +216,8 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
                             options_.to);
   Extent smooth = extent();
   while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
-    if (to_index(points_.size()) >= options_.most_points) {
-      ended_ = fmt::format("stopped after {} points", options_.most_points);
+    if (to_index(points_.size()) >= most_points_) {
+      ended_ = fmt::format("stopped after {} points", most_points_);
       break;
     }
     std::optional<numerics::BranchWalk::Step> step = walk.next();
@@ -221,7 +259,15 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
       break;
     }
-    if (ended_ = unknown_forces(next); !ended_.empty()) break;
+    if (const std::string reason = unknown_forces(next); !reason.empty()) {
+      constexpr double shortest = 1e-4;
+      if (step->length > shortest && !step->hops) {
+        walk.shorten(step->length / 2);
+        continue;
+      }
+      ended_ = reason;
+      break;
+    }
     const std::optional<std::vector<BranchPoint>> on_the_way = between(now, next);
     constexpr double least = 1e-5;
     if (!on_the_way && step->length > least && !step->hops) {

@@ -23,8 +23,9 @@ class SteadyPath {
   SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
              const PeriodicExcitation& excitation, const SteadyOptions& options, Eigen::Index harmonics);
 
-  /// Follows them. @return false, and an unfinished path, as soon as a motion leaves out more than the share given
-  /// @throws foundation::NotComputable if there is no motion at the lower end
+  /// Follows them; if there is none at the lower end, through the first one that is found above it, to both sides.
+  /// @return false, and an unfinished path, as soon as a motion leaves out more than the share given
+  /// @throws foundation::NotComputable if there is no motion at the lower end, nor at several places above it
   [[nodiscard]] bool follow(double most_left_out, const foundation::Progress& progress);
 
   /// Instead: a curve of motions through one that is not on another path, until it closes or leaves the band.
@@ -65,6 +66,8 @@ class SteadyPath {
   /// Motions at the parameters of SteadyOptions::at, in the order of the path.
   [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }
+  /// Where it was begun, if not at the lower end.
+  [[nodiscard]] std::optional<double> begun_at() const { return begun_at_; }
   /// Parameters at which the direction of the curve changes at once.
   [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   [[nodiscard]] double left_out() const { return left_out_; }
@@ -94,6 +97,11 @@ class SteadyPath {
     std::size_t points, asked_for, turns, pieces;
     double left_out, held_share;  ///< largest so far
   };
+  static constexpr int places_above = 24;
+  void limit_points_of_further_curve();
+  [[nodiscard]] std::optional<numerics::BranchPoint> lowest_motion() const;
+  [[nodiscard]] bool follow_through(const numerics::BranchPoint& start, double most_left_out,
+                                    const foundation::Progress& progress);
   /// @param ends  places to stop at
   [[nodiscard]] bool walk(double most_left_out, const std::vector<SteadyEquations::Place>& ends,
                           const foundation::Progress& progress);
@@ -124,6 +132,8 @@ class SteadyPath {
   std::string ended_;
   bool leaves_downwards_ = false;  ///< is the lower end of the band an end of the curve, not its start?
   bool closed_ = false;
+  std::optional<double> begun_at_;
+  Eigen::Index most_points_;
   std::optional<std::size_t> stopped_at_;
 };
 

@@ -303,8 +303,9 @@ std::string steady_tables(const study::Answers& answers) {
     for (const Fold& fold : branch->further[i].folds)
       if (nonlinear::jumps_at(branch->further[i], fold)) add_fold(fold, fmt::format(", curve {}", i + 1));
   const std::string about = hint(fmt::format(
-      "Periodic motions connected with the one at the lower end of the band; {}. {} harmonics, which leave out at most "
+      "Periodic motions connected with {}; {}. {} harmonics, which leave out at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
+      results::begun_words(*branch, answers.display),
       branch->search ? fmt::format("{} detached curves were found by a search",
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",

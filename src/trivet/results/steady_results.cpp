@@ -110,6 +110,7 @@ Json steady(const project::Case&, const study::Answers& answers) {
       {"first_harmonic", branch.first_harmonic},
       {"harmonics", branch.harmonics},
       {"held_share", number(branch.held_share)},
+      {"begun_at", branch.begun_at ? Json(*branch.begun_at) : Json(nullptr)},
       {"stops", branch.stops},
       {"multipliers_of", multipliers_of(branch)},
       {"of_amplitude", branch.of_amplitude},
@@ -129,8 +130,8 @@ Json steady(const project::Case&, const study::Answers& answers) {
     result["search"] = {{"places", branch.search->places},
                         {"starts", branch.search->starts},
                         {"positions_of_rest", branch.search->rests},
-                        {"load_up_to", branch.search->load_up_to}};
                         {"resonances", branch.search->resonances},
+                        {"load_up_to", branch.search->load_up_to}};
   for (const SteadyBranch& curve : branch.further) {
     Json one{{"found", curve.found == Found::detached ? "detached" : "branched"},
              {"periods", curve.periods},
@@ -237,11 +238,11 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
       branch.points.begin(), branch.points.end(),
       [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
   std::string text = excited_at_once(branch.excitations) + orders_text(branch) +
-      fmt::format("Periodic motions from {} to {} {}, connected with the one at the lower end{}\n"
+      fmt::format("Periodic motions from {} to {} {}, connected with {}{}\n"
                   "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
                   place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit,
-                  branch.search ? "" : " (detached ones are not sought)", branch.points.size(), unstable_points(branch),
-                  branch.harmonics, branch.left_out);
+                  begun_words(branch, display), branch.search ? "" : " (detached ones are not sought)",
+                  branch.points.size(), unstable_points(branch), branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
   for (const double corner : branch.corners)
     text += fmt::format("  corner at {} {}: the curve turns at once, and was sought beyond at a fixed {}\n",

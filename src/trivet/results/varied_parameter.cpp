@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/results/varied_parameter.h"
 
+#include <fmt/format.h>
+
 #include "trivet/foundation/constants.h"
+#include "trivet/results/text_table.h"
 
 namespace trivet::results {
 
@@ -26,6 +29,12 @@ std::string varied_heading(const SteadyBranch& branch, const project::ShownUnits
 double shown_varied(const SteadyBranch& branch, double parameter, const project::ShownUnits& display) {
   if (branch.over == Parameter::load_factor) return parameter;
   return branch.of_shaft ? parameter * foundation::rpm_per_rad_s : shown_frequency(display, parameter);
+}
+
+std::string begun_words(const SteadyBranch& branch, const project::ShownUnits& display) {
+  if (!branch.begun_at) return "the one at the lower end of the band";
+  return fmt::format("the one at {} {}", number_text(shown_varied(branch, *branch.begun_at, display), 5),
+                     varied_unit(branch, display));
 }
 
 }  // namespace trivet::results

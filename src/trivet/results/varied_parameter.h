@@ -19,4 +19,7 @@ namespace trivet::results {
 [[nodiscard]] double shown_varied(const nonlinear::SteadyBranch& branch, double parameter,
                                   const project::ShownUnits& display);
 
+/// "the one at the lower end of the band", or "the one at 3.2 Hz" where there is no motion at the lower end.
+[[nodiscard]] std::string begun_words(const nonlinear::SteadyBranch& branch, const project::ShownUnits& display);
+
 }  // namespace trivet::results

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "trivet/study/cut_short.h"
+
+#include <algorithm>
+
+#include "trivet/nonlinear/backbone.h"
+#include "trivet/nonlinear/steady_branch.h"
+
+namespace trivet::study {
+
+bool is_cut_short(const Answers& answers) {
+  const auto* steady = answers.find<nonlinear::SteadyBranch>("steady");
+  const auto* modes = answers.find<std::vector<nonlinear::Backbone>>("backbone");
+  const auto ends = [](const auto& curve) { return !curve.ended.empty(); };
+  return (steady && ends(*steady)) || (modes && std::any_of(modes->begin(), modes->end(), ends));
+}
+
+}  // namespace trivet::study
