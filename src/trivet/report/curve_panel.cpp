@@ -54,16 +54,20 @@ std::vector<PixelPoint> thinned(const std::vector<PixelPoint>& points) {
   return kept;
 }
 
+/// From the stretch between two points: a curve may go beyond its ends and come back.
+double distance_to_stretch(PixelPoint point, PixelPoint a, PixelPoint b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  const double share = square > 0 ? std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / square, 0.0, 1.0) : 0;
+  return std::hypot(point.x - a.x - share * dx, point.y - a.y - share * dy);
+}
+
 /// Marks the points of a curve that a line within `tolerance` of it needs [pixels] (Douglas and Peucker).
 void keep_corners(const std::vector<PixelPoint>& points, std::size_t from, std::size_t to, std::vector<bool>& kept) {
   constexpr double tolerance = 0.1;
-  const PixelPoint a = points[from], b = points[to];
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
   double farthest = tolerance;
   std::size_t corner = from;
   for (std::size_t i = from + 1; i < to; ++i) {
-    const double dx = points[i].x - a.x, dy = points[i].y - a.y;
-    const double distance = length > 0 ? std::abs(dx * (b.y - a.y) - dy * (b.x - a.x)) / length : std::hypot(dx, dy);
+    const double distance = distance_to_stretch(points[i], points[from], points[to]);
     if (distance > farthest) farthest = distance, corner = i;
   }
   if (corner == from) return;

@@ -175,6 +175,21 @@ TEST(VisiblePieces, ThinManyPointsButKeepASingleHighOne) {
       10, round_off);
 }
 
+/// A path that comes back on itself keeps its turning points.
+TEST(VisiblePieces, KeepTheEndsOfAPathAlongALine) {
+  const report::PlotPanel panel{{0, 0}, 100, 100, {-1, 1}, {-1, 1}};
+  std::vector<double> x, y;
+  for (int i = 0; i <= 100; ++i) {
+    x.push_back(0.3 + 1e-6 * i);
+    y.push_back(0.8 * std::sin(2 * std::numbers::pi * i / 100));
+  }
+  const auto pieces = report::visible_pieces(panel, x, y);
+  ASSERT_EQ(pieces.size(), 1u);
+  const auto [low, high] =
+      std::minmax_element(pieces[0].begin(), pieces[0].end(), [](const auto& a, const auto& b) { return a.y < b.y; });
+  EXPECT_NEAR(high->y - low->y, 80, 0.1);
+}
+
 /// Only if it is of the same result in the same unit.
 TEST(SteadyFigure, HasTheFreeMotionsOverTheForcedOnes) {
   const auto figure = [](const std::string& quantity) {
