@@ -343,6 +343,47 @@ TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
   EXPECT_GT(moved, 0);
 }
 
+/// The stop closes exactly at rest: one side has another stiffness than the other.
+TEST(PeakSensitivities, EndWhereAStopClosesAtRest) {
+  const project::Project file = test::project(R"(trivet = 1
+gravity = [0, 0, -10]
+[bodies.m]
+mass = 50
+free = ["z"]
+[elements.s]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 5e4]
+damping = {translation = [0, 0, 50]}
+[elements.stop]
+type = "stop"
+on = "m"
+at = [0, 0, 0]
+axis = "-z"
+gap = "10.001 mm"
+stiffness = 1e5
+[excitations.f]
+type = "harmonic"
+on = "m"
+at = [0, 0, 0]
+force = [0, 0, 1]
+[analyses]
+response = {of = ["m.z"], band = ["1 Hz", "30 Hz"]}
+)");
+  const study::Explanation found = study::explanation(file.base(), {{}, 1});
+  ASSERT_EQ(found.peaks.size(), 1u);
+  EXPECT_THAT(found.peaks[0].notes, testing::Contains(testing::HasSubstr("opens or closes a stop at rest")));
+  EXPECT_EQ(std::count_if(found.peaks[0].notes.begin(), found.peaks[0].notes.end(),
+                          [](const std::string& note) { return note.find("no slopes") != std::string::npos; }),
+            1);
+  for (const response::Sensitivity& s : found.peaks[0].sensitivities) {
+    const std::string& name = found.parameters[s.parameter].name;
+    EXPECT_EQ(s.height.has_value(), name.ends_with("damping_factor") || name.find("moved") != std::string::npos)
+        << name;
+  }
+}
+
 TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {
   const model::System system = test::checked(test::RandomSystem(14).description(2, test::RandomDamping::none));
   const assembly::Assembled assembled = assembly::assemble(system);

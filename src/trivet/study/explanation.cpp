@@ -30,16 +30,35 @@ project::AnswerSelection selection_of(const project::Case& variant, const Explai
   return selection;
 }
 
-/// A nonlinear machine in its new position of rest, near the old one.
-model::System changed(const model::System& system, const response::Parameter& parameter, double amount) {
+/// A nonlinear machine in its new position of rest.
+model::System changed_at_rest(const model::System& system, const response::Parameter& parameter, double amount) {
   model::System found = response::changed(system, parameter, amount);
-  if (!nonlinear::is_nonlinear(found)) return found;
-  nonlinear::RestPosition there = nonlinear::rest_position(found);
-  const nonlinear::RestPosition here = nonlinear::rest_position(system);
-  if (there.stable != here.stable || there.limit_loads.size() != here.limit_loads.size())
+  return nonlinear::is_nonlinear(found) ? nonlinear::rest_position(found).system : found;
+}
+
+/// For each deflection of laws the number of their kinks below it at rest, and the stability of that position.
+std::vector<long> pieces_at_rest(const model::System& system) {
+  std::vector<long> found;
+  const auto add = [&](const std::vector<double>& kinks, double deflection) {
+    found.push_back(std::count_if(kinks.begin(), kinks.end(), [&](double kink) { return kink < deflection; }));
+  };
+  for (const model::Element& element : system.elements()) {
+    for (const model::NonlinearPart& part : element.nonlinear_parts)
+      add(elements::kinks_at_rest(part.laws), part.at_rest);
+    for (const model::DistancePart& part : element.distance_parts)
+      add(elements::kink_distances(part.law), part.law.distance(part.at_rest));
+  }
+  return found;
+}
+
+/// The same for slopes, which end where a law has a kink.
+model::System smoothly_changed(const model::System& system, const response::Parameter& parameter, double amount) {
+  model::System found = changed_at_rest(system, parameter, amount);
+  if (pieces_at_rest(found) != pieces_at_rest(system))
     throw foundation::NotComputable(
-        fmt::format("a change of {} by {:.2g} moves the machine to another position of rest", parameter.name, amount));
-  return std::move(there.system);
+        "no slopes to parameters of which a small change opens or closes a stop at rest, or passes a kink of a law "
+        "there");
+  return found;
 }
 
 response::Question question_of(const project::AnswerSelection& selection, const response::Peaks& peaks) {
@@ -50,7 +69,7 @@ response::Question question_of(const project::AnswerSelection& selection, const 
                                                         const assembly::Assembled& assembled) {
     return assembly::harmonic_loading(system, assembled, excitations);
   };
-  question.changed = changed;
+  question.changed = smoothly_changed;
   return question;
 }
 
@@ -105,6 +124,11 @@ struct Candidate {
   std::string parameter, words;
 };
 
+/// "the axial stiffness of \"front\"", of an element with laws that beside them.
+std::string stiffness_words(const model::Element& element, const std::string& which) {
+  return fmt::format("the {} of \"{}\"{}", which, element.name, model::has_laws(element) ? " beside its laws" : "");
+}
+
 /// Stiffness of an element along the direction with most of its strain energy; that of the whole element if there is no
 /// parameter for the direction.
 std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, const ExplainedPeak& peak,
@@ -113,7 +137,7 @@ std::optional<Candidate> candidate(const project::Case& variant, std::size_t e, 
   Eigen::Index direction = 0;
   peak.shares.elements[e].by_direction.maxCoeff(&direction);
   const std::string path = "elements." + foundation::path_key(element.name) + ".";
-  const std::string whole = fmt::format("the stiffness of \"{}\"", element.name);
+  const std::string whole = stiffness_words(element, "stiffness");
   for (const Candidate& one :
        {Candidate{path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(direction)]),
                   fmt::format("the {} of \"{}\"", response::direction_words(element, static_cast<int>(direction)),
@@ -148,8 +172,8 @@ std::optional<Candidate> strongest(const project::Case& variant, std::optional<s
     const std::string path = "elements." + foundation::path_key(elements[e].name) + ".";
     for (int j = 0; j < 6; ++j)
       consider(path + fmt::format("stiffness_factor.{}", model::coordinate_names[to_size(j)]),
-               fmt::format("the {} of \"{}\"", response::direction_words(elements[e], j), elements[e].name));
-    consider(path + "scale", fmt::format("the stiffness of \"{}\"", elements[e].name));
+               stiffness_words(elements[e], response::direction_words(elements[e], j)));
+    consider(path + "scale", stiffness_words(elements[e], "stiffness"));
   }
   return found;
 }
@@ -191,7 +215,7 @@ std::optional<Trial> trial_of(const project::Case& variant, ExplainedPeak& peak,
 void solve_again(const project::Case& variant, const response::Question& question, const response::Parameter& parameter,
                  const ExplainedPeak& peak, Trial& trial) {
   constexpr double beyond_recognition = 0.2;
-  const model::System system = question.changed(variant.system, parameter, trial.amount);
+  const model::System system = changed_at_rest(variant.system, parameter, trial.amount);
   const assembly::Assembled assembled = assembly::assemble(system);
   const modal::Modes modes = modal::modes(system, assembled);
   const std::vector<assembly::Channel> channels = assembly::channels(system, assembled, {peak.name}, question.quantity);

@@ -181,7 +181,8 @@ SensitivityTable peak_sensitivities(const model::System& system, const assembly:
     } catch (const foundation::NotComputable& reason) {
       for (PeakSensitivities& peak : table.peaks) {
         peak.list.emplace_back();
-        peak.notes.emplace_back(reason.what());
+        if (std::find(peak.notes.begin(), peak.notes.end(), reason.what()) == peak.notes.end())
+          peak.notes.emplace_back(reason.what());
       }
     }
     for (PeakSensitivities& peak : table.peaks) peak.list.back().parameter = p;
