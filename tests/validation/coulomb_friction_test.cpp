@@ -118,6 +118,19 @@ TEST(CoulombFriction, BeginsAboveThePlaceWhereItRests) {
   EXPECT_DOUBLE_EQ(highest, options.to);
 }
 
+/// Without a damper the load feeds more than the friction takes, as the slip is less than π/4 of the load.
+TEST(CoulombFriction, EndsAtAnUnboundedResonance) {
+  nonlinear::SteadyOptions options{.from = 20, .to = 40};
+  options.harmonics = 15;
+  options.of = {"m1.x"};
+  const nonlinear::SteadyBranch branch = nonlinear::steady_branch(with_friction(slip), options);
+  EXPECT_THAT(branch.ended, testing::HasSubstr("grows without limit"));
+  EXPECT_FALSE(branch.begun_at);
+  EXPECT_THAT(branch.points.front().angular_frequency, RelativelyNear(20, 1e-12));
+  EXPECT_THAT(branch.points.back().angular_frequency, RelativelyNear(std::sqrt(stiffness / mass), 1e-5));
+  EXPECT_LT(branch.points.back().results[0].half_of_range(), 1e7 * load / stiffness);
+}
+
 /// Two halves side by side are one whole: the same motion, and at rest for the same loads.
 TEST(CoulombFriction, TwoHalvesAreOneWhole) {
   const auto halves = [](double load_share) {

@@ -123,6 +123,12 @@ class Curves {
     }
     observed_.add_landings(motions_of(of_one_period), found);
     for (const BranchedPath& one : branched_.paths) add(one, motions_of(of_one_period), found);
+    for (const SteadyBranch& curve : found.further) {
+      if (curve.periods != 2) continue;
+      note_doubled(curve, found);
+      for (SteadyBranch& other : found.further)
+        if (other.periods == 1) note_doubled(curve, other);
+    }
     return found;
   }
 
@@ -139,6 +145,15 @@ class Curves {
         for (numerics::BranchPoint& point : path->all_at(parameter)) all.push_back(std::move(point));
       return all;
     };
+  }
+
+  /// A motion of one period cannot be said to jump to one of two: there are several.
+  static void note_doubled(const SteadyBranch& doubled, SteadyBranch& curve) {
+    for (Fold& fold : curve.folds)
+      if (is_stable_at(doubled, curve.parameter(fold.point))) {
+        fold.lands.reset();
+        ++fold.stable_there;
+      }
   }
 
   void add(const BranchedPath& one, const ObservedPath::MotionsAt& of_one_period, SteadyBranch& found) const {
@@ -177,12 +192,6 @@ class Curves {
         if (!leaves_band && !change.curve && change.kind == StabilityChange::Kind::period_doubling &&
             std::abs(found.parameter(change.point) - end) < near * end)
           change.curve = found.further.size();
-      // A motion of one period cannot be said to jump to one of two: there are several.
-      for (Fold& fold : found.folds)
-        if (is_stable_at(curve, found.parameter(fold.point))) {
-          fold.lands.reset();
-          ++fold.stable_there;
-        }
     }
     found.further.push_back(std::move(curve));
   }

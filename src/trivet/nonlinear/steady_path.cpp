@@ -112,12 +112,39 @@ bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, 
   if (!walk(most_left_out, {{start.unknowns, start.parameter}}, progress)) return false;
   closed_ = stopped_at_.has_value();
   if (closed_) return true;
-  // It has left the band, or ended: the whole curve from there.
-  BranchPoint end = points_.back();
-  end.tangent = -end.tangent;
-  end.bend.resize(0);
+  std::vector<BranchPoint> onward = std::move(points_);
+  std::vector<double> lengths = std::move(lengths_), corners = std::move(corners_);
   const std::string ended = ended_;
-  most_points_ += to_index(points_.size());
+  clear();
+  BranchPoint back = start;
+  reverse(back);
+  if (!add_point(back, most_left_out) || !walk(most_left_out, {}, progress)) return false;
+  // The way back, turned round, and then the way onward.
+  std::vector<BranchPoint> all(points_.rbegin(), points_.rend() - 1);
+  for (BranchPoint& point : all) reverse(point);
+  all.insert(all.end(), onward.begin(), onward.end());
+  lengths.insert(lengths.begin(), lengths_.rbegin(), lengths_.rend());
+  corners.insert(corners.end(), corners_.begin(), corners_.end());
+  const std::string reason = ended_.empty() || ended_ == ended ? ended : ended.empty() ? ended_ : ended_ + "; " + ended;
+  clear();
+  corners_ = std::move(corners);
+  ended_ = reason;
+  constexpr double any = std::numeric_limits<double>::infinity();
+  (void)add_point(all.front(), any);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const double length = numerics::Branch::length(points_.back(), all[i]);
+    (void)add_step(all[i], length > 0 ? length : lengths[i - 1], any);  // over a kink it has the length of the hop
+  }
+  return true;
+}
+
+/// A branch through the point has the other direction.
+void SteadyPath::reverse(BranchPoint& point) {
+  point.tangent = -point.tangent;
+  point.bend.resize(0);
+}
+
+void SteadyPath::clear() {
   points_.clear();
   asked_for_.clear();
   lengths_.clear();
@@ -125,9 +152,6 @@ bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, 
   turns_.clear();
   pieces_.clear();
   ended_.clear();
-  if (!add_point(end, most_left_out) || !walk(most_left_out, {}, progress)) return false;
-  if (!ended.empty()) ended_ = ended_.empty() ? ended : ended + "; " + ended_;
-  return true;
 }
 
 bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const VectorXd& along,
@@ -259,6 +283,13 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
       break;
     }
+    if (grows_without_limit(next)) {
+      ended_ = fmt::format(
+          "the motion grows without limit at {}: nothing dissipates what the excitation feeds there; "
+          "add damping",
+          equations_.place(next.parameter));
+      break;
+    }
     if (const std::string reason = unknown_forces(next); !reason.empty()) {
       constexpr double shortest = 1e-4;
       if (step->length > shortest && !step->hops) {
@@ -304,6 +335,15 @@ std::string SteadyPath::no_further(const BranchPoint& point) const {
                      equations_.place(point.parameter),
                      ending_cause(known_.deflections(), balance().laws(), courses(point.unknowns), courses(beyond),
                                   equations_.driving(point.parameter).omega));
+}
+
+/// On the way to an unbounded resonance: it grows and grows at one place.
+bool SteadyPath::grows_without_limit(const BranchPoint& next) const {
+  constexpr double beyond = 1e5, at_once = 1e-7;
+  const BranchPoint& now = points_.back();
+  const double first = points_.front().unknowns.norm(), size = next.unknowns.norm();
+  return first > 0 && size > beyond * first && size > now.unknowns.norm() &&
+      std::abs(next.parameter - now.parameter) < at_once * next.parameter;
 }
 
 /// Of a motion over which the forces are not known, with its place.

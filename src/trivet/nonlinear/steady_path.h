@@ -99,6 +99,9 @@ class SteadyPath {
   };
   static constexpr int places_above = 24;
   void limit_points_of_further_curve();
+  static void reverse(numerics::BranchPoint& point);
+  void clear();
+  [[nodiscard]] bool grows_without_limit(const numerics::BranchPoint& next) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> lowest_motion() const;
   [[nodiscard]] bool follow_through(const numerics::BranchPoint& start, double most_left_out,
                                     const foundation::Progress& progress);

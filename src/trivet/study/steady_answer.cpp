@@ -111,6 +111,30 @@ void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& b
 }
 
 /// @param of  as above
+/// A multiplier is 1 at a fold; with too few harmonics it is not.
+void warn_of_folds(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
+  constexpr double far = 0.05;
+  if (branch.multipliers_of != nonlinear::SteadyBranch::Multipliers::machine || branch.of_amplitude) return;
+  double farthest = 0;
+  const nonlinear::Fold* worst = nullptr;
+  for (const nonlinear::Fold& fold : branch.folds) {
+    const double away = (fold.point.multipliers.array() - 1.0).abs().minCoeff();
+    if (away <= std::max(far, farthest)) continue;
+    farthest = away;
+    worst = &fold;
+  }
+  if (!worst) return;
+  warnings.warning("analyses.steady",
+                   fmt::format("{}no multiplier is 1 at the fold at {}: the nearest is {:.2g} away", of,
+                               branch.over == nonlinear::Parameter::load_factor
+                                   ? fmt::format("{:.6g} times the load", worst->point.load_factor)
+                                   : fmt::format("{:.6g} Hz", worst->point.angular_frequency / foundation::two_pi),
+                               farthest),
+                   "the harmonics are too few for verdicts beside it: stability is lost at the fold, and changes near "
+                   "it may be false",
+                   "take a lower tolerance, or more harmonics");
+}
+
 void warn_of_verdicts(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
   if (branch.held_share > 0)
     warnings.warning("analyses.steady",
@@ -127,6 +151,7 @@ void warn_of_verdicts(const std::string& of, const nonlinear::SteadyBranch& bran
             : fmt::format("the first at {:.6g} Hz", branch.winding.differs_at.front() / foundation::two_pi),
         "take more harmonics; close to a change of stability both are uncertain");
   warn_of_multipliers(of, branch, warnings);
+  warn_of_folds(of, branch, warnings);
 }
 
 }  // namespace

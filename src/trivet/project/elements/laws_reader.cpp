@@ -37,9 +37,10 @@ void read_axis(TableReader& reader, int axis, double centre, const model::Span& 
     const Eigen::Matrix<double, 1, 12> row = elements::deflection_row(axis, span.arm, span.n_from_k, centre);
     const double own =
         element.law.scale * row.dot(row * element.law.nominal_stiffness) / std::pow(row.squaredNorm(), 2);
-    if (!stop->curve && stop->power == 1 && stop->stiffness < own)
+    const double stiffness = stop->curve ? stop->curve->at(stop->curve->knots().back()).slope : stop->stiffness;
+    if (stop->power == 1 && stiffness < own)
       reader.problems()
-          .warning(law.path() + ".stiffness", fmt::format("{:.6g}", stop->stiffness),
+          .warning(law.path() + (stop->curve ? ".curve" : ".stiffness"), fmt::format("{:.6g}", stiffness),
                    fmt::format("the stop is softer than the element itself, {:.6g}", own), "check digits and unit")
           .origin = law.content().origin;
   });
