@@ -36,7 +36,7 @@ model::System changed_at_rest(const model::System& system, const response::Param
   return nonlinear::is_nonlinear(found) ? nonlinear::rest_position(found).system : found;
 }
 
-/// For each deflection of laws the number of their kinks below it at rest, and the stability of that position.
+/// For each deflection of laws the number of their kinks below it at rest.
 std::vector<long> pieces_at_rest(const model::System& system) {
   std::vector<long> found;
   const auto add = [&](const std::vector<double>& kinks, double deflection) {
