@@ -38,10 +38,10 @@ std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& chang
   constexpr std::array<double, 4> near = {1e-6, 1e-4, 1e-2, 0.2};
   for (const int steps : {0, -1, 1, -2, 2}) {
     const std::ptrdiff_t after = to_index(change.after) + steps;
-    if (after < 0 || after + 1 >= std::ssize(connected.points())) continue;
-    const double at_point = std::abs(singular(connected.points()[to_size(after)]));
+    if (after < 0 || after + 1 >= std::ssize(connected.motions().points())) continue;
+    const double at_point = std::abs(singular(connected.motions().points()[to_size(after)]));
     for (const double share : near)
-      if (const auto found = connected.zero_after(to_size(after), singular, share * at_point))
+      if (const auto found = connected.motions().zero_after(to_size(after), singular, share * at_point))
         return place_on_path(*found);
   }
   return std::nullopt;
@@ -50,8 +50,8 @@ std::optional<SteadyEquations::Place> crossing_near(const StabilityChange& chang
 /// Is it the other curve itself?
 bool lies_on(const SteadyPath& path, const SteadyPath& other) {
   constexpr double same = 1e-3;  // of the motion
-  const numerics::BranchPoint& middle = path.points()[path.points().size() / 2];
-  const std::vector<numerics::BranchPoint> there = other.all_at(middle.parameter);
+  const numerics::BranchPoint& middle = path.motions().points()[path.motions().points().size() / 2];
+  const std::vector<numerics::BranchPoint> there = other.motions().all_at(middle.parameter);
   return std::any_of(there.begin(), there.end(), [&](const numerics::BranchPoint& one) {
     return one.unknowns.size() == middle.unknowns.size() &&
         path.balance().are_same(one.unknowns, middle.unknowns, same);
@@ -101,7 +101,7 @@ BranchedPaths branched_paths(const std::vector<StabilityChange>& changes, const 
     for (std::size_t i = 0; i < crossings.size(); ++i) {
       if (reached[i]) continue;
       const std::size_t change = crossings[i].change;
-      const VectorXd along = periods == 1 ? connected.points()[changes[change].after].tangent : VectorXd();
+      const VectorXd along = periods == 1 ? connected.motions().points()[changes[change].after].tangent : VectorXd();
       if (path->follow_branched(crossings[i].place, along, ends, progress) && !lies_on(*path, connected)) {
         std::vector<std::size_t> changes_at_ends = {change};
         if (const auto end = path->stopped_at()) {

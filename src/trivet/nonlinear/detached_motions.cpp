@@ -79,8 +79,9 @@ DetachedPaths detached_paths(const SteadyPath& connected, const std::vector<cons
     const VectorXd image = mirrored(motion.unknowns, connected.balance().coefficients());
     const auto lies_on = [&](const SteadyPath& path) {
       constexpr std::size_t followed = 2;  // points; else the motion alone
-      std::vector<BranchPoint> there = path.all_at(motion.parameter);
-      if (path.points().size() < followed && path.points().front().parameter == motion.parameter) there = path.points();
+      std::vector<BranchPoint> there = path.motions().all_at(motion.parameter);
+      if (path.motions().points().size() < followed && path.motions().points().front().parameter == motion.parameter)
+        there = path.motions().points();
       return std::any_of(there.begin(), there.end(), [&](const BranchPoint& other) {
         return path.balance().are_same(other.unknowns, motion.unknowns, same) ||
             path.balance().are_same(other.unknowns, image, same);

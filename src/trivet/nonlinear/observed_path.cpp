@@ -25,18 +25,19 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   found.ended = path_.ended();
   found.begun_at = path_.begun_at();
   found.closed = path_.closed();
-  found.corners = path_.corners();
-  for (const BranchPoint& point : path_.points()) {
+  found.corners = path_.motions().corners();
+  for (const BranchPoint& point : path_.motions().points()) {
     found.points.push_back(steady(point));
     note_sticking(point, found);
     if (progress)
-      progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(path_.points().size()));
+      progress("stability",
+               static_cast<double>(found.points.size()) / static_cast<double>(path_.motions().points().size()));
   }
   add_points_between(found);
   if (observer_.has_winding() && (options_.deep || machine_.assembled.frequency_dependent()))
     judge_by_winding(found, progress);
-  for (const BranchPoint& point : path_.asked_for()) found.at.push_back(steady(point));
-  for (const SteadyPath::Turn& turn : path_.turns())
+  for (const BranchPoint& point : path_.motions().asked_for()) found.at.push_back(steady(point));
+  for (const FollowedMotions::Turn& turn : path_.motions().turns())
     found.folds.push_back({steady(turn.point), turn.after, turn.upper, std::nullopt});
   add_changes(found);
   return found;
@@ -48,11 +49,12 @@ void ObservedPath::add_points_between(SteadyBranch& found) {
   constexpr int most = 100;
   int added = 0;
   for (std::size_t i = 0; i + 1 < found.points.size() && added < most; ++i) {
-    const bool turns = std::any_of(path_.turns().begin(), path_.turns().end(),
-                                   [i](const SteadyPath::Turn& turn) { return turn.after == i; });
-    while (!turns && added < most && path_.step_length(i) > shortest && may_be_unstable_between(found, i) &&
+    const bool turns = std::any_of(path_.motions().turns().begin(), path_.motions().turns().end(),
+                                   [i](const FollowedMotions::Turn& turn) { return turn.after == i; });
+    while (!turns && added < most && path_.motions().step_length(i) > shortest && may_be_unstable_between(found, i) &&
            path_.split_step(i)) {
-      found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1, steady(path_.points()[i + 1]));
+      found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                          steady(path_.motions().points()[i + 1]));
       ++added;
     }
   }
@@ -78,7 +80,7 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
   if (!found.points[step].stable || !found.points[step + 1].stable) return false;
   constexpr double deep = 0.25;  // of the smaller end: the parabola is a guess
   const auto at = [&](std::size_t point) { return distances_to_changes(found.points[point].multipliers); };
-  const double length = path_.step_length(step);
+  const double length = path_.motions().step_length(step);
   const std::array<double, 3> all_from = at(step), all_to = at(step + 1);
   for (std::size_t kind = 0; kind < all_from.size(); ++kind) {
     const double from = all_from[kind], to = all_to[kind];
@@ -88,9 +90,10 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
       return lowest > 0 && lowest < 1 ? from + lowest * (slope + lowest * bend) : std::min(from, to);
     };
     double least = std::min(from, to);
-    if (step > 0) least = std::min(least, least_with(-path_.step_length(step - 1) / length, at(step - 1)[kind]));
+    if (step > 0)
+      least = std::min(least, least_with(-path_.motions().step_length(step - 1) / length, at(step - 1)[kind]));
     if (step + 2 < found.points.size())
-      least = std::min(least, least_with(1 + path_.step_length(step + 1) / length, at(step + 2)[kind]));
+      least = std::min(least, least_with(1 + path_.motions().step_length(step + 1) / length, at(step + 2)[kind]));
     if (least < deep * std::min(from, to)) return true;
   }
   return false;
@@ -132,7 +135,7 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
 void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& found,
                          const foundation::Progress& progress) const {
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const BranchPoint& point = path_.points()[chosen[i]];
+    const BranchPoint& point = path_.motions().points()[chosen[i]];
     SteadyPoint& judged = found.points[chosen[i]];
     judged.unstable_by_winding =
         observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
@@ -159,7 +162,7 @@ std::vector<SteadyPoint> ObservedPath::landings(const MotionsAt& known, const Br
 
 void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) const {
   for (std::size_t i = 0; i < branch.folds.size(); ++i) {
-    std::vector<SteadyPoint> there = landings(known, path_.turns()[i].point);
+    std::vector<SteadyPoint> there = landings(known, path_.motions().turns()[i].point);
     branch.folds[i].stable_there = there.size();
     if (there.size() == 1) branch.folds[i].lands = std::move(there.front());
   }
@@ -224,10 +227,11 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
   std::optional<BranchPoint> middle;
   for (const double near : accurate)
     if (!middle)
-      middle = by_winding_ ? path_.zero_after(point, by_winding, near) : path_.zero_after(point, excess, near);
+      middle = by_winding_ ? path_.motions().zero_after(point, by_winding, near)
+                           : path_.motions().zero_after(point, excess, near);
   if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
-    const bool ends_unstable = excess(path_.points()[point + 1]) > excess(path_.points()[point]);
-    middle = path_.points()[ends_unstable ? point + 1 : point];
+    const bool ends_unstable = excess(path_.motions().points()[point + 1]) > excess(path_.motions().points()[point]);
+    middle = path_.motions().points()[ends_unstable ? point + 1 : point];
   }
   StabilityChange change{steady(*middle), point};
   Index critical = 0;

@@ -142,7 +142,7 @@ class Curves {
     return [paths](double parameter) {
       std::vector<numerics::BranchPoint> all;
       for (const SteadyPath* path : paths)
-        for (numerics::BranchPoint& point : path->all_at(parameter)) all.push_back(std::move(point));
+        for (numerics::BranchPoint& point : path->motions().all_at(parameter)) all.push_back(std::move(point));
       return all;
     };
   }
@@ -175,7 +175,7 @@ class Curves {
       const Index deflections = machine_.condensed.size();
       observed.add_landings(
           [&](double parameter) {
-            std::vector<numerics::BranchPoint> all = one.path->all_at(parameter);
+            std::vector<numerics::BranchPoint> all = one.path->motions().all_at(parameter);
             for (numerics::BranchPoint& point : of_one_period(parameter)) {
               const Eigen::MatrixXd motion = point.unknowns.reshaped(point.unknowns.size() / deflections, deflections);
               point.unknowns = over_two_periods(motion).reshaped();

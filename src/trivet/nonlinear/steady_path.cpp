@@ -56,6 +56,7 @@ SteadyPath::SteadyPath(const CondensedMachine& machine, const std::vector<Deflec
       equations_(machine, deflections, excitation, options, harmonics),
       known_(deflections),
       branch_(equations_.branch()),
+      motions_(branch_, options.at),
       most_points_(options.most_points) {}
 
 bool SteadyPath::follow(double most_left_out, const foundation::Progress& progress) {
@@ -63,7 +64,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
   const std::string reason = start
       ? unknown_forces(*start)
       : fmt::format("no motion was found at the lower end of the band, {}", equations_.place(options_.from));
-  if (reason.empty()) return add_point(*start, most_left_out) && walk(most_left_out, {}, progress);
+  if (reason.empty()) return begin(*start, most_left_out) && walk(most_left_out, {}, progress);
   const std::optional<BranchPoint> above = lowest_motion();
   if (!above)
     throw foundation::NotComputable(
@@ -71,7 +72,7 @@ bool SteadyPath::follow(double most_left_out, const foundation::Progress& progre
                     "band{}",
                     reason, places_above, start ? "" : known_.hint()));
   if (!follow_through(*above, most_left_out, progress)) return false;
-  if (std::min(points_.front().parameter, points_.back().parameter) > options_.from) {
+  if (std::min(points().front().parameter, points().back().parameter) > options_.from) {
     begun_at_ = above->parameter;
     if (ended_.empty()) ended_ = reason + "; the curve of motions found above it does not come there";
   }
@@ -108,50 +109,19 @@ void SteadyPath::follow_detached(const BranchPoint& start, const foundation::Pro
 
 bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, const foundation::Progress& progress) {
   leaves_downwards_ = true;
-  if (!add_point(start, most_left_out)) return false;
+  if (!begin(start, most_left_out)) return false;
   if (!walk(most_left_out, {{start.unknowns, start.parameter}}, progress)) return false;
   closed_ = stopped_at_.has_value();
   if (closed_) return true;
-  std::vector<BranchPoint> onward = std::move(points_);
-  std::vector<double> lengths = std::move(lengths_), corners = std::move(corners_);
-  const std::string ended = ended_;
-  clear();
-  BranchPoint back = start;
-  reverse(back);
-  if (!add_point(back, most_left_out) || !walk(most_left_out, {}, progress)) return false;
-  // The way back, turned round, and then the way onward.
-  std::vector<BranchPoint> all(points_.rbegin(), points_.rend() - 1);
-  for (BranchPoint& point : all) reverse(point);
-  all.insert(all.end(), onward.begin(), onward.end());
-  lengths.insert(lengths.begin(), lengths_.rbegin(), lengths_.rend());
-  corners.insert(corners.end(), corners_.begin(), corners_.end());
-  const std::string reason = ended_.empty() || ended_ == ended ? ended : ended.empty() ? ended_ : ended_ + "; " + ended;
-  clear();
-  corners_ = std::move(corners);
-  ended_ = reason;
-  constexpr double any = std::numeric_limits<double>::infinity();
-  (void)add_point(all.front(), any);
-  for (std::size_t i = 1; i < all.size(); ++i) {
-    const double length = numerics::Branch::length(points_.back(), all[i]);
-    (void)add_step(all[i], length > 0 ? length : lengths[i - 1], any);  // over a kink it has the length of the hop
-  }
-  return true;
-}
-
-/// A branch through the point has the other direction.
-void SteadyPath::reverse(BranchPoint& point) {
-  point.tangent = -point.tangent;
-  point.bend.resize(0);
-}
-
-void SteadyPath::clear() {
-  points_.clear();
-  asked_for_.clear();
-  lengths_.clear();
-  corners_.clear();
-  turns_.clear();
-  pieces_.clear();
+  const FollowedMotions onward = motions_;
+  const std::string onward_ended = ended_;
+  motions_.clear();
   ended_.clear();
+  if (!begin(FollowedMotions::reversed(start), most_left_out) || !walk(most_left_out, {}, progress)) return false;
+  motions_.turn_and_append(onward);
+  if (ended_.empty()) ended_ = onward_ended;
+  else if (!onward_ended.empty() && ended_ != onward_ended) ended_ += "; " + onward_ended;
+  return true;
 }
 
 bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const VectorXd& along,
@@ -170,10 +140,10 @@ bool SteadyPath::follow_branched(const SteadyEquations::Place& start, const Vect
   constexpr double least = 0.5;  // else the weakest direction is that of the other curve: at a fold
   if (first.tangent.norm() < least) return false;
   first.tangent.normalize();
-  (void)add_point(first, any);
+  (void)begin(first, any);
   (void)walk(any, ends, progress);
   constexpr std::size_t fewest = 4;
-  return points_.size() >= fewest;
+  return points().size() >= fewest;
 }
 
 namespace {
@@ -198,9 +168,9 @@ std::optional<std::size_t> nearest(const std::vector<SteadyEquations::Place>& pl
 std::optional<std::size_t> SteadyPath::passed(const std::vector<SteadyEquations::Place>& ends, const BranchPoint& next,
                                               double length) const {
   constexpr std::size_t fewest = 4;  // before it can return to its start
-  const BranchPoint& now = points_.back();
+  const BranchPoint& now = points().back();
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (points_.size() < fewest && ends[i].unknowns == points_.front().unknowns) continue;
+    if (points().size() < fewest && ends[i].unknowns == points().front().unknowns) continue;
     const VectorXd way = now.way_to(ends[i].unknowns, ends[i].parameter);
     constexpr double beside = 0.2;  // of the step
     if (now.tangent.dot(way) >= 0 && way.norm() <= length && next.tangent.dot(now.tangent) > 0 &&
@@ -216,7 +186,7 @@ std::optional<double> SteadyPath::returns_to_one_period(const BranchPoint& next)
   const std::vector<Index>& excited = balance().excited();
   if (std::any_of(excited.begin(), excited.end(), [](Index k) { return k % 2 != 0; })) return std::nullopt;
   const Index C = balance().coefficients(), deflections = next.unknowns.size() / C;
-  const VectorXd& now = points_.back().unknowns;
+  const VectorXd& now = points().back().unknowns;
   double product = 0, size = 0, next_size = 0;
   for (Index k = 1; 2 * k < C; k += 2)
     for (Index j = 0; j < deflections; ++j) {
@@ -236,11 +206,12 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
   constexpr double first_step = 0.02;  // in shares of the deflection and of the band
   // A short step may turn by any angle: a slider begins to slip in both senses.
   constexpr numerics::StepControl control{.sharp_turns = 1e-4};
-  numerics::BranchWalk walk(branch_, points_.back(), control, first_step, leaves_downwards_ ? options_.from : 0.0,
+  numerics::BranchWalk walk(branch_, points().back(), control, first_step, leaves_downwards_ ? options_.from : 0.0,
                             options_.to);
   Extent smooth = extent();
-  while (points_.back().parameter < options_.to || (points_.size() == 1 && points_.back().parameter_direction() < 0)) {
-    if (to_index(points_.size()) >= most_points_) {
+  while (points().back().parameter < options_.to ||
+         (points().size() == 1 && points().back().parameter_direction() < 0)) {
+    if (to_index(points().size()) >= most_points_) {
       ended_ = fmt::format("stopped after {} points", most_points_);
       break;
     }
@@ -248,7 +219,7 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     const BranchPoint& now = walk.now();
     if (step && step->hops) {
       cut_to(smooth);
-      corners_.push_back(now.parameter);
+      motions_.add_corner(now.parameter);
     }
     if (!step || !(step->to.parameter > 0)) {
       ended_ = no_further(now);
@@ -276,8 +247,8 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
     if (returns && !stopped_at_) break;
     if (stopped_at_) {
       const SteadyEquations::Place& there = ends[*stopped_at_];
-      const bool closes = there.unknowns == points_.front().unknowns && points_.front().tangent.dot(now.tangent) > 0;
-      BranchPoint end = closes ? points_.front() : now;
+      const bool closes = there.unknowns == points().front().unknowns && points().front().tangent.dot(now.tangent) > 0;
+      BranchPoint end = closes ? points().front() : now;
       end.unknowns = there.unknowns;
       end.parameter = there.parameter;
       (void)add_step(end, numerics::Branch::length(now, end), most_left_out);
@@ -306,9 +277,9 @@ bool SteadyPath::walk(double most_left_out, const std::vector<SteadyEquations::P
       continue;
     }
     for (const BranchPoint& there : on_the_way.value_or(std::vector<BranchPoint>()))
-      if (!add_step(there, numerics::Branch::length(points_.back(), there), most_left_out)) return false;
+      if (!add_step(there, numerics::Branch::length(points().back(), there), most_left_out)) return false;
     const bool is_whole = !on_the_way || on_the_way->empty();
-    if (!add_step(next, is_whole ? step->length : numerics::Branch::length(points_.back(), next), most_left_out))
+    if (!add_step(next, is_whole ? step->length : numerics::Branch::length(points().back(), next), most_left_out))
       return false;
     walk.go(std::move(*step));
     if (walk.is_smooth()) smooth = extent();
@@ -340,8 +311,8 @@ std::string SteadyPath::no_further(const BranchPoint& point) const {
 /// On the way to an unbounded resonance: it grows and grows at one place.
 bool SteadyPath::grows_without_limit(const BranchPoint& next) const {
   constexpr double beyond = 1e5, at_once = 1e-7;
-  const BranchPoint& now = points_.back();
-  const double first = points_.front().unknowns.norm(), size = next.unknowns.norm();
+  const BranchPoint& now = points().back();
+  const double first = points().front().unknowns.norm(), size = next.unknowns.norm();
   return first > 0 && size > beyond * first && size > now.unknowns.norm() &&
       std::abs(next.parameter - now.parameter) < at_once * next.parameter;
 }
@@ -353,12 +324,21 @@ std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
   return reason.empty() ? reason : fmt::format("at {} {}", equations_.place(point.parameter), reason);
 }
 
-bool SteadyPath::add_point(const BranchPoint& point, double most_left_out) {
-  points_.push_back(point);
+bool SteadyPath::begin(const BranchPoint& first, double most_left_out) {
+  motions_.begin(first);
+  return leaves_out_at_most(most_left_out, first);
+}
+
+bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
+  motions_.add(next, length);
+  return leaves_out_at_most(most_left_out, next);
+}
+
+bool SteadyPath::leaves_out_at_most(double most, const BranchPoint& point) {
   const double omega = equations_.driving(point.parameter).omega;
   left_out_ = std::max(left_out_, balance().left_out(point.unknowns, omega));
   held_share_ = std::max(held_share_, balance().held_share(point.unknowns, omega));
-  return left_out_ <= most_left_out;
+  return left_out_ <= most;
 }
 
 /// The motions at the resonances between two points. Empty if one is not found on the way: the step has passed
@@ -377,81 +357,10 @@ std::optional<std::vector<BranchPoint>> SteadyPath::between(const BranchPoint& n
   return found;
 }
 
-SteadyPath::Extent SteadyPath::extent() const {
-  return {points_.size(), asked_for_.size(), turns_.size(), pieces_.size(), left_out_, held_share_};
-}
-
 void SteadyPath::cut_to(const Extent& end) {
-  points_.erase(points_.begin() + to_index(end.points), points_.end());
-  lengths_.resize(end.points - 1);
-  asked_for_.erase(asked_for_.begin() + to_index(end.asked_for), asked_for_.end());
-  turns_.erase(turns_.begin() + to_index(end.turns), turns_.end());
-  pieces_.erase(pieces_.begin() + to_index(end.pieces), pieces_.end());
+  motions_.cut_to(end.motions);
   left_out_ = end.left_out;
   held_share_ = end.held_share;
-}
-
-bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
-  lengths_.push_back(length);
-  const bool is_good = add_point(next, most_left_out);
-  add_pieces();
-  return is_good;
-}
-
-/// The pieces of the last step, with the fold between them if the parameter turns, and the motions asked for.
-void SteadyPath::add_pieces() {
-  const std::size_t from = points_.size() - 2, first_new = pieces_.size();
-  const BranchPoint &now = points_[from], &next = points_.back();
-  const double length = lengths_[from];
-  const bool turns = next.parameter_direction() * now.parameter_direction() < 0;
-  if (turns) {
-    const BranchPoint fold = branch_.fold(now, length);
-    const double to_fold = numerics::Branch::length(now, fold);
-    turns_.push_back({fold, from, now.parameter_direction() > 0});
-    pieces_.push_back({from, 0, to_fold, now.parameter, fold.parameter});
-    pieces_.push_back({from, to_fold, length, fold.parameter, next.parameter});
-  } else {
-    pieces_.push_back({from, 0, length, now.parameter, next.parameter});
-  }
-  for (const double wanted : options_.at)
-    for (std::size_t i = first_new; i < pieces_.size(); ++i)
-      if (std::optional<BranchPoint> there = at(wanted, pieces_[i])) asked_for_.push_back(std::move(*there));
-}
-
-bool SteadyPath::split_step(std::size_t after) {
-  std::optional<BranchPoint> middle = branch_.after(points_[after], lengths_[after] / 2);
-  if (!middle) return false;
-  const auto place = static_cast<std::ptrdiff_t>(after) + 1;
-  const auto piece = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& one) { return one.from == after; });
-  const double first = numerics::Branch::length(points_[after], *middle),
-               second = numerics::Branch::length(*middle, points_[after + 1]);
-  const Piece latter{after, 0, second, middle->parameter, piece->parameter_end};
-  *piece = {after, 0, first, piece->parameter_begin, middle->parameter};
-  // Its indices are those before the new point.
-  pieces_.insert(piece + 1, latter);
-  for (auto one = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.from == after; }) + 1;
-       one != pieces_.end(); ++one)
-    ++one->from;
-  for (Turn& turn : turns_)
-    if (turn.after > after) ++turn.after;
-  lengths_[after] = first;
-  lengths_.insert(lengths_.begin() + place, second);
-  points_.insert(points_.begin() + place, std::move(*middle));
-  return true;
-}
-
-std::optional<BranchPoint> SteadyPath::at(double parameter, const Piece& piece) const {
-  if ((piece.parameter_begin < parameter) == (piece.parameter_end < parameter)) return std::nullopt;
-  const bool is_whole_step = piece.begin == 0 && piece.end == lengths_[piece.from];
-  return is_whole_step ? branch_.at(parameter, points_[piece.from], points_[piece.from + 1])
-                       : branch_.at(parameter, points_[piece.from], piece.begin, piece.end);
-}
-
-std::vector<BranchPoint> SteadyPath::all_at(double parameter) const {
-  std::vector<BranchPoint> found;
-  for (const Piece& piece : pieces_)
-    if (std::optional<BranchPoint> there = at(parameter, piece)) found.push_back(std::move(*there));
-  return found;
 }
 
 }  // namespace trivet::nonlinear

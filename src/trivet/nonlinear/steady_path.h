@@ -2,12 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "trivet/foundation/interruption.h"
+#include "trivet/nonlinear/followed_motions.h"
 #include "trivet/nonlinear/known_forces.h"
 #include "trivet/nonlinear/raised_motions.h"
 #include "trivet/nonlinear/steady_equations.h"
@@ -38,10 +38,8 @@ class SteadyPath {
   [[nodiscard]] bool follow_branched(const SteadyEquations::Place& start, const Eigen::VectorXd& along,
                                      const std::vector<SteadyEquations::Place>& ends,
                                      const foundation::Progress& progress);
-  /// Adds the motion in the middle of the step after a point, in which the parameter must not turn.
-  /// @return false if it is not found
-  bool split_step(std::size_t after);
-  [[nodiscard]] double step_length(std::size_t after) const { return lengths_[after]; }
+  /// FollowedMotions::split_step
+  bool split_step(std::size_t after) { return motions_.split_step(after); }
 
   /// The end that it came to.
   [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
@@ -55,52 +53,26 @@ class SteadyPath {
     return nonlinear::motions_over_load(equations_, branch_, parameter, most_load);
   }
 
-  /// Where the parameter turns.
-  struct Turn {
-    numerics::BranchPoint point;
-    std::size_t after = 0;  ///< index of the point before it
-    bool upper = false;     ///< the parameter is largest there
-  };
-  [[nodiscard]] const std::vector<numerics::BranchPoint>& points() const { return points_; }
-  [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
-  /// Motions at the parameters of SteadyOptions::at, in the order of the path.
-  [[nodiscard]] const std::vector<numerics::BranchPoint>& asked_for() const { return asked_for_; }
+  [[nodiscard]] const FollowedMotions& motions() const { return motions_; }
   [[nodiscard]] const std::string& ended() const { return ended_; }
   /// Where it was begun, if not at the lower end.
   [[nodiscard]] std::optional<double> begun_at() const { return begun_at_; }
-  /// Parameters at which the direction of the curve changes at once.
-  [[nodiscard]] const std::vector<double>& corners() const { return corners_; }
   [[nodiscard]] double left_out() const { return left_out_; }
   [[nodiscard]] double held_share() const { return held_share_; }
-
-  /// The motion between a point and the next one at which a quantity is zero; empty if none is found.
-  [[nodiscard]] std::optional<numerics::BranchPoint> zero_after(
-      std::size_t point, const std::function<double(const numerics::BranchPoint&)>& quantity, double accurate) const {
-    return branch_.zero(quantity, points_[point], 0, lengths_[point], accurate);
-  }
-  /// All motions of the path at a parameter.
-  [[nodiscard]] std::vector<numerics::BranchPoint> all_at(double parameter) const;
 
   [[nodiscard]] const SteadyEquations& equations() const { return equations_; }
   [[nodiscard]] const HarmonicBalance& balance() const { return equations_.balance(); }
   [[nodiscard]] Driving driving(double parameter) const { return equations_.driving(parameter); }
 
  private:
-  /// A part in which the parameter rises or falls: lengths from a point, and their parameters.
-  struct Piece {
-    std::size_t from;
-    double begin, end;
-    double parameter_begin, parameter_end;
-  };
   /// How much has been found.
   struct Extent {
-    std::size_t points, asked_for, turns, pieces;
+    FollowedMotions::Extent motions;
     double left_out, held_share;  ///< largest so far
   };
+  [[nodiscard]] const std::vector<numerics::BranchPoint>& points() const { return motions_.points(); }
   static constexpr int places_above = 24;
   void limit_points_of_further_curve();
-  static void reverse(numerics::BranchPoint& point);
-  void clear();
   [[nodiscard]] bool grows_without_limit(const numerics::BranchPoint& next) const;
   [[nodiscard]] std::optional<numerics::BranchPoint> lowest_motion() const;
   [[nodiscard]] bool follow_through(const numerics::BranchPoint& start, double most_left_out,
@@ -111,13 +83,12 @@ class SteadyPath {
   [[nodiscard]] std::optional<std::size_t> passed(const std::vector<SteadyEquations::Place>& ends,
                                                   const numerics::BranchPoint& next, double length) const;
   [[nodiscard]] std::optional<double> returns_to_one_period(const numerics::BranchPoint& next) const;
-  [[nodiscard]] std::optional<numerics::BranchPoint> at(double parameter, const Piece& piece) const;
-  void add_pieces();
   [[nodiscard]] std::optional<std::vector<numerics::BranchPoint>> between(const numerics::BranchPoint& now,
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
-  [[nodiscard]] bool add_point(const numerics::BranchPoint& point, double most_left_out);
-  [[nodiscard]] Extent extent() const;
+  [[nodiscard]] bool begin(const numerics::BranchPoint& first, double most_left_out);
+  [[nodiscard]] bool leaves_out_at_most(double most, const numerics::BranchPoint& point);
+  [[nodiscard]] Extent extent() const { return {motions_.extent(), left_out_, held_share_}; }
   void cut_to(const Extent& end);
   [[nodiscard]] std::string no_further(const numerics::BranchPoint& point) const;
   [[nodiscard]] std::string unknown_forces(const numerics::BranchPoint& point) const;
@@ -127,10 +98,7 @@ class SteadyPath {
   SteadyEquations equations_;
   KnownForces known_;
   numerics::Branch branch_;
-  std::vector<numerics::BranchPoint> points_, asked_for_;
-  std::vector<double> lengths_, corners_;
-  std::vector<Turn> turns_;
-  std::vector<Piece> pieces_;
+  FollowedMotions motions_;
   double left_out_ = 0, held_share_ = 0;
   std::string ended_;
   bool leaves_downwards_ = false;  ///< is the lower end of the band an end of the curve, not its start?
