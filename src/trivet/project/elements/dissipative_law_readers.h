@@ -7,19 +7,9 @@
 #include "trivet/elements/scalar_law.h"
 #include "trivet/project/text/table_reader.h"
 
-/// Laws over one deflection (docs/nonlinear.md). All add their problems and return what could be read.
+/// Laws that dissipate energy (docs/nonlinear.md). All add their problems and return what could be read.
 namespace trivet::project {
 
-/// `quadratic`, `cubic` and `polynomial` of a table: coefficients of δ, δ², …
-[[nodiscard]] std::optional<elements::PolynomialForce> read_polynomial(TableReader& reader, bool is_rotation);
-/// `gap` or `gaps`, `stiffness`, `power`, `dissipation`, `gap_at`.
-/// @param ring  instead of the keys gap and gaps: the play within a ring [m]
-[[nodiscard]] std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation,
-                                                             std::optional<double> ring = std::nullopt);
-/// `pressure`, `volume`, `area`, `exponent`, `atmosphere`.
-[[nodiscard]] std::optional<elements::GasForce> read_gas_force(TableReader& reader);
-/// `rows` or `file`, `interpolation`, `beyond`: force over deflection.
-[[nodiscard]] std::optional<elements::ForceCurve> read_force_curve(TableReader& reader, bool is_rotation);
 /// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
 /// `slip`, `breakaway` and `stiffness`, `sliders`, or `berg`.
