@@ -81,48 +81,64 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
 
 namespace {
 
-template <typename Visit>
-void each_part(model::Description& description, const Visit& visit) {
-  for (model::Element& element : description.elements)
-    for (model::NonlinearPart& part : element.nonlinear_parts) visit(part);
+/// In the order of nonlinear_deflections, and of LoadPath::deflections.
+template <typename Elements, typename Visit>
+void each_deflection_at_rest(Elements& elements, const Visit& visit) {
+  for (auto& element : elements)
+    for (auto& part : element.nonlinear_parts) visit(part.at_rest);
+  for (auto& element : elements)
+    for (auto& part : element.distance_parts)
+      for (auto& deflection : part.at_rest) visit(deflection);
+  for (auto& element : elements)
+    for (auto& part : element.rubbing_parts)
+      for (auto& deflection : part.at_rest) visit(deflection);
+}
+
+VectorXd deflections_at_rest(const std::vector<model::Element>& elements) {
+  std::vector<double> all;
+  each_deflection_at_rest(elements, [&](double deflection) { all.push_back(deflection); });
+  return Eigen::Map<const VectorXd>(all.data(), to_index(all.size()));
+}
+
+void set_deflections_at_rest(const VectorXd& deflections, std::vector<model::Element>& elements) {
+  Index next = 0;
+  each_deflection_at_rest(elements, [&](double& deflection) { deflection = deflections(next++); });
 }
 
 /// Elements whose 12×12 follows their deflection keep the one where they rested.
 void undeform(model::Description& description) {
   for (model::Element& element : description.elements)
     if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
-  each_part(description, [](model::NonlinearPart& part) { part.at_rest = 0; });
-  for (model::Element& element : description.elements)
-    for (model::DistancePart& part : element.distance_parts) part.at_rest.setZero();
-  for (model::Element& element : description.elements)
-    for (model::RubbingPart& part : element.rubbing_parts) part.at_rest.setZero();
+  each_deflection_at_rest(description.elements, [](double& deflection) { deflection = 0; });
 }
 
 /// Stops whose gaps are those of the machine at rest.
 template <typename Visit>
 void each_gap_at_rest(model::Description& description, const Visit& visit) {
-  each_part(description, [&](model::NonlinearPart& part) {
-    for (elements::ScalarLaw& law : part.laws)
-      if (auto* elastic = std::get_if<elements::ElasticForce>(&law))
-        if (auto* stop = std::get_if<elements::GapStop>(elastic); stop && stop->gaps_at_rest) visit(part, *stop);
-  });
+  for (model::Element& element : description.elements)
+    for (model::NonlinearPart& part : element.nonlinear_parts)
+      for (elements::ScalarLaw& law : part.laws)
+        if (auto* elastic = std::get_if<elements::ElasticForce>(&law))
+          if (auto* stop = std::get_if<elements::GapStop>(elastic); stop && stop->gaps_at_rest) visit(part, *stop);
 }
 
 RestPosition rest_in(const model::System& undeformed);
 
-void require_known_force(const model::Element& element, const model::NonlinearPart& part) {
-  const auto [low, high] = LawAbout(part.laws).range();
-  if (part.at_rest >= low && part.at_rest <= high) return;
-  throw foundation::NotComputable(
-      fmt::format("static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; {}",
-                  element.name, part.at_rest, low, high,
-                  element.over_deflection ? "give it a larger range, or less load"
-                                          : "correct them, or take beyond = \"slope\" for a curve"));
-}
-
-void require_known_forces(const model::System& system) {
-  for (const model::Element& element : system.elements())
-    for (const model::NonlinearPart& part : element.nonlinear_parts) require_known_force(element, part);
+void require_known_forces(const model::Element& element) {
+  for (const model::NonlinearPart& part : element.nonlinear_parts)
+    if (const auto [low, high] = LawAbout(part.laws).range(); part.at_rest < low || part.at_rest > high)
+      throw foundation::NotComputable(fmt::format(
+          "static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; {}",
+          element.name, part.at_rest, low, high,
+          element.over_deflection ? "give it a larger range, or less load"
+                                  : "correct them, or take beyond = \"slope\" for a curve"));
+  for (const model::DistancePart& part : element.distance_parts)
+    if (const auto [low, high] = DistanceAbout(part.law).range();
+        part.law.distance(part.at_rest) < low || part.law.distance(part.at_rest) > high)
+      throw foundation::NotComputable(
+          fmt::format("static: {} rests at a length of {:.6g} m, and its forces are known from {:.6g} to {:.6g} m "
+                      "only; correct them, or take beyond = \"slope\" for a curve",
+                      element.name, part.law.distance(part.at_rest), low, high));
 }
 
 /// The machine rests without the stops whose gaps are counted from there.
@@ -133,15 +149,7 @@ RestPosition rest_between_gaps(const model::System& undeformed) {
     stop.gaps_at_rest = false;
   });
   const RestPosition found = rest_in(undeformed.in_other_state(std::move(open)));
-  for (std::size_t e = 0; e < description.elements.size(); ++e)
-    for (std::size_t p = 0; p < description.elements[e].nonlinear_parts.size(); ++p)
-      description.elements[e].nonlinear_parts[p].at_rest = found.system.elements()[e].nonlinear_parts[p].at_rest;
-  for (std::size_t e = 0; e < description.elements.size(); ++e)
-    for (std::size_t p = 0; p < description.elements[e].distance_parts.size(); ++p)
-      description.elements[e].distance_parts[p].at_rest = found.system.elements()[e].distance_parts[p].at_rest;
-  for (std::size_t e = 0; e < description.elements.size(); ++e)
-    for (std::size_t p = 0; p < description.elements[e].rubbing_parts.size(); ++p)
-      description.elements[e].rubbing_parts[p].at_rest = found.system.elements()[e].rubbing_parts[p].at_rest;
+  set_deflections_at_rest(deflections_at_rest(found.system.elements()), description.elements);
   each_gap_at_rest(description,
                    [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
   const model::System there = undeformed.in_other_state(std::move(description));
@@ -174,30 +182,11 @@ void move_to_equilibrium(const model::System& given, model::Description& descrip
       numerics::PivotedLu<double>(assembled.matrices.K).solve(assembly::static_load(settled, assembled));
   std::vector<Deflection> deflections = nonlinear_deflections(settled, assembled, tangents_at_rest(settled));
   add_rubbings(given, assembled, deflections);
-  std::size_t next = 0;
-  const auto deflection = [&] { return deflections[next++].on_coordinates.dot(displacement); };
-  each_part(description, [&](model::NonlinearPart& part) { part.at_rest = deflection(); });
-  for (model::Element& element : description.elements)
-    for (model::DistancePart& part : element.distance_parts)
-      for (Index a = 0; a < 3; ++a) part.at_rest(a) = deflection();
-  for (model::Element& element : description.elements)
-    for (model::RubbingPart& part : element.rubbing_parts)
-      for (Index a = 0; a < 2; ++a) part.at_rest(a) = deflection();
+  VectorXd at_rest(to_index(deflections.size()));
+  for (Index j = 0; j < at_rest.size(); ++j) at_rest(j) = deflections[to_size(j)].on_coordinates.dot(displacement);
+  set_deflections_at_rest(at_rest, description.elements);
   for (model::Element& element : description.elements)
     if (element.over_deflection) model::set_linear_law_at(element.nonlinear_parts.front().at_rest, element);
-}
-
-/// All deflections at rest.
-VectorXd at_rest(const model::Description& description) {
-  std::vector<double> all;
-  for (const model::Element& element : description.elements) {
-    for (const model::NonlinearPart& part : element.nonlinear_parts) all.push_back(part.at_rest);
-    for (const model::DistancePart& part : element.distance_parts)
-      all.insert(all.end(), part.at_rest.begin(), part.at_rest.end());
-    for (const model::RubbingPart& part : element.rubbing_parts)
-      all.insert(all.end(), part.at_rest.begin(), part.at_rest.end());
-  }
-  return Eigen::Map<const VectorXd>(all.data(), to_index(all.size()));
 }
 
 /// With tangents at rest. Friction bears no force there.
@@ -229,12 +218,13 @@ RestPosition rest_position(const model::System& system) {
   for (int i = 0; i < most; ++i) {
     model::Description there = found.system.description();
     move_to_equilibrium(found.system, there);
-    const VectorXd moves = at_rest(there) - at_rest(found.system.description());
-    const double change = moves.cwiseAbs().maxCoeff(), largest = at_rest(there).cwiseAbs().maxCoeff();
+    const VectorXd at_rest = deflections_at_rest(there.elements);
+    const double change = (at_rest - deflections_at_rest(found.system.elements())).cwiseAbs().maxCoeff(),
+                 largest = at_rest.cwiseAbs().maxCoeff();
     const model::System moved = found.system.in_other_state(std::move(there));
     found.system = with_references(moved, tangents_at_rest(moved));
     if (change > accurate * largest) continue;
-    require_known_forces(found.system);
+    for (const model::Element& element : found.system.elements()) require_known_forces(element);
     found.stable = is_stable(found.system);
     return found;
   }
@@ -245,20 +235,6 @@ RestPosition rest_position(const model::System& system) {
 
 namespace {
 
-/// In the order of LoadPath::deflections.
-VectorXd deflections_at_rest(const model::System& system) {
-  std::vector<double> found;
-  for (const model::Element& element : system.elements())
-    for (const model::NonlinearPart& part : element.nonlinear_parts) found.push_back(part.at_rest);
-  for (const model::Element& element : system.elements())
-    for (const model::DistancePart& part : element.distance_parts)
-      found.insert(found.end(), part.at_rest.begin(), part.at_rest.end());
-  for (const model::Element& element : system.elements())
-    for (const model::RubbingPart& part : element.rubbing_parts)
-      found.insert(found.end(), part.at_rest.begin(), part.at_rest.end());
-  return Eigen::Map<const VectorXd>(found.data(), to_index(found.size()));
-}
-
 RestPosition rest_in(const model::System& undeformed) {
   model::Description description = undeformed.description();
   const LoadPath path(undeformed);
@@ -267,32 +243,12 @@ RestPosition rest_in(const model::System& undeformed) {
     const std::optional<VectorXd> only = path.only_one();
     const auto [deflections, turns] = only ? std::pair(*only, std::vector<double>()) : path.followed();
     limit_loads = turns;
-    Index next = 0;
-    for (model::Element& element : description.elements)
-      for (model::NonlinearPart& part : element.nonlinear_parts) {
-        part.at_rest = deflections(next++);
-        require_known_force(element, part);
-      }
-    for (model::Element& element : description.elements)
-      for (model::DistancePart& part : element.distance_parts) {
-        part.at_rest = deflections.segment<3>(next);
-        next += 3;
-        const auto [low, high] = DistanceAbout(part.law).range();
-        if (const double distance = part.law.distance(part.at_rest); distance < low || distance > high)
-          throw foundation::NotComputable(
-              fmt::format("static: {} rests at a length of {:.6g} m, and its forces are known from {:.6g} to {:.6g} m "
-                          "only; correct "
-                          "them, or take beyond = \"slope\" for a curve",
-                          element.name, distance, low, high));
-      }
-    for (model::Element& element : description.elements)
-      for (model::RubbingPart& part : element.rubbing_parts) {
-        part.at_rest = deflections.segment<2>(next);
-        next += 2;
-      }
+    set_deflections_at_rest(deflections, description.elements);
+    for (const model::Element& element : description.elements) require_known_forces(element);
   }
   const model::System there = undeformed.in_other_state(description);
-  return {with_references(there, tangents_at_rest(there)), limit_loads, path.is_stable(deflections_at_rest(there))};
+  return {with_references(there, tangents_at_rest(there)), limit_loads,
+          path.is_stable(deflections_at_rest(there.elements()))};
 }
 
 }  // namespace
@@ -309,7 +265,7 @@ LoadPath path_from_undeformed(const model::System& system) {
 
 std::vector<VectorXd> to_other_positions_of_rest(const model::System& system) {
   constexpr double same = 1e-6;
-  const VectorXd here = deflections_at_rest(system);
+  const VectorXd here = deflections_at_rest(system.elements());
   std::vector<VectorXd> found;
   for (const VectorXd& there : path_from_undeformed(system).all())
     if ((there - here).norm() > same * std::max(there.norm(), here.norm())) found.push_back(there - here);
