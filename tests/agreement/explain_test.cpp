@@ -6,6 +6,7 @@
 
 #include "support/harmonic_question.h"
 #include "support/matchers.h"
+#include "support/peak_slopes.h"
 #include "support/projects.h"
 #include "support/random_system.h"
 #include "trivet/assembly/loads.h"
@@ -13,36 +14,19 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/modal/roots.h"
-#include "trivet/project/model_number.h"
 #include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/response/steady/frequency_response.h"
 #include "trivet/response/steady/peaks.h"
-#include "trivet/study/explanation.h"
 
 namespace explain_test {
 
 using namespace trivet;
 using test::drive;
+using test::peaks_of;
+using test::PeakSlopes;
 using test::question;
-
-response::Peaks peaks_of(const model::System& system, const response::Question& asked) {
-  const assembly::Assembled assembled = assembly::assemble(system);
-  const modal::Modes modes = modal::modes(system, assembled);
-  return response::peaks(assembled, assembly::channels(system, assembled, asked.channels, asked.quantity),
-                         asked.load(system, assembled), modes, modal::roots(system, assembled, modes));
-}
-
-/// ln height and ln frequency of the peak of this curve nearest to ω.
-std::array<double, 2> nearest(const response::Peaks& peaks, std::size_t curve, double omega) {
-  std::array<double, 2> best = {std::nan(""), std::nan("")};
-  double distance = INFINITY;
-  for (const response::Peak& peak : peaks.list)
-    if (peak.curve == curve && std::abs(peak.angular_frequency - omega) < distance) {
-      distance = std::abs(peak.angular_frequency - omega);
-      best = {std::log(peak.amplitude), std::log(peak.angular_frequency)};
-    }
-  return best;
-}
+using test::step_by_circles;
+using test::truncation_by_circles;
 
 struct Comparison {
   double step = 2e-4;  ///< of the differences, relative or times a body's size
@@ -50,9 +34,6 @@ struct Comparison {
       2e-6;  ///< of the largest sensitivity of its kind: truncation (step/damping)⁴ and round-off of peaks over step
   int every = 1;  ///< compares every n-th parameter
 };
-
-/// Circles give peaks to 1e-10, so the differences need a longer step, which truncates more.
-constexpr double step_by_circles = 2e-3, truncation_by_circles = 2e-5;
 
 /// Compares every sensitivity of the most prominent peak of each curve with differences of the peaks of changed models.
 /// Returns the number of comparisons.
@@ -80,21 +61,14 @@ int compare(const model::System& system, const response::Question& asked, const 
   for (std::size_t p = 0; p < table.parameters.size(); p += to_size(how.every)) {
     const response::Parameter& parameter = table.parameters[p];
     const double step = how.step * (parameter.size == 0.01 ? 1 : 0.2);
-    std::vector<std::array<double, 2>> difference(places.size(), {0, 0});
-    for (const auto& [node, weight] :
-         {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
-      const response::Peaks again = peaks_of(response::changed(system, parameter, node * step), asked);
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto logarithms = nearest(again, places[i].channel, places[i].angular_frequency);
-        for (std::size_t k = 0; k < 2; ++k) difference[i][k] += weight / step * logarithms[k];
-      }
-    }
+    const std::vector<PeakSlopes> difference = test::peak_slopes(
+        [&](double amount) { return response::changed(system, parameter, amount); }, step, asked, places);
     for (std::size_t i = 0; i < places.size(); ++i) {
       const response::Sensitivity& exact = table.peaks[i].list[p];
       const double size = parameter.size / 0.01;
-      EXPECT_NEAR(*exact.height * size, difference[i][0] * size, how.tolerance * largest[i][0])
+      EXPECT_NEAR(*exact.height * size, difference[i].height * size, how.tolerance * largest[i][0])
           << parameter.name << " on the height of " << asked.channels[places[i].channel];
-      EXPECT_NEAR(*exact.frequency * size, difference[i][1] * size, how.tolerance * largest[i][1])
+      EXPECT_NEAR(*exact.frequency * size, difference[i].frequency * size, how.tolerance * largest[i][1])
           << parameter.name << " on the frequency of " << asked.channels[places[i].channel];
       compared += 2;
     }
@@ -246,142 +220,6 @@ TEST(ModelParameters, MoveAnElementWithoutChangingIt) {
     EXPECT_EQ(other.warnings().list().size(), system.warnings().list().size()) << "it still resists no rigid motion";
   }
   EXPECT_EQ(moved, 18);
-}
-
-/// Bears its weight on hardening mounts, a stop, a gas spring along a line, and rubber whose stiffness depends on
-/// frequency.
-constexpr const char* nonlinear_machine = R"(trivet = 1
-gravity = [0, 0, -9.80665]
-[bodies.machine]
-mass = 200
-center_of_mass = [0.02, -0.03, 0.2]
-inertia = {about = "center_of_mass", xx = 9, yy = 12, zz = 14, xy = 0.5}
-[excitations.f]
-type = "harmonic"
-on = "machine"
-at = [0.1, 0.2, 0.3]
-force = [10, 20, 50]
-[elements.front]
-type = "bushing"
-on = "machine"
-at = [0.4, 0.1, 0]
-translation = [1e5, 1.2e5, 6e4]
-rotation = [900, 800, 500]
-damping = {loss_factor = 0.05}
-laws.z = {cubic = 4e9, quadratic = 1e6}
-[elements.rear]
-type = "bushing"
-on = "machine"
-at = [-0.3, -0.2, 0.05]
-translation = [1e5, 1.1e5, 5e4]
-damping = {fractional_zener = {ratio = 0.3, time = "10 ms", order = 0.5}}
-laws.z = {cubic = 6e9}
-[elements.stop]
-type = "stop"
-on = "machine"
-at = [-0.2, 0.3, 0]
-axis = "-z"
-gap = "1 mm"
-stiffness = 3e6
-power = 1.5
-[elements.lift]
-type = "strut"
-on = "machine"
-at = [0.1, -0.3, 0]
-from_at = [0.1, -0.4, -0.3]
-free_length = "340 mm"
-stiffness = 3e4
-coefficient = 150
-[analyses]
-response = {of = ["machine.z", "machine.rx", "front.force.z"], band = ["2 Hz", "30 Hz"]}
-)";
-
-TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
-  const project::Project file = test::project(nonlinear_machine);
-  const project::Case& base = file.base();
-  const study::Explanation found = study::explanation(base, {{}, 3});
-  ASSERT_EQ(found.peaks.size(), 3u);
-  EXPECT_FALSE(found.notes.empty()) << "the tangents that were used";
-  int compared = 0, moved = 0;
-  for (const study::ExplainedPeak& peak : found.peaks) {
-    for (std::size_t e = 0; e < base.system.elements().size(); ++e) {
-      const auto& share = peak.shares.elements[e];
-      EXPECT_NEAR(share.by_direction.sum(), share.stored, 1e-9) << base.system.elements()[e].name;
-    }
-    const response::Question asked = question({peak.name});
-    double largest_height = 0, largest_frequency = 0;
-    for (const response::Sensitivity& s : peak.sensitivities) {
-      const double size = found.parameters[s.parameter].size / 0.01;
-      largest_height = std::max(largest_height, std::abs(s.height.value()) * size);
-      largest_frequency = std::max(largest_frequency, std::abs(s.frequency.value()) * size);
-    }
-    for (const response::Sensitivity& s : peak.sensitivities) {
-      const response::Parameter& parameter = found.parameters[s.parameter];
-      const project::ModelNumber number(parameter.name, "");
-      const double before = number.read(base).value(), size = parameter.size / 0.01;
-      const bool is_added = parameter.change != "+1 %";
-      const double step = step_by_circles * (is_added ? 0.2 : 1);
-      std::array<double, 2> difference = {0, 0};
-      for (const auto& [node, weight] :
-           {std::pair{1.0, 8.0 / 12}, {-1.0, -8.0 / 12}, {2.0, -1.0 / 12}, {-2.0, 1.0 / 12}}) {
-        const double value = is_added ? before + node * step : before * (1 + node * step);
-        const auto there = project::changed_system(base, {{number, value}});
-        ASSERT_TRUE(there) << parameter.name;
-        const auto logarithms = nearest(peaks_of(*there, asked), 0, peak.peak.angular_frequency);
-        for (std::size_t k = 0; k < 2; ++k) difference[k] += weight / step * logarithms[k];
-      }
-      EXPECT_NEAR(*s.height * size, difference[0] * size, truncation_by_circles * largest_height)
-          << parameter.name << " on the height of " << peak.name;
-      EXPECT_NEAR(*s.frequency * size, difference[1] * size, truncation_by_circles * largest_frequency)
-          << parameter.name << " on the frequency of " << peak.name;
-      ++compared;
-      // Without the new position of rest, more mass lowers every frequency; here it hardens the mounts.
-      if (parameter.name == "bodies.machine.mass_about_center" && *s.frequency > -0.1) ++moved;
-    }
-  }
-  EXPECT_GT(compared, 60);
-  EXPECT_GT(moved, 0);
-}
-
-/// The stop closes exactly at rest: one side has another stiffness than the other.
-TEST(PeakSensitivities, EndWhereAStopClosesAtRest) {
-  const project::Project file = test::project(R"(trivet = 1
-gravity = [0, 0, -10]
-[bodies.m]
-mass = 50
-free = ["z"]
-[elements.s]
-type = "three_springs"
-on = "m"
-at = [0, 0, 0]
-translation = [0, 0, 5e4]
-damping = {translation = [0, 0, 50]}
-[elements.stop]
-type = "stop"
-on = "m"
-at = [0, 0, 0]
-axis = "-z"
-gap = "10.001 mm"
-stiffness = 1e5
-[excitations.f]
-type = "harmonic"
-on = "m"
-at = [0, 0, 0]
-force = [0, 0, 1]
-[analyses]
-response = {of = ["m.z"], band = ["1 Hz", "30 Hz"]}
-)");
-  const study::Explanation found = study::explanation(file.base(), {{}, 1});
-  ASSERT_EQ(found.peaks.size(), 1u);
-  EXPECT_THAT(found.peaks[0].notes, testing::Contains(testing::HasSubstr("opens or closes a stop at rest")));
-  EXPECT_EQ(std::count_if(found.peaks[0].notes.begin(), found.peaks[0].notes.end(),
-                          [](const std::string& note) { return note.find("no slopes") != std::string::npos; }),
-            1);
-  for (const response::Sensitivity& s : found.peaks[0].sensitivities) {
-    const std::string& name = found.parameters[s.parameter].name;
-    EXPECT_EQ(s.height.has_value(), name.ends_with("damping_factor") || name.find("moved") != std::string::npos)
-        << name;
-  }
 }
 
 TEST(PeakSensitivities, UndampedPeakHasThoseOfItsMode) {
