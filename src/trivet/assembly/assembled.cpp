@@ -126,6 +126,7 @@ void scatter_block(const Eigen::MatrixXd& local, const std::vector<Eigen::Index>
 }
 
 void scatter(const ElementMap& map, const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
+  if (matrix.isZero(0)) return;
   scatter_block(map.ends.transpose() * matrix * map.ends, map.rows, map.rows, factor, global);
 }
 
@@ -138,6 +139,7 @@ void couple_ground(const std::vector<ElementMap>& elements, Eigen::Index n, Grou
   for (const ElementMap& map : elements) {
     if (map.ground_rows.empty() || !is_selected(map)) continue;
     const auto add = [&](const Eigen::MatrixXd& matrix, double factor, Eigen::MatrixXd& global) {
+      if (matrix.isZero(0)) return;
       scatter_block(map.ends.transpose() * matrix * map.ground_ends, map.rows, map.ground_rows, factor, global);
     };
     add(map.matrices.stiffness, 1, ground.K);

@@ -49,6 +49,7 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, cons
 
 /// The same for the forces of an element; its first twelve rows are components of forces and moments.
 Eigen::MatrixXd element_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& x, const Eigen::ArrayXd& share) {
+  if (a.isZero(0)) return Eigen::MatrixXd::Zero(a.rows(), x.cols());
   return without_rounding(a * x, over_axes(over_components(a.cwiseAbs() * x.cwiseAbs())), share);
 }
 

@@ -26,19 +26,23 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
       of_amplitude_.loss_slope += there.loss_slope;
     }
   }
-  if (!law.kinks().empty()) corners_ = numerics::level_crossings(deflection_, law.kinks(), samples);
+  const auto crossings = [&, known = numerics::coefficient_count(harmonics)](const VectorXd& course,
+                                                                             const std::vector<double>& levels) {
+    return numerics::level_crossings(course.head(known), levels, samples.leftCols(known));
+  };
+  if (!law.kinks().empty()) corners_ = crossings(deflection_, law.kinks());
   if (!law.rate_kinks().empty()) {
-    const std::vector<double> of_rate = numerics::level_crossings(rate_, law.rate_kinks(), samples);
+    const std::vector<double> of_rate = crossings(rate_, law.rate_kinks());
     corners_.insert(corners_.end(), of_rate.begin(), of_rate.end());
     std::sort(corners_.begin(), corners_.end());
   }
   if (law.hysteretic().empty() && law.bristles().empty()) return;
   const auto turns = [&](double turning_slope) {
     const VectorXd slope = numerics::phase_derivative(deflection_), bend = numerics::phase_derivative(slope);
-    if (turning_slope == 0) return numerics::level_crossings(slope, {0}, samples);
+    if (turning_slope == 0) return crossings(slope, {0});
     std::vector<double> found;
     double before = 0;
-    for (const double phase : numerics::level_crossings(slope, {-turning_slope, turning_slope}, samples)) {
+    for (const double phase : crossings(slope, {-turning_slope, turning_slope})) {
       const auto at = [&](const VectorXd& one) { return numerics::motion_at((one.size() - 1) / 2, phase, one); };
       const double sense = at(slope) > 0 ? 1 : -1;
       if (sense * at(bend) > 0 || sense == before) continue;

@@ -35,6 +35,11 @@ class LawCourse {
   [[nodiscard]] bool is_damped() const { return law_.has_dampers(); }
   [[nodiscard]] double deflection_at(double phase) const;
   [[nodiscard]] double rate_at(double phase) const;  ///< by time
+  /// With the row of the basis at a phase, which may go on beyond the motion.
+  [[nodiscard]] double deflection_at(const Eigen::RowVectorXd& row) const {
+    return row.head(deflection_.size()).dot(deflection_);
+  }
+  [[nodiscard]] double rate_at(const Eigen::RowVectorXd& row) const { return row.head(rate_.size()).dot(rate_); }
   /// Of the parts without memory, of those that rest, and of those that depend on the amplitude: k' over the
   /// deflection, k''/ω over the rate of the first harmonic, at the amplitude of the motion.
   [[nodiscard]] LawAbout::Force at(double phase) const;

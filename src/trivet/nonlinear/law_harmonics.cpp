@@ -120,9 +120,11 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
                                Spectra& sum) const {
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
-  const VectorXd course = values_.leftCols(count) * deflection;
-  const VectorXd rate = damped ? VectorXd(values_.leftCols(count) * (omega * numerics::phase_derivative(deflection)))
-                               : VectorXd::Zero(samples);
+  const VectorXd motion = deflection.head(numerics::coefficient_count(of_motion_)),
+                 course = values_.leftCols(motion.size()) * motion;
+  const VectorXd rate = damped
+      ? VectorXd(values_.leftCols(motion.size()) * (omega * numerics::phase_derivative(motion)))
+      : VectorXd::Zero(samples);
   VectorXd force(samples), by_deflection(samples), by_rate(samples);
   for (Index n = 0; n < samples; ++n) {
     const LawAbout::Force found = parts.at(law_.state() + course(n), rate(n));
@@ -181,16 +183,17 @@ double LawHarmonics::longest_piece() const { return two_pi / static_cast<double>
 
 void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) const {
   const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
+  Eigen::RowVectorXd row;
   for (const auto& [from, to] : pieces(course)) {
-    const auto at = [&](double phase) {
-      return law_.others().at(law_.state() + course.deflection_at(phase),
-                              course.is_damped() ? course.rate_at(phase) : 0);
+    const auto at = [&](const auto& place) {
+      return law_.others().at(law_.state() + course.deflection_at(place),
+                              course.is_damped() ? course.rate_at(place) : 0);
     };
     const LawAbout::Force there = at((from + to) / 2);
     if (there.force == 0 && there.by_deviation == 0 && there.by_rate == 0) continue;  // an open gap
     numerics::each_gauss_node(from, to, longest_piece(), [&](double phase, double length) {
-      const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
-      const LawAbout::Force found = at(phase);
+      numerics::set_fourier_row(reach, phase, row);
+      const LawAbout::Force found = at(row);
       const double weight = length / (two_pi / 2);
       sum.force += (weight * found.force) * row.head(count).transpose();
       if (!sum.with_tangent) return;
@@ -203,11 +206,12 @@ void LawHarmonics::add_between_corners(const LawCourse& course, Spectra& sum) co
 void LawHarmonics::add_loop(const LawCourse& course, const HystereticLoop& loop, Spectra& sum) const {
   const Index count = sum.force.size(), reach = sum.with_tangent ? 2 * harmonics_ : harmonics_;
   if (sum.with_tangent && sum.by_memory.size() == 0) sum.by_memory = Eigen::MatrixXd::Zero(count, count);
+  Eigen::RowVectorXd row;
   for (const HystereticLoop::Branch& branch : loop.branches()) {
     VectorXd by_travel = VectorXd::Zero(count), by_start = VectorXd::Zero(count);
     const auto add = [&](double phase, double length) {
-      const Eigen::RowVectorXd row = numerics::fourier_row(reach, phase);
-      const elements::ForceOnTravel found = loop.at(branch, course.deflection_at(phase));
+      numerics::set_fourier_row(reach, phase, row);
+      const elements::ForceOnTravel found = loop.at(branch, course.deflection_at(row));
       const double weight = length / (two_pi / 2);
       sum.force += (weight * found.force) * row.head(count).transpose();
       if (!sum.with_tangent) return;

@@ -56,13 +56,21 @@ class MachineOfPoles final : public LinearMachine {
 
   [[nodiscard]] const VectorXcd& poles() const override { return poles_; }
 
-  void set_receptance(double omega, MatrixXcd& found) const override { set_receptance(about_poles(omega), found); }
+  void set_receptance(double omega, MatrixXcd& found) const override {
+    found = static_part_.leftCols(size_);
+    for (Index p = 0; p < poles_.size(); ++p) add(about_pole(p, omega), p, found);
+  }
 
   void set_receptance(double omega, Receptance& found) const override {
-    const VectorXcd inverse = about_poles(omega);
-    set_receptance(inverse, found.receptance);
-    found.slope.resize(size_, size_);
-    found.slope.reshaped().noalias() = residues_ * (Complex(0, -1) * inverse.cwiseProduct(inverse));
+    found.receptance = static_part_.leftCols(size_);
+    found.slope.setZero(size_, size_);
+    for (Index p = 0; p < poles_.size(); ++p) {
+      const Complex inverse = about_pole(p, omega),
+                    slope(2 * inverse.real() * inverse.imag(),  // −i inverse², without a check for overflow
+                          inverse.imag() * inverse.imag() - inverse.real() * inverse.real());
+      add(inverse, p, found.receptance);
+      add(slope, p, found.slope);
+    }
   }
 
   [[nodiscard]] LinearMotion motion(std::size_t loading, double omega) const override {
@@ -100,17 +108,23 @@ class MachineOfPoles final : public LinearMachine {
 
  private:
   /// 1/(iω − pole). Division by the library checks for overflow, which takes ten times as long.
+  [[nodiscard]] Complex about_pole(Index p, double omega) const {
+    const double re = -poles_(p).real(), im = omega - poles_(p).imag(), scale = 1 / (re * re + im * im);
+    return {re * scale, -im * scale};
+  }
+  /// The residues of a pole times a number, by real numbers: products of the library check for overflow.
+  void add(Complex factor, Index pole, MatrixXcd& sum) const {
+    const double re = factor.real(), im = factor.imag();
+    const Complex* const from = residues_.col(pole).data();
+    Complex* const to = sum.data();
+    for (Index i = 0; i < sum.size(); ++i)
+      to[i] = {to[i].real() + re * from[i].real() - im * from[i].imag(),
+               to[i].imag() + re * from[i].imag() + im * from[i].real()};
+  }
   [[nodiscard]] VectorXcd about_poles(double omega) const {
     VectorXcd inverse(poles_.size());
-    for (Index p = 0; p < poles_.size(); ++p) {
-      const double re = -poles_(p).real(), im = omega - poles_(p).imag(), scale = 1 / (re * re + im * im);
-      inverse(p) = {re * scale, -im * scale};
-    }
+    for (Index p = 0; p < poles_.size(); ++p) inverse(p) = about_pole(p, omega);
     return inverse;
-  }
-  void set_receptance(const VectorXcd& inverse, MatrixXcd& found) const {
-    found = static_part_.leftCols(size_);
-    found.reshaped().noalias() += residues_ * inverse;
   }
 
   /// A term s^power e^{−s delay} of the excitation: its column among the right sides of the poles.

@@ -68,8 +68,8 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   result.angular_frequency = omega / machine_.excitation.first_harmonic;
   result.load_factor = factor;
   result.deflections = unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
-  const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
   if (!observer_.channels().empty()) {
+    const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
     std::optional<ForceRemainder> remainder;
     if (observer_.follows_forces()) remainder.emplace(balance.laws(), result.deflections, forces, omega);
     result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor,

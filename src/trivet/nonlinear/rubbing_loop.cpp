@@ -8,7 +8,6 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
-#include "trivet/numerics/periodic/fourier_basis.h"
 #include "trivet/numerics/periodic/gauss_nodes.h"
 
 namespace trivet::nonlinear {
@@ -27,12 +26,7 @@ constexpr double round_off = 1e-12;
 
 RubbingLoop::RubbingLoop(const RubbingAbout& law, const MatrixXd& course, const std::vector<double>& corners,
                          double omega, double longest, bool rough)
-    : law_(law),
-      course_(course),
-      slope_(numerics::phase_derivatives(course)),
-      bend_(numerics::phase_derivatives(slope_)),
-      omega_(omega),
-      parts_(rough ? 1 : 2) {
+    : law_(law), motion_(course), omega_(omega), parts_(rough ? 1 : 2) {
   std::vector<double> ends = corners;
   if (ends.empty()) ends = {0};
   if (law_.is_ring()) ends = with_losses_of_pressure(ends);
@@ -116,12 +110,11 @@ double RubbingLoop::step_of_stiffness(const std::vector<double>& ends) const {
 }
 
 RubbingLoop::Here RubbingLoop::at(double phase) const {
-  const Eigen::RowVectorXd row = numerics::fourier_row((course_.rows() - 1) / 2, phase);
-  const Eigen::Vector3d value = (row * course_).transpose(), slope = (row * slope_).transpose();
+  const auto [value, slope, bend] = motion_.at(phase);
   Here found{law_.frame(value), {}, {}, 0};
   found.rates = rates_of(found.frame, slope);
   found.limit = law_.limit(found.frame.along, omega_ * found.rates.along);
-  const double bends = found.rates.normal.dot(slope) + found.frame.normal.dot((row * bend_).transpose());
+  const double bends = found.rates.normal.dot(slope) + found.frame.normal.dot(bend);
   found.limit_slope = found.limit.by_deflection * found.rates.along + found.limit.by_rate * omega_ * bends;
   return found;
 }

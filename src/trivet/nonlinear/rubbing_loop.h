@@ -9,6 +9,7 @@
 
 #include "trivet/nonlinear/rubbing_about.h"
 #include "trivet/nonlinear/sticking_place.h"
+#include "trivet/numerics/periodic/spatial_motion.h"
 
 namespace trivet::nonlinear {
 
@@ -123,7 +124,7 @@ class RubbingLoop {
   [[nodiscard]] Eigen::Matrix2d kept() const;  ///< force after a period by that before it
 
   RubbingAbout law_;
-  Eigen::MatrixXd course_, slope_, bend_;  ///< coefficients: of the motion, and by the phase
+  numerics::SpatialMotion motion_;
   double omega_;
   int parts_;  ///< of each long step
   std::vector<Point> points_;

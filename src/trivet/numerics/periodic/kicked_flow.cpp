@@ -13,59 +13,71 @@ namespace {
 
 static_assert(hn::MaxLanes(Lanes()) <= longest_pack);
 
-/// A pack of columns, whose rows are `stride` numbers apart.
+/// Packs of columns side by side, whose rows are `stride` numbers apart.
 struct PackColumns {
   double* first;
   std::ptrdiff_t stride;
-  [[nodiscard]] HWY_INLINE Pack load(std::ptrdiff_t row) const { return hn::Load(Lanes(), first + row * stride); }
-  HWY_INLINE void store(Pack value, std::ptrdiff_t row) const { hn::Store(value, Lanes(), first + row * stride); }
+  [[nodiscard]] HWY_INLINE Pack load(std::ptrdiff_t row, std::ptrdiff_t pack) const {
+    return hn::Load(Lanes(), first + row * stride + pack * lane_count());
+  }
+  HWY_INLINE void store(Pack value, std::ptrdiff_t row, std::ptrdiff_t pack) const {
+    hn::Store(value, Lanes(), first + row * stride + pack * lane_count());
+  }
 };
 
-HWY_INLINE void flow_on(const KickedFlow& flow, KickedFlow::Step step, PackColumns y) {
-  for (std::ptrdiff_t i = 0; i < flow.states; ++i) {
-    const Pack a = y.load(i);
-    if (!flow.leads[i]) {
-      y.store(hn::Mul(all(step.diagonal[i]), a), i);
-      continue;
-    }
-    const Pack b = y.load(i + 1);
-    y.store(hn::MulAdd(all(step.diagonal[i]), a, hn::Mul(all(step.beside[i]), b)), i);
-    y.store(hn::MulAdd(all(step.beside[i + 1]), a, hn::Mul(all(step.diagonal[i + 1]), b)), i + 1);
-    ++i;
-  }
-}
-
-/// A row of a matrix times packs of rows.
-HWY_INLINE Pack product(const double* HWY_RESTRICT row, std::ptrdiff_t columns, PackColumns y) {
-  Pack even = hn::Zero(Lanes()), odd = even;
-  std::ptrdiff_t i = 0;
-  for (; i + 1 < columns; i += 2) {
-    even = hn::MulAdd(all(row[i]), y.load(i), even);
-    odd = hn::MulAdd(all(row[i + 1]), y.load(i + 1), odd);
-  }
-  if (i < columns) even = hn::MulAdd(all(row[i]), y.load(i), even);
-  return hn::Add(even, odd);
-}
-
-/// @param seen, kicks  memory for a pack per value and per force
-HWY_INLINE void kick_on(const KickedFlow& flow, const double* answer, PackColumns seen, PackColumns kicks,
-                        PackColumns y) {
-  for (std::ptrdiff_t r = 0; r < flow.values; ++r) seen.store(product(flow.seen + r * flow.states, flow.states, y), r);
-  for (std::ptrdiff_t j = 0; j < flow.forces; ++j) kicks.store(product(answer + j * flow.values, flow.values, seen), j);
-  for (std::ptrdiff_t i = 0; i < flow.states; ++i)
-    y.store(hn::Add(y.load(i), product(flow.kick + i * flow.forces, flow.forces, kicks)), i);
-}
-
-void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
-  const PackColumns seen{memory, lane_count()}, kicks{memory + flow.values * lane_count(), lane_count()};
-  for (std::ptrdiff_t column = 0; column < stride; column += lane_count()) {
-    const PackColumns pack{y + column, stride};
-    flow_on(flow, flow.half, pack);
-    for (std::ptrdiff_t s = 0; s < flow.steps; ++s) {
-      kick_on(flow, flow.answers + s * flow.forces * flow.values, seen, kicks, pack);
-      flow_on(flow, s + 1 < flow.steps ? flow.whole : flow.half, pack);
+/// Numbers of the matrices, loaded once, act on all packs p.
+template <std::ptrdiff_t... p>
+struct Packs {
+  static HWY_INLINE void flow_on(const KickedFlow& flow, KickedFlow::Step step, PackColumns y) {
+    for (std::ptrdiff_t i = 0; i < flow.states; ++i) {
+      const Pack diagonal = all(step.diagonal[i]);
+      if (!flow.leads[i]) {
+        (y.store(hn::Mul(diagonal, y.load(i, p)), i, p), ...);
+        continue;
+      }
+      const Pack a[] = {y.load(i, p)...}, b[] = {y.load(i + 1, p)...};
+      const Pack beside = all(step.beside[i]), beside_next = all(step.beside[i + 1]),
+                 diagonal_next = all(step.diagonal[i + 1]);
+      (y.store(hn::MulAdd(diagonal, a[p], hn::Mul(beside, b[p])), i, p), ...);
+      (y.store(hn::MulAdd(beside_next, a[p], hn::Mul(diagonal_next, b[p])), i + 1, p), ...);
+      ++i;
     }
   }
+
+  /// A matrix, by rows, times columns.
+  /// @param adds  to what is there
+  static HWY_INLINE void multiply(const double* HWY_RESTRICT matrix, std::ptrdiff_t rows, std::ptrdiff_t columns,
+                                  PackColumns from, PackColumns to, bool adds) {
+    for (std::ptrdiff_t row = 0; row < rows; ++row, matrix += columns) {
+      Pack sums[] = {(adds ? to.load(row, p) : hn::Zero(Lanes()))...};
+      for (std::ptrdiff_t i = 0; i < columns; ++i) {
+        const Pack number = all(matrix[i]);
+        ((sums[p] = hn::MulAdd(number, from.load(i, p), sums[p])), ...);
+      }
+      (to.store(sums[p], row, p), ...);
+    }
+  }
+
+  /// @param memory  for a row of y for each value and each force
+  static void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
+    const PackColumns states{y, stride}, seen{memory, stride}, kicks{memory + flow.values * stride, stride};
+    flow_on(flow, flow.half, states);
+    const double* answers = flow.answers;
+    for (std::ptrdiff_t s = 0; s < flow.steps; ++s, answers += flow.forces * flow.values) {
+      multiply(flow.seen, flow.values, flow.states, states, seen, false);
+      multiply(answers, flow.forces, flow.values, seen, kicks, false);
+      multiply(flow.kick, flow.states, flow.forces, kicks, states, true);
+      flow_on(flow, s + 1 < flow.steps ? flow.whole : flow.half, states);
+    }
+  }
+};
+
+void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t columns, std::ptrdiff_t stride, double* memory) {
+  std::ptrdiff_t left = (columns + lane_count() - 1) / lane_count();
+  for (; left >= 4; left -= 4, y += 4 * lane_count()) Packs<0, 1, 2, 3>::take_steps(flow, y, stride, memory);
+  if (left == 3) Packs<0, 1, 2>::take_steps(flow, y, stride, memory);
+  if (left == 2) Packs<0, 1>::take_steps(flow, y, stride, memory);
+  if (left == 1) Packs<0>::take_steps(flow, y, stride, memory);
 }
 
 }  // namespace
@@ -84,10 +96,10 @@ TRIVET_VARIANTS(take_steps);
 
 }  // namespace
 
-void take_kicked_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride) {
+void take_kicked_steps(const KickedFlow& flow, double* y, std::ptrdiff_t columns, std::ptrdiff_t stride) {
   LineMemory memory;
-  memory.resize(to_size((flow.values + flow.forces) * longest_pack));
-  TRIVET_DISPATCH(take_steps)(flow, y, stride, memory.data());
+  memory.resize(to_size((flow.values + flow.forces) * stride));
+  TRIVET_DISPATCH(take_steps)(flow, y, columns, stride, memory.data());
 }
 
 }  // namespace trivet::numerics

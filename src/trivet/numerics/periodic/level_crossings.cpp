@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
 namespace trivet::numerics {
@@ -69,21 +70,23 @@ double crossing_between(const VectorXd& motion, double level, double low, double
 
 std::vector<double> level_crossings(const VectorXd& motion, const std::vector<double>& levels,
                                     const Eigen::Ref<const Eigen::MatrixXd>& samples) {
-  const VectorXd rate = phase_derivative(motion);
-  const VectorXd course = samples * motion, rates = samples * rate;
+  const VectorXd course = samples * motion;
   const Index count = course.size();
   const double step = two_pi / static_cast<double>(count);
   // An extremum between two samples is beyond them by less than this.
   const double beyond = largest_curvature(motion) * step * step / 8;
+  const VectorXd rate = phase_derivative(motion);
   std::vector<std::pair<double, double>> places;  // phase and value: samples, and extrema that may pass a level
+  places.reserve(to_size(count) + 1);
   for (Index n = 0; n < count; ++n) {
     const double phase = step * static_cast<double>(n), next = course((n + 1) % count);
     places.emplace_back(phase, course(n));
-    if ((rates(n) < 0) == (rates((n + 1) % count) < 0)) continue;
     const double low = std::min(course(n), next) - beyond, high = std::max(course(n), next) + beyond;
     if (std::none_of(levels.begin(), levels.end(), [&](double level) { return level >= low && level <= high; }))
       continue;
-    const double extremum = crossing(rate, 0, phase, phase + step, rates(n), rates((n + 1) % count));
+    const double rate_here = above_level(phase, motion, 0).rate, rate_next = above_level(phase + step, motion, 0).rate;
+    if ((rate_here < 0) == (rate_next < 0)) continue;
+    const double extremum = crossing(rate, 0, phase, phase + step, rate_here, rate_next);
     places.emplace_back(extremum, above_level(extremum, motion, 0).value);
   }
   places.emplace_back(two_pi, course(0));

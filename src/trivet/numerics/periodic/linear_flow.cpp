@@ -104,7 +104,7 @@ void LinearFlow::apply_with_kicks(double step, const Kicks& kicks, RowMatrix& y)
                      .leads = leads.data(),
                      .half = {half.diagonal.data(), half.beside.data()},
                      .whole = {whole.diagonal.data(), whole.beside.data()}},
-                    states.data(), stride);
+                    states.data(), y.cols(), stride);
   y = padded.leftCols(y.cols());
 }
 
