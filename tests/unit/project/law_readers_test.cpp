@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+#include "support/projects.h"
+#include "trivet/elements/lugre_friction.h"
+
+namespace law_readers_test {
+
+using namespace trivet;
+
+elements::LuGreFriction bristles(const std::string& laws) {
+  const project::Project file = test::project(R"(trivet = 1
+[bodies.m]
+mass = 10
+free = ["x"]
+[elements.strap]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [1000, 0, 0]
+laws.x = )" + laws + "\n");
+  return std::get<elements::LuGreFriction>(file.base().system.elements().at(0).nonlinear_parts.at(0).laws.at(0));
+}
+
+TEST(LawReaders, ReadBristlesWithinFrictionAndBesideIt) {
+  const std::string law =
+      R"(lugre = {stiffness = "200 N/mm", slip = 20, breakaway = 28, stribeck_velocity = "60 mm/s", damping = 90, viscous = 40})";
+  for (const std::string& laws : {"{" + law + "}", "{friction = {" + law + "}}"}) {
+    const elements::LuGreFriction found = bristles(laws);
+    EXPECT_EQ(found.stiffness, 2e5) << laws;
+    EXPECT_EQ(found.slip, 20) << laws;
+    EXPECT_EQ(found.breakaway, 28) << laws;
+    EXPECT_EQ(found.stribeck_velocity, 0.06) << laws;
+    EXPECT_EQ(found.damping, 90) << laws;
+    EXPECT_EQ(found.viscous, 40) << laws;
+  }
+}
+
+}  // namespace law_readers_test
