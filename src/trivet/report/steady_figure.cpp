@@ -17,6 +17,7 @@
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
 /// Periodic motions of nonlinear machines.
@@ -256,11 +257,12 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   for (std::size_t c = 0; c < extremes.size(); ++c) {
     const std::string& unit = branch.units[c];
+    const nonlinear::ObservedMotion& there = extremes[c].at->results[c];
     rows.push_back({{branch.results[c]},
                     quantity_cell(extremes[c].largest, unit),
                     right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
                     quantity_cell(extremes[c].smallest, unit),
-                    quantity_cell(extremes[c].at->results[c].mean, unit),
+                    quantity_cell(results::without_round_off(there.mean, there.half_of_range()), unit),
                     quantity_cell(extremes[c].largest_of_all, unit)});
   }
   if (nonlinear::stable_points(branch).empty()) return hint("No motion of this branch is stable.");
