@@ -75,6 +75,50 @@ std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch&
   return without;
 }
 
+namespace {
+
+void add_quasi_periodic(const SteadyBranch& curve, std::vector<Stretch>& stretches) {
+  const auto count = static_cast<std::ptrdiff_t>(curve.points.size());
+  const auto ends_in_step = [&](std::ptrdiff_t step) {
+    const auto in_step = [step](const auto& one) { return static_cast<std::ptrdiff_t>(one.after) == step; };
+    return std::any_of(curve.folds.begin(), curve.folds.end(), in_step) ||
+        std::any_of(curve.changes.begin(), curve.changes.end(), in_step);
+  };
+  for (const StabilityChange& change : curve.changes) {
+    if (change.kind != StabilityChange::Kind::quasi_periodic) continue;
+    const auto before = static_cast<std::ptrdiff_t>(change.after);
+    const bool begins_before = !curve.points[change.after].stable;  // it is unstable before the change
+    double from = curve.parameter(change.point), to = from;
+    for (std::ptrdiff_t i = begins_before ? before : before + 1; i >= 0 && i < count; i += begins_before ? -1 : 1) {
+      const SteadyPoint& point = curve.points[static_cast<std::size_t>(i)];
+      if (point.stable) break;
+      from = std::min(from, curve.parameter(point));
+      to = std::max(to, curve.parameter(point));
+      if (ends_in_step(begins_before ? i - 1 : i)) break;
+    }
+    stretches.emplace_back(from, to);
+  }
+}
+
+}  // namespace
+
+std::vector<std::pair<double, double>> quasi_periodic_stretches(const SteadyBranch& branch) {
+  std::vector<Stretch> all, merged;
+  add_quasi_periodic(branch, all);
+  for (const SteadyBranch& curve : branch.further) add_quasi_periodic(curve, all);
+  const std::vector<Stretch> without = without_stable_motion(branch);
+  std::erase_if(all, [&](const Stretch& one) {
+    return std::any_of(without.begin(), without.end(),
+                       [&](const Stretch& other) { return other.first <= one.first && one.second <= other.second; });
+  });
+  std::sort(all.begin(), all.end());
+  for (const Stretch& one : all)
+    if (!merged.empty() && one.first <= merged.back().second)
+      merged.back().second = std::max(merged.back().second, one.second);
+    else merged.push_back(one);
+  return merged;
+}
+
 bool jumps_at(const SteadyBranch& curve, const Fold& fold) {
   return curve.points[fold.after].stable ||
       (fold.after + 1 < curve.points.size() && curve.points[fold.after + 1].stable);
@@ -85,15 +129,19 @@ std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch) {
   std::vector<StableExtremes> found;
   if (stable.empty()) return found;
   for (std::size_t c = 0; c < branch.results.size(); ++c) {
-    StableExtremes one{stable.front()};
-    for (const SteadyPoint* point : stable)
-      if (point->results[c].largest > one.at->results[c].largest) one.at = point;
-    one.largest = one.largest_of_all = one.at->results[c].largest;
-    one.smallest = one.at->results[c].smallest;
-    for (const SteadyPoint* point : stable) one.smallest = std::min(one.smallest, point->results[c].smallest);
+    const auto farthest = [c](const SteadyPoint& point) {
+      return std::max(point.results[c].largest, -point.results[c].smallest);
+    };
+    StableExtremes one{stable.front(), stable.front()->results[c].largest, stable.front()->results[c].smallest};
+    for (const SteadyPoint* point : stable) {
+      if (farthest(*point) > farthest(*one.at)) one.at = point;
+      one.largest = std::max(one.largest, point->results[c].largest);
+      one.smallest = std::min(one.smallest, point->results[c].smallest);
+    }
+    one.farthest_of_all = farthest(*one.at);
     const auto add_all = [&](const SteadyBranch& curve) {
       for (const SteadyPoint& point : curve.points)
-        one.largest_of_all = std::max(one.largest_of_all, point.results[c].largest);
+        one.farthest_of_all = std::max(one.farthest_of_all, farthest(point));
     };
     add_all(branch);
     for (const SteadyBranch& curve : branch.further) add_all(curve);

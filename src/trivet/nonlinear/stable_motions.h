@@ -14,15 +14,20 @@ namespace trivet::nonlinear {
 /// Does a stable motion of the curve end at its fold?
 [[nodiscard]] bool jumps_at(const SteadyBranch& curve, const Fold& fold);
 
-/// Extremes of one result over the stable motions, and the largest value of all motions.
+/// Extremes of one result over the stable motions, and over all.
 struct StableExtremes {
-  const SteadyPoint* at = nullptr;  ///< the motion with the largest value
-  double largest = 0, smallest = 0, largest_of_all = 0;
+  const SteadyPoint* at = nullptr;  ///< the stable motion that goes farthest from rest, to either side
+  double largest = 0, smallest = 0;
+  double farthest_of_all = 0;  ///< largest magnitude over all motions
 };
 /// One per result; empty without stable motions. The branch must outlive them.
 [[nodiscard]] std::vector<StableExtremes> stable_extremes(const SteadyBranch& branch);
 
 /// Stretches of the parameter, between the ends of the branch, in which no motion of a known curve is stable.
 [[nodiscard]] std::vector<std::pair<double, double>> without_stable_motion(const SteadyBranch& branch);
+
+/// Stretches beside them in which a motion of a known curve has lost its stability to quasi-periodic ones, ascending: a
+/// machine that is led there may stay in these, which are not computed.
+[[nodiscard]] std::vector<std::pair<double, double>> quasi_periodic_stretches(const SteadyBranch& branch);
 
 }  // namespace trivet::nonlinear

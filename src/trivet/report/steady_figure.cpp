@@ -260,19 +260,19 @@ std::string stable_table(const SteadyBranch& branch, const project::ShownUnits& 
     const nonlinear::ObservedMotion& there = extremes[c].at->results[c];
     rows.push_back({{branch.results[c]},
                     quantity_cell(extremes[c].largest, unit),
-                    right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
                     quantity_cell(extremes[c].smallest, unit),
+                    right(fmt::format("{:.5g}", place(branch, *extremes[c].at, display))),
                     quantity_cell(results::without_round_off(there.mean, there.half_of_range()), unit),
-                    quantity_cell(extremes[c].largest_of_all, unit)});
+                    quantity_cell(extremes[c].farthest_of_all, unit)});
   }
   if (nonlinear::stable_points(branch).empty()) return hint("No motion of this branch is stable.");
   if (rows.empty()) return "";
   return html_table({{"deviation from rest"},
                      right("largest stable"),
-                     right("at [" + results::varied_unit(branch, display) + "]"),
                      right("smallest stable"),
+                     right("larger of both at [" + results::varied_unit(branch, display) + "]"),
                      right("mean there"),
-                     right("largest, also unstable")},
+                     right("magnitude, also unstable")},
                     rows);
 }
 

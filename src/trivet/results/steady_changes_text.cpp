@@ -178,6 +178,12 @@ std::string changes_text(const SteadyBranch& branch, const project::ShownUnits& 
         "exceed them\n",
         number_text(shown_varied(branch, from, display), 6), number_text(shown_varied(branch, to, display), 6),
         varied_unit(branch, display));
+  for (const auto& [from, to] : nonlinear::quasi_periodic_stretches(branch))
+    text += fmt::format(
+        "  between {} and {} {} a motion has lost its stability to quasi-periodic ones, which are not computed; the "
+        "largest values leave them out, and they may exceed them\n",
+        number_text(shown_varied(branch, from, display), 6), number_text(shown_varied(branch, to, display), 6),
+        varied_unit(branch, display));
   return text;
 }
 

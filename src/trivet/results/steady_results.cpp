@@ -249,17 +249,17 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
                         number_text(shown_varied(branch, corner, display), 6), unit, varied_word(branch));
   text += stability_text(branch) + phase_text(branch, display);
   text += detached_text(branch, display) + changes_text(branch, display) + folds_text(branch, display);
-  TextTable table({"deviation from rest", "largest stable", "at [" + unit + "]", "smallest stable", "mean there",
-                   "largest of all"});
+  TextTable table({"deviation from rest", "largest stable", "smallest stable", "larger of both at [" + unit + "]",
+                   "mean there", "magnitude of all"});
   const std::vector<nonlinear::StableExtremes> extremes = nonlinear::stable_extremes(branch);
   if (nonlinear::stable_points(branch).empty()) return text + "  no motion of this branch is stable\n";
   for (std::size_t c = 0; c < extremes.size(); ++c) {
     const DisplayUnit shown = display_unit(display, branch.units[c]);
     const nonlinear::ObservedMotion& top = extremes[c].at->results[c];
-    table.add({branch.results[c], value_text(extremes[c].largest, shown),
-               place_text(branch, *extremes[c].at, display, 5), value_text(extremes[c].smallest, shown),
+    table.add({branch.results[c], value_text(extremes[c].largest, shown), value_text(extremes[c].smallest, shown),
+               place_text(branch, *extremes[c].at, display, 5),
                value_text(without_round_off(top.mean, top.half_of_range()), shown),
-               value_text(extremes[c].largest_of_all, shown)});
+               value_text(extremes[c].farthest_of_all, shown)});
   }
   return text + table.text();
 }

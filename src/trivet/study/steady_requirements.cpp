@@ -141,14 +141,22 @@ void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, 
   else if (!branch.search)
     add("motions connected with the lower end of the band only; branches = \"all\" of steady seeks others");
   for (const foundation::Problem& doubt : doubts.list()) add(doubt.finding);
-  const auto without = nonlinear::without_stable_motion(branch);
-  if (without.empty()) return;
-  std::string stretches;
-  for (const auto& [from, to] : without)
-    stretches += fmt::format("{}{:.5g} to {:.5g}", stretches.empty() ? "" : ", ", from / foundation::two_pi,
-                             to / foundation::two_pi);
-  const std::string unknown =
-      fmt::format("no periodic motion is known to be stable from {} Hz; what happens there is not computed", stretches);
+  const auto in_hertz = [](const std::vector<std::pair<double, double>>& stretches) {
+    std::string text;
+    for (const auto& [from, to] : stretches)
+      text += fmt::format("{}{:.5g} to {:.5g}", text.empty() ? "" : ", ", from / foundation::two_pi,
+                          to / foundation::two_pi);
+    return text;
+  };
+  std::string unknown;
+  if (const auto without = nonlinear::without_stable_motion(branch); !without.empty())
+    unknown = fmt::format("no periodic motion is known to be stable from {} Hz; what happens there is not computed",
+                          in_hertz(without));
+  if (const auto lost = nonlinear::quasi_periodic_stretches(branch); !lost.empty())
+    unknown +=
+        fmt::format("{}a motion has lost its stability to quasi-periodic ones from {} Hz, which are not computed",
+                    unknown.empty() ? "" : "; ", in_hertz(lost));
+  if (unknown.empty()) return;
   const bool is_violated = result.margin < 1;
   if (is_violated) {
     add(unknown);
