@@ -66,7 +66,10 @@ void judge_window(const Window& window, const std::vector<double>& natural, Susp
       typed ? fmt::format("; or suspicion \"stiffness\": with stiffnesses in {} some would be in it", typed) : "";
   found.push_back({window.spectrum ? "spectrum" : "band", window.subject,
                    fmt::format("{:.4g} … {:.4g} Hz", hertz(window.from), hertz(window.to)),
-                   fmt::format("no natural frequency is in it: those of the machine are {:.4g} … {:.4g} Hz",
+                   fmt::format("no natural frequency is in it: those of {} are {:.4g} … {:.4g} Hz",
+                               window.subject.starts_with("analyses.steady")
+                                   ? "small motions about rest, in which friction sticks and no gap closes,"
+                                   : "the machine",
                                hertz(natural.front()), hertz(natural.back())),
                    std::string(window.spectrum ? "rows of a psd are in Hz, a band without a unit in rad/s"
                                                : "a number without a unit is in rad/s") +

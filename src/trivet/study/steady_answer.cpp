@@ -130,9 +130,9 @@ void warn_of_folds(const std::string& of, const nonlinear::SteadyBranch& branch,
                                    ? fmt::format("{:.6g} times the load", worst->point.load_factor)
                                    : fmt::format("{:.6g} Hz", worst->point.angular_frequency / foundation::two_pi),
                                farthest),
-                   "the harmonics are too few for verdicts beside it: stability is lost at the fold, and changes near "
-                   "it may be false",
-                   "take a lower tolerance, or more harmonics");
+                   "a stop is just touched there, or the harmonics are too few for verdicts beside it: stability is "
+                   "lost at the fold, and changes near it may be false",
+                   "take a lower tolerance, or more harmonics; if the number stays, a stop is touched");
 }
 
 void warn_of_verdicts(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {

@@ -41,7 +41,7 @@ std::optional<CurvePoints> read_curve_points(TableReader& reader, const char* x_
   }
   if (!(points.x.front() <= 0 && points.x.back() >= 0)) {
     reader.error(source, fmt::format("a {} from {:.6g} to {:.6g}", x_column, points.x.front(), points.x.back()),
-                 "the curve contains 0", "begin at 0, or below it for both senses");
+                 "the curve contains 0", "begin at 0; a law that acts in both senses begins below it");
     return std::nullopt;
   }
   const double at_zero = elements::KnotCurve(points.x, points.y, elements::Interpolation::linear).at(0).value;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "trivet/project/elements/curve_points.h"
 #include "trivet/project/elements/law_numbers.h"
@@ -54,8 +53,13 @@ std::optional<elements::KnotCurve> read_curve_of_stop(TableReader& reader, bool 
                  "it is counted from where the stop closes, and never negative", "begin at [0, 0]");
     return std::nullopt;
   }
-  if (!std::is_sorted(points->y.begin(), points->y.end()) || !(points->y.back() > 0)) {
-    inside.error(source, "a force that falls or vanishes", "a stop pushes more the farther it is compressed",
+  const auto falls = std::is_sorted_until(points->y.begin(), points->y.end());
+  if (falls != points->y.end() || !(points->y.back() > 0)) {
+    inside.error(source,
+                 falls != points->y.end()
+                     ? fmt::format("row {}: {:.6g} after {:.6g}", falls - points->y.begin() + 1, *falls, *(falls - 1))
+                     : fmt::format("a last force of {:.6g}", points->y.back()),
+                 "the force of a stop never falls, and is above 0 in the end",
                  "correct the rows; for other forces take the law curve");
     return std::nullopt;
   }
@@ -67,7 +71,7 @@ std::optional<elements::KnotCurve> read_curve_of_stop(TableReader& reader, bool 
 std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rotation, std::optional<double> ring) {
   const std::size_t before = reader.errors();
   elements::GapStop law;
-  const Quantity travel = is_rotation ? Quantity::angle : Quantity::length;
+  const Quantity travel = travel_quantity(is_rotation);
   if (ring) law.gap_above = *ring;
   else if (reader.has("gap") == reader.has("gaps"))
     reader.error(reader.has("gap") ? "gaps" : "", reader.has("gap") ? "gap and gaps" : "neither gap nor gaps",
