@@ -84,6 +84,7 @@ TEST(PeakSensitivities, FollowThePositionOfRestOfANonlinearMachine) {
     }
     for (const response::Sensitivity& s : peak.sensitivities) {
       const response::Parameter& parameter = found.parameters[s.parameter];
+      SCOPED_TRACE(parameter.name);
       const project::ModelNumber number(parameter.name, "");
       const double before = number.read(base).value(), size = parameter.size / 0.01;
       const bool is_added = parameter.change != "+1 %";

@@ -67,7 +67,7 @@ TEST(LaneLu, ExchangesRowsAndHasNoUsableSolutionOfSingularMatrices) {
 TEST(LinearFlow, KicksInLanesAreThoseOneByOne) {
   under_each_instruction_set([] {
     std::mt19937 random(11);
-    for (const Eigen::Index n : {2, 5, 12, 17}) {
+    for (const Eigen::Index n : {2, 5, 9, 12, 17, 31}) {  // one to nine packs of columns
       const numerics::LinearFlow flow(random_matrix(n, n, random));
       ASSERT_TRUE(flow.is_diagonalizable());
       const Eigen::Index forces = 1 + n / 3, values = 2 * forces, resting = 2, steps = 9;

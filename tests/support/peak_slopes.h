@@ -5,7 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "trivet/assembly/loads.h"
+#include "trivet/assembly/assembled.h"
+#include "trivet/assembly/channels.h"
+#include "trivet/modal/modes.h"
 #include "trivet/modal/roots.h"
 #include "trivet/response/sensitivity/peak_shares.h"
 #include "trivet/response/steady/frequency_response.h"

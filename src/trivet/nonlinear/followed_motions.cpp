@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/followed_motions.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 
@@ -14,11 +15,11 @@ FollowedMotions::FollowedMotions(const Branch& branch, const std::vector<double>
     : branch_(branch), wanted_(wanted) {}
 
 /// The pieces of the step, with the fold between them if the parameter turns, and the motions asked for.
-void FollowedMotions::add(const BranchPoint& next, double length) {
-  points_.push_back(next);
+void FollowedMotions::add(BranchPoint added, double length) {
+  points_.push_back(std::move(added));
   lengths_.push_back(length);
   const std::size_t from = points_.size() - 2, first_new = pieces_.size();
-  const BranchPoint& now = points_[from];
+  const BranchPoint &now = points_[from], &next = points_.back();
   const bool turns = next.parameter_direction() * now.parameter_direction() < 0;
   if (turns) {
     const BranchPoint fold = branch_.fold(now, length);
@@ -49,7 +50,7 @@ BranchPoint FollowedMotions::reversed(BranchPoint point) {
   return point;
 }
 
-void FollowedMotions::turn_and_append(const FollowedMotions& onward) {
+void FollowedMotions::reverse_and_append(const FollowedMotions& onward) {
   std::vector<BranchPoint> all;
   for (std::size_t i = points_.size() - 1; i > 0; --i) all.push_back(reversed(points_[i]));
   all.insert(all.end(), onward.points_.begin(), onward.points_.end());
@@ -81,11 +82,8 @@ bool FollowedMotions::split_step(std::size_t after) {
   const double first = Branch::length(points_[after], *middle), second = Branch::length(*middle, points_[after + 1]);
   const Piece latter{after, 0, second, middle->parameter, piece->parameter_end};
   *piece = {after, 0, first, piece->parameter_begin, middle->parameter};
-  // Its indices are those before the new point.
-  pieces_.insert(piece + 1, latter);
-  for (auto one = std::find_if(pieces_.begin(), pieces_.end(), [&](const Piece& p) { return p.from == after; }) + 1;
-       one != pieces_.end(); ++one)
-    ++one->from;
+  // Its indices are those before the new point, like those of the pieces after it.
+  for (auto one = pieces_.insert(piece + 1, latter); one != pieces_.end(); ++one) ++one->from;
   for (Turn& turn : turns_)
     if (turn.after > after) ++turn.after;
   lengths_[after] = first;

@@ -21,16 +21,16 @@ class FollowedMotions {
   /// The first motion of an empty curve.
   void begin(const numerics::BranchPoint& first) { points_ = {first}; }
   /// @param length  of the step to it
-  void add(const numerics::BranchPoint& next, double length);
+  void add(numerics::BranchPoint added, double length);
   void add_corner(double parameter) { corners_.push_back(parameter); }
   void clear();
-  /// Turns it round, and goes on from its first motion along another curve that begins there.
-  void turn_and_append(const FollowedMotions& onward);
+  /// Reverses it, and goes on from its first motion along another curve that begins there.
+  void reverse_and_append(const FollowedMotions& onward);
   /// Adds the motion in the middle of the step after a point, in which the parameter must not turn.
   /// @return false if it is not found
-  bool split_step(std::size_t after);
+  [[nodiscard]] bool split_step(std::size_t after);
 
-  /// How much has been found, but for corners.
+  /// How much has been found, but for corners: one is noted where the motions after the last smooth point are cut.
   struct Extent {
     std::size_t points, asked_for, turns, pieces;
   };

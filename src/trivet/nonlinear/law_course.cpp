@@ -2,6 +2,7 @@
 #include "trivet/nonlinear/law_course.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "trivet/foundation/constants.h"
@@ -15,6 +16,7 @@ using Eigen::VectorXd;
 LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eigen::Index harmonics, double omega,
                      const Eigen::Ref<const Eigen::MatrixXd>& samples)
     : law_(law), omega_(omega), deflection_(deflection), rate_(omega * numerics::phase_derivative(deflection)) {
+  assert(deflection.tail(deflection.size() - numerics::coefficient_count(harmonics)).isZero(0));
   if (!law.of_amplitude().empty()) {
     ahead_ = numerics::phase_derivative(deflection_);
     for (Eigen::Index k = 1; 2 * k < ahead_.size(); ++k) ahead_.segment<2>(2 * k - 1) /= static_cast<double>(k);
@@ -26,9 +28,9 @@ LawCourse::LawCourse(const LawAbout& law, const Eigen::VectorXd& deflection, Eig
       of_amplitude_.loss_slope += there.loss_slope;
     }
   }
-  const auto crossings = [&, known = numerics::coefficient_count(harmonics)](const VectorXd& course,
-                                                                             const std::vector<double>& levels) {
-    return numerics::level_crossings(course.head(known), levels, samples.leftCols(known));
+  const auto crossings = [&, of_motion = numerics::coefficient_count(harmonics)](const VectorXd& course,
+                                                                                 const std::vector<double>& levels) {
+    return numerics::level_crossings(course.head(of_motion), levels, samples.leftCols(of_motion));
   };
   if (!law.kinks().empty()) corners_ = crossings(deflection_, law.kinks());
   if (!law.rate_kinks().empty()) {
@@ -113,8 +115,8 @@ VectorXd LawCourse::elastic_tangents(const Eigen::MatrixXd& rows) const {
 }
 
 LawAbout::Force LawCourse::at(const Eigen::RowVectorXd& row) const {
-  const double deflection = row.dot(deflection_);
-  LawAbout::Force found = law_.without_memory(deflection, is_damped() ? row.dot(rate_) : 0);
+  const double deflection = deflection_at(row);
+  LawAbout::Force found = law_.without_memory(deflection, is_damped() ? rate_at(row) : 0);
   found.force += resting_stiffness_ * deflection;
   found.by_deviation += resting_stiffness_;
   if (law_.of_amplitude().empty()) return found;

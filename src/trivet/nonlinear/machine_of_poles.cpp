@@ -58,7 +58,7 @@ class MachineOfPoles final : public LinearMachine {
 
   void set_receptance(double omega, MatrixXcd& found) const override {
     found = static_part_.leftCols(size_);
-    for (Index p = 0; p < poles_.size(); ++p) add(about_pole(p, omega), p, found);
+    for (Index p = 0; p < poles_.size(); ++p) add_residues(about_pole(p, omega), p, found);
   }
 
   void set_receptance(double omega, Receptance& found) const override {
@@ -66,10 +66,10 @@ class MachineOfPoles final : public LinearMachine {
     found.slope.setZero(size_, size_);
     for (Index p = 0; p < poles_.size(); ++p) {
       const Complex inverse = about_pole(p, omega),
-                    slope(2 * inverse.real() * inverse.imag(),  // −i inverse², without a check for overflow
+                    slope(2 * inverse.real() * inverse.imag(),  // −i inverse²
                           inverse.imag() * inverse.imag() - inverse.real() * inverse.real());
-      add(inverse, p, found.receptance);
-      add(slope, p, found.slope);
+      add_residues(inverse, p, found.receptance);
+      add_residues(slope, p, found.slope);
     }
   }
 
@@ -112,8 +112,8 @@ class MachineOfPoles final : public LinearMachine {
     const double re = -poles_(p).real(), im = omega - poles_(p).imag(), scale = 1 / (re * re + im * im);
     return {re * scale, -im * scale};
   }
-  /// The residues of a pole times a number, by real numbers: products of the library check for overflow.
-  void add(Complex factor, Index pole, MatrixXcd& sum) const {
+  /// The residues of a pole times a number. By real numbers, as Eigen's complex ones take twice as long.
+  void add_residues(Complex factor, Index pole, MatrixXcd& sum) const {
     const double re = factor.real(), im = factor.imag();
     const Complex* const from = residues_.col(pole).data();
     Complex* const to = sum.data();

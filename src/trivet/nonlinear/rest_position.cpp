@@ -126,19 +126,20 @@ RestPosition rest_in(const model::System& undeformed);
 
 void require_known_forces(const model::Element& element) {
   for (const model::NonlinearPart& part : element.nonlinear_parts)
-    if (const auto [low, high] = LawAbout(part.laws).range(); part.at_rest < low || part.at_rest > high)
+    if (const auto [low, high] = LawAbout(part.laws).range(); !(part.at_rest >= low && part.at_rest <= high))
       throw foundation::NotComputable(fmt::format(
           "static: {} rests at a deflection of {:.6g}, and its forces are known from {:.6g} to {:.6g} only; {}",
           element.name, part.at_rest, low, high,
           element.over_deflection ? "give it a larger range, or less load"
                                   : "correct them, or take beyond = \"slope\" for a curve"));
-  for (const model::DistancePart& part : element.distance_parts)
-    if (const auto [low, high] = DistanceAbout(part.law).range();
-        part.law.distance(part.at_rest) < low || part.law.distance(part.at_rest) > high)
+  for (const model::DistancePart& part : element.distance_parts) {
+    const auto [low, high] = DistanceAbout(part.law).range();
+    if (const double distance = part.law.distance(part.at_rest); !(distance >= low && distance <= high))
       throw foundation::NotComputable(
           fmt::format("static: {} rests at a length of {:.6g} m, and its forces are known from {:.6g} to {:.6g} m "
                       "only; correct them, or take beyond = \"slope\" for a curve",
-                      element.name, part.law.distance(part.at_rest), low, high));
+                      element.name, distance, low, high));
+  }
 }
 
 /// The machine rests without the stops whose gaps are counted from there.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -113,12 +114,12 @@ bool SteadyPath::follow_through(const BranchPoint& start, double most_left_out, 
   if (!walk(most_left_out, {{start.unknowns, start.parameter}}, progress)) return false;
   closed_ = stopped_at_.has_value();
   if (closed_) return true;
-  const FollowedMotions onward = motions_;
+  const FollowedMotions onward(std::move(motions_));
   const std::string onward_ended = ended_;
   motions_.clear();
   ended_.clear();
   if (!begin(FollowedMotions::reversed(start), most_left_out) || !walk(most_left_out, {}, progress)) return false;
-  motions_.turn_and_append(onward);
+  motions_.reverse_and_append(onward);
   if (ended_.empty()) ended_ = onward_ended;
   else if (!onward_ended.empty() && ended_ != onward_ended) ended_ += "; " + onward_ended;
   return true;
@@ -326,15 +327,16 @@ std::string SteadyPath::unknown_forces(const BranchPoint& point) const {
 
 bool SteadyPath::begin(const BranchPoint& first, double most_left_out) {
   motions_.begin(first);
-  return leaves_out_at_most(most_left_out, first);
+  return note_left_out(first, most_left_out);
 }
 
 bool SteadyPath::add_step(const BranchPoint& next, double length, double most_left_out) {
   motions_.add(next, length);
-  return leaves_out_at_most(most_left_out, next);
+  return note_left_out(next, most_left_out);
 }
 
-bool SteadyPath::leaves_out_at_most(double most, const BranchPoint& point) {
+/// @returns whether it is at most that everywhere so far
+bool SteadyPath::note_left_out(const BranchPoint& point, double most) {
   const double omega = equations_.driving(point.parameter).omega;
   left_out_ = std::max(left_out_, balance().left_out(point.unknowns, omega));
   held_share_ = std::max(held_share_, balance().held_share(point.unknowns, omega));

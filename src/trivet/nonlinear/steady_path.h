@@ -22,6 +22,9 @@ class SteadyPath {
   /// @throws foundation::NotComputable if no excitation moves a nonlinear part
   SteadyPath(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
              const PeriodicExcitation& excitation, const SteadyOptions& options, Eigen::Index harmonics);
+  SteadyPath(const SteadyPath&) = delete;  // its motions refer to its branch
+  SteadyPath& operator=(const SteadyPath&) = delete;
+  ~SteadyPath() = default;
 
   /// Follows them; if there is none at the lower end, through the first one that is found above it, to both sides.
   /// @return false, and an unfinished path, as soon as a motion leaves out more than the share given
@@ -38,8 +41,9 @@ class SteadyPath {
   [[nodiscard]] bool follow_branched(const SteadyEquations::Place& start, const Eigen::VectorXd& along,
                                      const std::vector<SteadyEquations::Place>& ends,
                                      const foundation::Progress& progress);
-  /// FollowedMotions::split_step
-  bool split_step(std::size_t after) { return motions_.split_step(after); }
+  /// Adds the motion in the middle of the step after a point, in which the parameter must not turn.
+  /// @return false if it is not found
+  [[nodiscard]] bool split_step(std::size_t after) { return motions_.split_step(after); }
 
   /// The end that it came to.
   [[nodiscard]] std::optional<std::size_t> stopped_at() const { return stopped_at_; }
@@ -87,7 +91,7 @@ class SteadyPath {
                                                                           const numerics::BranchPoint& next) const;
   [[nodiscard]] bool add_step(const numerics::BranchPoint& next, double length, double most_left_out);
   [[nodiscard]] bool begin(const numerics::BranchPoint& first, double most_left_out);
-  [[nodiscard]] bool leaves_out_at_most(double most, const numerics::BranchPoint& point);
+  [[nodiscard]] bool note_left_out(const numerics::BranchPoint& point, double most);
   [[nodiscard]] Extent extent() const { return {motions_.extent(), left_out_, held_share_}; }
   void cut_to(const Extent& end);
   [[nodiscard]] std::string no_further(const numerics::BranchPoint& point) const;

@@ -59,7 +59,7 @@ struct Packs {
   }
 
   /// @param memory  for a row of y for each value and each force
-  static void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
+  static void step_all(const KickedFlow& flow, double* y, std::ptrdiff_t stride, double* memory) {
     const PackColumns states{y, stride}, seen{memory, stride}, kicks{memory + flow.values * stride, stride};
     flow_on(flow, flow.half, states);
     const double* answers = flow.answers;
@@ -74,10 +74,10 @@ struct Packs {
 
 void take_steps(const KickedFlow& flow, double* y, std::ptrdiff_t columns, std::ptrdiff_t stride, double* memory) {
   std::ptrdiff_t left = (columns + lane_count() - 1) / lane_count();
-  for (; left >= 4; left -= 4, y += 4 * lane_count()) Packs<0, 1, 2, 3>::take_steps(flow, y, stride, memory);
-  if (left == 3) Packs<0, 1, 2>::take_steps(flow, y, stride, memory);
-  if (left == 2) Packs<0, 1>::take_steps(flow, y, stride, memory);
-  if (left == 1) Packs<0>::take_steps(flow, y, stride, memory);
+  for (; left >= 4; left -= 4, y += 4 * lane_count()) Packs<0, 1, 2, 3>::step_all(flow, y, stride, memory);
+  if (left == 3) Packs<0, 1, 2>::step_all(flow, y, stride, memory);
+  if (left == 2) Packs<0, 1>::step_all(flow, y, stride, memory);
+  if (left == 1) Packs<0>::step_all(flow, y, stride, memory);
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct KickedFlow {
 
 /// Takes them: half a step first and last, whole ones between the kicks.
 /// @param y       states × columns, by rows, aligned to a cache line
+/// @param columns  up to the stride; the rest of their last pack changes too
 /// @param stride  numbers from row to row, a multiple of longest_pack
 void take_kicked_steps(const KickedFlow& flow, double* y, std::ptrdiff_t columns, std::ptrdiff_t stride);
 

@@ -12,7 +12,7 @@ class SpatialMotion {
   /// @param coefficients  Fourier coefficients (fourier_basis.h) × coordinates
   explicit SpatialMotion(const Eigen::MatrixXd& coefficients) {
     Eigen::Index count = coefficients.rows();
-    while (count > 2 && coefficients.middleRows(count - 2, 2).isZero(0)) count -= 2;  // harmonics that it has not
+    while (count > 2 && coefficients.middleRows(count - 2, 2).isZero(0)) count -= 2;  // harmonics that are zero
     coefficients_ = coefficients.topRows(count).transpose();
   }
 

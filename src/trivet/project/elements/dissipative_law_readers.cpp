@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "trivet/project/elements/curve_points.h"
 #include "trivet/project/elements/law_numbers.h"
@@ -43,8 +43,7 @@ std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bo
   elements::DampingCurve law;
   const elements::Interpolation interpolation = read_interpolation(reader);
   const auto points =
-      read_curve_points(reader, "velocity", "force", is_rotation ? Quantity::angular_velocity : Quantity::velocity,
-                        force_quantity(is_rotation));
+      read_curve_points(reader, "velocity", "force", velocity_quantity(is_rotation), force_quantity(is_rotation));
   const bool may_feed = reader.boolean("allow_active").value_or(false);
   if (!points || reader.errors() > before) return std::nullopt;
   for (std::size_t i = 0; i < points->x.size(); ++i)
@@ -166,8 +165,7 @@ std::optional<elements::LuGreFriction> read_lugre(TableReader& reader, bool is_r
                  "the force of slow slip is at least that of fast slip", "correct one of them");
   reader.also_known({"stribeck_velocity"});
   if (law.has_stribeck_effect() || reader.has("stribeck_velocity"))
-    law.stribeck_velocity =
-        read_positive(reader, "stribeck_velocity", is_rotation ? Quantity::angular_velocity : Quantity::velocity);
+    law.stribeck_velocity = read_positive(reader, "stribeck_velocity", velocity_quantity(is_rotation));
   const Quantity damping = is_rotation ? Quantity::damping_moment_per_angle : Quantity::damping_force_per_length;
   law.damping = reader.number("damping", damping).value_or(0);
   law.viscous = reader.number("viscous", damping).value_or(0);

@@ -12,7 +12,7 @@ namespace trivet::project {
 
 /// `quadratic` or `quadratics`, or `rows` or `file`: force over the rate of the deflection.
 [[nodiscard]] std::optional<elements::DampingForce> read_damping_curve(TableReader& reader, bool is_rotation);
-/// `slip`, `breakaway` and `stiffness`, `sliders`, or `berg`.
+/// `slip`, `breakaway` and `stiffness`, `sliders`, `berg` or `lugre`.
 [[nodiscard]] elements::ScalarLaws read_friction(TableReader& reader, bool is_rotation);
 /// `coefficient` and `stiffness`: across a contact.
 [[nodiscard]] std::optional<elements::RubbingFriction> read_rubbing_friction(TableReader& reader);

@@ -6,7 +6,8 @@
 #include "trivet/elements/elastic_force.h"
 #include "trivet/project/text/table_reader.h"
 
-/// Laws that store energy and return it (docs/nonlinear.md). All add their problems and return what could be read.
+/// Laws over the deflection; stops may dissipate as they close (docs/nonlinear.md). All add their problems and return
+/// what could be read.
 namespace trivet::project {
 
 /// `quadratic`, `cubic` and `polynomial` of a table: coefficients of δ, δ², …

@@ -17,6 +17,7 @@ double read_positive(TableReader& reader, const char* key, Quantity quantity) {
 
 Quantity force_quantity(bool is_rotation) { return is_rotation ? Quantity::moment : Quantity::force; }
 Quantity travel_quantity(bool is_rotation) { return is_rotation ? Quantity::angle : Quantity::length; }
+Quantity velocity_quantity(bool is_rotation) { return is_rotation ? Quantity::angular_velocity : Quantity::velocity; }
 Quantity stiffness_quantity(bool is_rotation) {
   return is_rotation ? Quantity::moment_per_angle : Quantity::force_per_length;
 }

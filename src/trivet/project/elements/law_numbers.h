@@ -10,6 +10,7 @@ namespace trivet::project {
 
 [[nodiscard]] Quantity force_quantity(bool is_rotation);
 [[nodiscard]] Quantity travel_quantity(bool is_rotation);
+[[nodiscard]] Quantity velocity_quantity(bool is_rotation);
 [[nodiscard]] Quantity stiffness_quantity(bool is_rotation);
 
 }  // namespace trivet::project
