@@ -112,7 +112,7 @@ class MachineOfPoles final : public LinearMachine {
     const double re = -poles_(p).real(), im = omega - poles_(p).imag(), scale = 1 / (re * re + im * im);
     return {re * scale, -im * scale};
   }
-  /// The residues of a pole times a number. By real numbers, as Eigen's complex ones take twice as long.
+  /// The residues of a pole times a number, by real numbers: Eigen's complex product took 1.6 times the instructions.
   void add_residues(Complex factor, Index pole, MatrixXcd& sum) const {
     const double re = factor.real(), im = factor.imag();
     const Complex* const from = residues_.col(pole).data();
