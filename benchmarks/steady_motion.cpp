@@ -14,6 +14,7 @@
 #include "measure.h"
 #include "rival.h"
 #include "rivals/lapack.h"
+#include "trivet/foundation/freed_memory.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/nonlinear/deflections.h"
@@ -249,6 +250,7 @@ void compare_lu(Eigen::Index rows) {
 }  // namespace
 
 int main() {
+  foundation::keep_freed_memory();  // as the program does
   const OneCore one_core;
   SteadyOptions one{.from = 14, .to = 30, .harmonics = 7};
   compare("curve of a hardening spring", one_mass, one, 2e5, {.numpy = 35, .pyharm = 3000});

@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/signals.h"
 #include "trivet/exports/format.h"
+#include "trivet/foundation/freed_memory.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/foundation/problems.h"
 #include "trivet/foundation/version.h"
@@ -265,6 +266,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  trivet::foundation::keep_freed_memory();
   trivet::cli::occupy_closed_streams();
   trivet::cli::end_cleanly_on_signals();
   // OpenBLAS, which is loaded for large models, would start threads that wait actively although only one is used.
