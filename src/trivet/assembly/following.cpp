@@ -135,16 +135,25 @@ struct Columns {
   Eigen::MatrixXd K, B, K_loss;
 };
 
+/// Of all elements.
+std::vector<FollowedForces> all_followed_forces(const Assembled& assembled) {
+  std::vector<FollowedForces> all;
+  for (const ElementMap& map : assembled.elements) all.push_back(followed_forces(map, assembled.ground));
+  return all;
+}
+
 /// Forces that the motion R g causes in the free rows: from the elements that `is_selected` accepts, the weights and
 /// the foundations.
 template <typename Predicate>
-Columns coupled(const model::System& system, const Assembled& assembled, const Predicate& is_selected) {
+Columns coupled(const model::System& system, const Assembled& assembled, const std::vector<FollowedForces>& followed,
+                const Predicate& is_selected) {
   const Eigen::Index n = assembled.layout.size();
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, assembled.ground.followed());
   Columns c{none, none, none};
-  for (const ElementMap& map : assembled.elements) {
+  for (std::size_t e = 0; e < followed.size(); ++e) {
+    const ElementMap& map = assembled.elements[e];
     if (!is_selected(map)) continue;
-    const FollowedForces forces = followed_forces(map, assembled.ground);
+    const FollowedForces& forces = followed[e];
     if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
                           damping = map.ends.transpose() * forces.damping, loss = map.ends.transpose() * forces.loss;
@@ -197,8 +206,7 @@ void follow_at_rest(const Columns& resisting, Assembled& assembled) {
 }
 
 /// True if the motion with the ground causes a force in the element at any of the probed frequencies.
-bool resists(const ElementMap& map, const Ground& ground) {
-  const FollowedForces forces = followed_forces(map, ground);
+bool resists(const ElementMap& map, const FollowedForces& forces) {
   if (!forces.stiffness.isZero(0) || !forces.damping.isZero(0) || !forces.mass.isZero(0)) return true;
   if (!map.frequency_dependent()) return false;
   std::vector<double> probed = {std::max(map.defined_from, 1.0)};
@@ -275,12 +283,17 @@ void follow_ground(const model::System& system, const SystemDampingMatrices& dam
   follow_with_bodies(system, assembled.layout, ground.R);
   follow_with_foundations(system, assembled, ground.R);
   follow_inside(assembled);
+  std::vector<FollowedForces> forces = all_followed_forces(assembled);
   if (given_by_rates(system)) {
-    const Columns resisting = coupled(system, assembled, [](const ElementMap&) { return true; });
-    if (!resisting.K.isZero(0)) follow_at_rest(resisting, assembled);
+    const Columns resisting = coupled(system, assembled, forces, [](const ElementMap&) { return true; });
+    if (!resisting.K.isZero(0)) {
+      follow_at_rest(resisting, assembled);
+      forces = all_followed_forces(assembled);
+    }
   }
-  for (ElementMap& map : assembled.elements) map.resists_following = resists(map, ground);
-  Columns own = coupled(system, assembled, [](const ElementMap& map) { return !map.frequency_dependent(); });
+  for (std::size_t e = 0; e < forces.size(); ++e)
+    assembled.elements[e].resists_following = resists(assembled.elements[e], forces[e]);
+  Columns own = coupled(system, assembled, forces, [](const ElementMap& map) { return !map.frequency_dependent(); });
   if (damping.on_coordinates.size() > 0) own.B += beyond_rest(damping, ground, own.K);
   for (Eigen::Index j = 0; j < followed && !assembled.frequency_dependent(); ++j)
     if (!ground.rigid(j)) own.K.col(j).setZero();  // by the choice of R

@@ -90,6 +90,19 @@ ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection) {
   return std::visit(Force{deflection}, law);
 }
 
+void add_forces_and_tangents(const ElasticForce& law, const Eigen::VectorXd& deflections, Eigen::VectorXd& forces,
+                             Eigen::VectorXd& tangents) {
+  std::visit(
+      [&](const auto& one) {
+        for (Eigen::Index i = 0; i < deflections.size(); ++i) {
+          const ForceAndTangent found = Force{deflections(i)}(one);
+          forces(i) += found.force;
+          tangents(i) += found.tangent;
+        }
+      },
+      law);
+}
+
 ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate) {
   const auto* stop = std::get_if<GapStop>(&law);
   if (!stop || stop->dissipation == 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -59,6 +60,9 @@ struct ForceAndTangent {
   double tangent = 0;  ///< df/dδ; at a kink that of larger |δ|
 };
 [[nodiscard]] ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection);
+/// Adds those at many deflections to vectors of the same length.
+void add_forces_and_tangents(const ElasticForce& law, const Eigen::VectorXd& deflections, Eigen::VectorXd& forces,
+                             Eigen::VectorXd& tangents);
 
 /// The same while δ changes at a rate, with the damping of stops.
 struct ForceInMotion {

@@ -40,18 +40,23 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
   equations.value = unknowns;
-  equations.by_unknowns.setIdentity(size(), size());
+  equations.by_unknowns.setZero(size(), size());
+  equations.by_unknowns.diagonal().setOnes();
   equations.by_parameter.setZero(size());
   const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
   const MatrixXd& at_rest = machine_.static_receptance();
-  MatrixXd real(harmonics_, m * m), imaginary(harmonics_, m * m);  // of the receptance, harmonics × entries
+  // Of the receptance, coefficients × entries: what multiplies a coefficient, and the other one of its harmonic.
+  // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
+  MatrixXd by_own(C, m * m), by_other(C, m * m);
+  by_own.row(0) = at_rest.reshaped().transpose();
+  by_other.row(0).setZero();
   Receptance linear;
   for (Index k = 1; k <= harmonics_; ++k) {
     machine_.set_receptance(static_cast<double>(k) * omega, linear);
-    real.row(k - 1) = linear.receptance.reshaped().real().transpose();
-    imaginary.row(k - 1) = linear.receptance.reshaped().imag().transpose();
-    // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
     const Index cosine = 2 * k - 1, sine = 2 * k;
+    by_own.row(cosine) = by_own.row(sine) = linear.receptance.reshaped().real().transpose();
+    by_other.row(cosine) = linear.receptance.reshaped().imag().transpose();
+    by_other.row(sine) = -by_other.row(cosine);
     for (Index i = 0; i < m; ++i)
       for (Index j = 0; j < m; ++j) {
         const std::complex<double> g = linear.receptance(i, j), slope = static_cast<double>(k) * linear.slope(i, j);
@@ -67,20 +72,19 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   for (Index i = 0; i < m; ++i) {
     equations.value(i * C) += at_rest.row(i).dot(forces.force.row(0));
     equations.by_parameter(i * C) += at_rest.row(i).dot(forces.by_omega.row(0));
-    for (const CoupledForces::Tangent& tangent : forces.tangents) {
-      const double* const g_r = real.col(tangent.of * m + i).data();
-      const double* const g_i = imaginary.col(tangent.of * m + i).data();
-      for (Index c = 0; c < C; ++c) {
-        const double* __restrict const from = tangent.matrix.col(c).data();
-        double* __restrict const to = equations.by_unknowns.col(tangent.by * C + c).data() + i * C;
-        to[0] += at_rest(i, tangent.of) * from[0];
-        for (Index k = 0; k < harmonics_; ++k) {
-          to[2 * k + 1] += g_r[k] * from[2 * k + 1] + g_i[k] * from[2 * k + 2];
-          to[2 * k + 2] += g_r[k] * from[2 * k + 2] - g_i[k] * from[2 * k + 1];
-        }
-      }
-    }
   }
+  VectorXd others = VectorXd::Zero(C);
+  for (const CoupledForces::Tangent& tangent : forces.tangents)
+    for (Index c = 0; c < C; ++c) {
+      const auto own = tangent.matrix.col(c);
+      for (Index k = 1; k <= harmonics_; ++k) {
+        others(2 * k - 1) = own(2 * k);
+        others(2 * k) = own(2 * k - 1);
+      }
+      for (Index i = 0; i < m; ++i)
+        equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C) +=
+            by_own.col(tangent.of * m + i).cwiseProduct(own) + by_other.col(tangent.of * m + i).cwiseProduct(others);
+    }
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];

@@ -5,6 +5,9 @@
 #include <cmath>
 
 namespace trivet::nonlinear {
+
+using Eigen::VectorXd;
+
 namespace {
 
 void make_ascending(std::vector<double>& numbers) {
@@ -61,6 +64,30 @@ LawAbout::Force LawAbout::Parts::at(double deflection, double rate) const {
   return sum;
 }
 
+LawAbout::Parts::Forces LawAbout::Parts::at(const VectorXd& deflections, const VectorXd& rates) const {
+  const VectorXd zero = VectorXd::Zero(deflections.size());
+  Forces sums{zero, zero, zero};
+  for (const elements::ElasticForce& law : elastic_) {
+    if (!elements::is_damped(law)) {
+      elements::add_forces_and_tangents(law, deflections, sums.force, sums.by_deviation);
+      continue;
+    }
+    for (Eigen::Index i = 0; i < deflections.size(); ++i) {
+      const elements::ForceInMotion found = elements::force_in_motion(law, deflections(i), rates(i));
+      sums.force(i) += found.force;
+      sums.by_deviation(i) += found.by_deflection;
+      sums.by_rate(i) += found.by_rate;
+    }
+  }
+  for (const elements::DampingForce& law : dampers_)
+    for (Eigen::Index i = 0; i < rates.size(); ++i) {
+      const elements::ForceOfRate found = elements::force_of_rate(law, rates(i));
+      sums.force(i) += found.force;
+      sums.by_rate(i) += found.by_rate;
+    }
+  return sums;
+}
+
 LawAbout::Parts::Curvature LawAbout::Parts::curvature(double deflection, double rate) const {
   Curvature sum;
   for (const elements::ElasticForce& law : elastic_) sum.mixed += elements::mixed_derivative(law, deflection, rate);
@@ -90,11 +117,12 @@ LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
   return sum;
 }
 
-double LawAbout::elastic_tangent(double deviation) const {
-  double sum = -reference_.stiffness;
-  for (const elements::ElasticForce& law : elastic_)
-    sum += elements::force_and_tangent(law, state_ + deviation).tangent;
-  return sum;
+VectorXd LawAbout::elastic_tangents(const VectorXd& deviations) const {
+  const VectorXd deflections = deviations.array() + state_;
+  VectorXd sums = VectorXd::Constant(deviations.size(), -reference_.stiffness),
+           forces = VectorXd::Zero(deviations.size());
+  for (const elements::ElasticForce& law : elastic_) elements::add_forces_and_tangents(law, deflections, forces, sums);
+  return sums;
 }
 
 elements::ForceAndTangent LawAbout::at_rest(double deviation) const {

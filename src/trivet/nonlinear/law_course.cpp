@@ -109,9 +109,7 @@ LawAbout::Force LawCourse::at(double phase) const {
 }
 
 VectorXd LawCourse::elastic_tangents(const Eigen::MatrixXd& rows) const {
-  VectorXd numbers = rows * deflection_;
-  for (double& number : numbers) number = law_.elastic_tangent(number) + resting_stiffness_;
-  return numbers;
+  return law_.elastic_tangents(rows * deflection_).array() + resting_stiffness_;
 }
 
 LawAbout::Force LawCourse::at(const Eigen::RowVectorXd& row) const {

@@ -121,22 +121,16 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
   const VectorXd motion = deflection.head(numerics::coefficient_count(of_motion_)),
-                 course = values_.leftCols(motion.size()) * motion;
+                 course = (values_.leftCols(motion.size()) * motion).array() + law_.state();
   const VectorXd rate = damped
       ? VectorXd(values_.leftCols(motion.size()) * (omega * numerics::phase_derivative(motion)))
       : VectorXd::Zero(samples);
-  VectorXd force(samples), by_deflection(samples), by_rate(samples);
-  for (Index n = 0; n < samples; ++n) {
-    const LawAbout::Force found = parts.at(law_.state() + course(n), rate(n));
-    force(n) = found.force;
-    by_deflection(n) = found.by_deviation;
-    by_rate(n) = found.by_rate;
-  }
+  const LawAbout::Parts::Forces found = parts.at(course, rate);
   const double weight = 2.0 / static_cast<double>(samples);
-  sum.force.noalias() += weight * values_.leftCols(count).transpose() * force;
+  sum.force.noalias() += weight * values_.leftCols(count).transpose() * found.force;
   if (!sum.with_tangent) return;
-  sum.by_deflection.noalias() += weight * values_.transpose() * by_deflection;
-  if (damped) sum.by_rate.noalias() += weight * values_.transpose() * by_rate;
+  sum.by_deflection.noalias() += weight * values_.transpose() * found.by_deviation;
+  if (damped) sum.by_rate.noalias() += weight * values_.transpose() * found.by_rate;
 }
 
 /// On each piece f = c + g x + d v + m x v + p v²/2, with constants that are functions of the phase over the whole

@@ -113,11 +113,11 @@ void undeform(model::Description& description) {
 }
 
 /// Stops whose gaps are those of the machine at rest.
-template <typename Visit>
-void each_gap_at_rest(model::Description& description, const Visit& visit) {
-  for (model::Element& element : description.elements)
-    for (model::NonlinearPart& part : element.nonlinear_parts)
-      for (elements::ScalarLaw& law : part.laws)
+template <typename Elements, typename Visit>
+void each_gap_at_rest(Elements& elements, const Visit& visit) {
+  for (auto& element : elements)
+    for (auto& part : element.nonlinear_parts)
+      for (auto& law : part.laws)
         if (auto* elastic = std::get_if<elements::ElasticForce>(&law))
           if (auto* stop = std::get_if<elements::GapStop>(elastic); stop && stop->gaps_at_rest) visit(part, *stop);
 }
@@ -145,22 +145,22 @@ void require_known_forces(const model::Element& element) {
 /// The machine rests without the stops whose gaps are counted from there.
 RestPosition rest_between_gaps(const model::System& undeformed) {
   model::Description description = undeformed.description(), open = description;
-  each_gap_at_rest(open, [](model::NonlinearPart&, elements::GapStop& stop) {
+  each_gap_at_rest(open.elements, [](model::NonlinearPart&, elements::GapStop& stop) {
     stop.gap_above = stop.gap_below = elements::GapStop::none;
     stop.gaps_at_rest = false;
   });
   const RestPosition found = rest_in(undeformed.in_other_state(std::move(open)));
   set_deflections_at_rest(deflections_at_rest(found.system.elements()), description.elements);
-  each_gap_at_rest(description,
+  each_gap_at_rest(description.elements,
                    [](model::NonlinearPart& part, elements::GapStop& stop) { stop.counted_from = part.at_rest; });
   const model::System there = undeformed.in_other_state(std::move(description));
   return {with_references(there, tangents_at_rest(there)), found.limit_loads, found.stable};
 }
 
 RestPosition rest_of(const model::System& undeformed) {
-  model::Description description = undeformed.description();
   bool counts_from_rest = false;
-  each_gap_at_rest(description, [&](model::NonlinearPart&, elements::GapStop&) { counts_from_rest = true; });
+  each_gap_at_rest(undeformed.elements(),
+                   [&](const model::NonlinearPart&, const elements::GapStop&) { counts_from_rest = true; });
   return counts_from_rest ? rest_between_gaps(undeformed) : rest_in(undeformed);
 }
 
@@ -212,7 +212,7 @@ RestPosition rest_position(const model::System& system) {
     follows = true;
     model::set_linear_law_at(0, element);
   }
-  RestPosition found = rest_of(system.in_other_state(description));
+  RestPosition found = rest_of(system.in_other_state(std::move(description)));
   if (!follows) return found;
   constexpr int most = 50;
   constexpr double accurate = 1e-9;
@@ -247,7 +247,7 @@ RestPosition rest_in(const model::System& undeformed) {
     set_deflections_at_rest(deflections, description.elements);
     for (const model::Element& element : description.elements) require_known_forces(element);
   }
-  const model::System there = undeformed.in_other_state(description);
+  const model::System there = undeformed.in_other_state(std::move(description));
   return {with_references(there, tangents_at_rest(there)), limit_loads,
           path.is_stable(deflections_at_rest(there.elements()))};
 }

@@ -135,7 +135,7 @@ LaneLu::LaneLu(const Eigen::MatrixXd& A)
   factors_.resize(to_size(stride_ * rows_));
   for (Eigen::Index j = 0; j < rows_; ++j) {
     double* const column = factors_.data() + j * stride_;
-    std::fill(std::copy(A.col(j).begin(), A.col(j).end(), column), column + stride_, 0.0);
+    std::fill(std::copy_n(A.col(j).data(), rows_, column), column + stride_, 0.0);
   }
   TRIVET_DISPATCH(factor_in_lanes)(factors_.data(), rows_, stride_, pivots_.data());
 }

@@ -17,9 +17,8 @@ using Eigen::VectorXd;
 MatrixXd bordered(const Equations& equations, const VectorXd& scale, const VectorXd& along) {
   const Index n = equations.value.size();
   MatrixXd matrix(n + 1, n + 1);
-  matrix.topLeftCorner(n, n) = equations.by_unknowns;
-  matrix.topRightCorner(n, 1) = equations.by_parameter;
-  matrix.topRows(n) *= scale.asDiagonal();
+  for (Index j = 0; j < n; ++j) matrix.col(j).head(n) = scale(j) * equations.by_unknowns.col(j);
+  matrix.col(n).head(n) = scale(n) * equations.by_parameter;
   matrix.bottomRows<1>() = along.transpose();
   return matrix;
 }
