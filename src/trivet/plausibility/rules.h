@@ -56,6 +56,9 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
 /// Struts whose free length is far from the distance of their ends.
 void judge_struts(const model::System& system, Suspicions& found);
 
+/// Gaps of stops far larger than machines move.
+void judge_gaps(const model::System& system, Suspicions& found);
+
 /// Dampers of one kind of which one is far stronger or weaker.
 void judge_dampers(const model::System& system, Suspicions& found);
 

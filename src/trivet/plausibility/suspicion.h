@@ -32,6 +32,7 @@ inline constexpr const char* kinds[] = {
     "density",
     "spread of mounts",
     "places",
+    "gap",
     "stiffness",
     "stiffness per degree",
     "unequal mounts",

@@ -351,4 +351,19 @@ TEST(Plausibility, DetectsAStrutWhoseFreeLengthIsInMillimetres) {
   EXPECT_THAT(kinds(with("0.56")), testing::Not(testing::Contains("places")));
 }
 
+TEST(Plausibility, DetectsGapsInMillimetres) {
+  const auto with = [](const std::string& gap) {
+    return Cube{}.text() +
+        "[elements.bumper]\ntype = \"stop\"\non = \"cube\"\nat = [0, 0, 0.2]\naxis = \"z\"\nstiffness = 1e6\ngap = " +
+        gap + "\n";
+  };
+  EXPECT_THAT(kinds(with("2.5")), testing::ElementsAre("gap"));
+  EXPECT_THAT(kinds(with("\"2.5 mm\"")), IsEmpty());
+  EXPECT_THAT(
+      kinds(with("0.01") +
+            "[elements.buffer]\ntype = \"three_springs\"\non = \"cube\"\nat = [0, 0, 0.2]\ntranslation = [0, 0, "
+            "0]\nlaws.z = {gap_stop = {gap = 3, stiffness = 1e6}}\n"),
+      testing::ElementsAre("gap"));
+}
+
 }  // namespace plausibility_test

@@ -39,4 +39,23 @@ TEST(LawReaders, ReadBristlesWithinFrictionAndBesideIt) {
   }
 }
 
+TEST(LawReaders, ReadTheDissipationOfAStopWithItsUnit) {
+  for (const char* dissipation : {"0.4", "\"0.4 s/m\"", "\"4e-4 s/mm\""}) {
+    const project::Project file = test::project(R"(trivet = 1
+[bodies.m]
+mass = 10
+free = ["x"]
+[elements.stop]
+type = "stop"
+on = "m"
+at = [0, 0, 0]
+axis = "x"
+gap = "2 mm"
+stiffness = "200 N/mm"
+dissipation = )" + std::string(dissipation) + "\n");
+    const elements::ScalarLaw& law = file.base().system.elements().at(0).nonlinear_parts.at(0).laws.at(0);
+    EXPECT_DOUBLE_EQ(std::get<elements::GapStop>(std::get<elements::ElasticForce>(law)).dissipation, 0.4);
+  }
+}
+
 }  // namespace law_readers_test

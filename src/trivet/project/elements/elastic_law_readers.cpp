@@ -109,10 +109,11 @@ std::optional<elements::GapStop> read_gap_stop(TableReader& reader, bool is_rota
     if (reader.errors() == before && !(law.stiffness > 0))
       reader.error("stiffness", fmt::format("{:.6g}", law.stiffness), "it is > 0", "correct it");
   }
-  law.dissipation = reader.number("dissipation", Quantity::pure).value_or(0);
+  const Quantity per_rate = is_rotation ? Quantity::time_per_angle : Quantity::time_per_length;
+  law.dissipation = reader.number("dissipation", per_rate).value_or(0);
   if (!(law.dissipation >= 0))
-    reader.error("dissipation", fmt::format("{:.6g} s/m", law.dissipation), "a stop does not feed energy: it is ≥ 0",
-                 "correct its sign");
+    reader.error("dissipation", fmt::format("{:.6g} {}", law.dissipation, si_unit(per_rate)),
+                 "a stop does not feed energy: it is ≥ 0", "correct its sign");
   if (ring && reader.has("gap_at"))
     reader.error("gap_at", "gap_at of a ring", "its play is that of the undeformed machine", "remove it");
   const auto gap_at = reader.choice("gap_at", {"unloaded", "rest"});

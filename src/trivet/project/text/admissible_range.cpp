@@ -36,6 +36,9 @@ Largest largest(Quantity quantity) {
       return {1e15, "30 million years"};
     case Quantity::per_time:
       return {1e15, "atoms of a solid vibrate at 1e13 rad/s"};
+    case Quantity::time_per_length:
+    case Quantity::time_per_angle:
+      return {1e9, "a stop with 1e3 s/m gives back next to nothing"};
     case Quantity::velocity:
       return {3e8, "the speed of light"};
     case Quantity::angular_velocity:

@@ -302,6 +302,10 @@ const char* si_unit(Quantity quantity) {
       return "s";
     case Quantity::per_time:
       return "1/s";
+    case Quantity::time_per_length:
+      return "s/m";
+    case Quantity::time_per_angle:
+      return "s/rad";
     case Quantity::force:
       return "N";
     case Quantity::moment:

@@ -20,6 +20,8 @@ enum class Quantity {
   angular_frequency,
   time,
   per_time,
+  time_per_length,
+  time_per_angle,
   force,
   moment,
   energy,
