@@ -17,6 +17,7 @@ ObservedPath::ObservedPath(const ReferenceMachine& machine, SteadyPath& path, co
     : machine_(machine), path_(path), options_(options), observer_(machine, options) {}
 
 SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
+  const FollowedMotions& motions = path_.motions();
   SteadyBranch found;
   observer_.describe(found);
   found.harmonics = path_.balance().harmonics();
@@ -25,19 +26,18 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
   found.ended = path_.ended();
   found.begun_at = path_.begun_at();
   found.closed = path_.closed();
-  found.corners = path_.motions().corners();
-  for (const BranchPoint& point : path_.motions().points()) {
+  found.corners = motions.corners();
+  for (const BranchPoint& point : motions.points()) {
     found.points.push_back(steady(point));
     note_sticking(point, found);
     if (progress)
-      progress("stability",
-               static_cast<double>(found.points.size()) / static_cast<double>(path_.motions().points().size()));
+      progress("stability", static_cast<double>(found.points.size()) / static_cast<double>(motions.points().size()));
   }
   add_points_between(found);
   if (observer_.has_winding() && (options_.deep || machine_.assembled.frequency_dependent()))
     judge_by_winding(found, progress);
-  for (const BranchPoint& point : path_.motions().asked_for()) found.at.push_back(steady(point));
-  for (const FollowedMotions::Turn& turn : path_.motions().turns())
+  for (const BranchPoint& point : motions.asked_for()) found.at.push_back(steady(point));
+  for (const FollowedMotions::Turn& turn : motions.turns())
     found.folds.push_back({steady(turn.point), turn.after, turn.upper, std::nullopt});
   add_changes(found);
   return found;
@@ -47,14 +47,14 @@ SteadyBranch ObservedPath::branch(const foundation::Progress& progress) {
 void ObservedPath::add_points_between(SteadyBranch& found) {
   constexpr double shortest = 2e-3;
   constexpr int most = 100;
+  const FollowedMotions& motions = path_.motions();
   int added = 0;
   for (std::size_t i = 0; i + 1 < found.points.size() && added < most; ++i) {
-    const bool turns = std::any_of(path_.motions().turns().begin(), path_.motions().turns().end(),
+    const bool turns = std::any_of(motions.turns().begin(), motions.turns().end(),
                                    [i](const FollowedMotions::Turn& turn) { return turn.after == i; });
-    while (!turns && added < most && path_.motions().step_length(i) > shortest && may_be_unstable_between(found, i) &&
+    while (!turns && added < most && motions.step_length(i) > shortest && may_be_unstable_between(found, i) &&
            path_.split_step(i)) {
-      found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                          steady(path_.motions().points()[i + 1]));
+      found.points.insert(found.points.begin() + static_cast<std::ptrdiff_t>(i) + 1, steady(motions.points()[i + 1]));
       ++added;
     }
   }
@@ -80,7 +80,8 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
   if (!found.points[step].stable || !found.points[step + 1].stable) return false;
   constexpr double deep = 0.25;  // of the smaller end: the parabola is a guess
   const auto at = [&](std::size_t point) { return distances_to_changes(found.points[point].multipliers); };
-  const double length = path_.motions().step_length(step);
+  const FollowedMotions& motions = path_.motions();
+  const double length = motions.step_length(step);
   const std::array<double, 3> all_from = at(step), all_to = at(step + 1);
   for (std::size_t kind = 0; kind < all_from.size(); ++kind) {
     const double from = all_from[kind], to = all_to[kind];
@@ -90,10 +91,9 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
       return lowest > 0 && lowest < 1 ? from + lowest * (slope + lowest * bend) : std::min(from, to);
     };
     double least = std::min(from, to);
-    if (step > 0)
-      least = std::min(least, least_with(-path_.motions().step_length(step - 1) / length, at(step - 1)[kind]));
+    if (step > 0) least = std::min(least, least_with(-motions.step_length(step - 1) / length, at(step - 1)[kind]));
     if (step + 2 < found.points.size())
-      least = std::min(least, least_with(1 + path_.motions().step_length(step + 1) / length, at(step + 2)[kind]));
+      least = std::min(least, least_with(1 + motions.step_length(step + 1) / length, at(step + 2)[kind]));
     if (least < deep * std::min(from, to)) return true;
   }
   return false;
@@ -224,14 +224,14 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
         observer_.winding().unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
     return unstable && *unstable > 0 ? 1.0 : -1.0;
   };
+  const FollowedMotions& motions = path_.motions();
   std::optional<BranchPoint> middle;
   for (const double near : accurate)
     if (!middle)
-      middle = by_winding_ ? path_.motions().zero_after(point, by_winding, near)
-                           : path_.motions().zero_after(point, excess, near);
+      middle = by_winding_ ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
   if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
-    const bool ends_unstable = excess(path_.motions().points()[point + 1]) > excess(path_.motions().points()[point]);
-    middle = path_.motions().points()[ends_unstable ? point + 1 : point];
+    const bool ends_unstable = excess(motions.points()[point + 1]) > excess(motions.points()[point]);
+    middle = motions.points()[ends_unstable ? point + 1 : point];
   }
   StabilityChange change{steady(*middle), point};
   Index critical = 0;

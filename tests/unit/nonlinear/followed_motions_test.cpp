@@ -7,18 +7,14 @@
 #include <cmath>
 #include <vector>
 
+#include "support/cubic_branch.h"
+
 namespace followed_motions_test {
 
 using namespace trivet;
 using nonlinear::FollowedMotions;
 using numerics::BranchPoint;
-
-/// u³ − 3u = λ: folds at u = ∓1, λ = ±2.
-void cubic(const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
-  equations.value = Eigen::VectorXd::Constant(1, u(0) * u(0) * u(0) - 3 * u(0) - parameter);
-  equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, 3 * u(0) * u(0) - 3);
-  equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
-}
+using test::cubic;
 
 void follow(const numerics::Branch& branch, const BranchPoint& first, double to, FollowedMotions& motions) {
   constexpr double step = 0.2;

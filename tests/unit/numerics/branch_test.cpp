@@ -6,18 +6,14 @@
 #include <cmath>
 #include <limits>
 
+#include "support/cubic_branch.h"
+
 namespace branch_test {
 
 using namespace trivet;
 using numerics::Branch;
 using numerics::BranchPoint;
-
-/// u³ − 3u = λ: folds at u = ±1, λ = ∓2.
-void cubic(const Eigen::VectorXd& u, double parameter, numerics::Equations& equations) {
-  equations.value = Eigen::VectorXd::Constant(1, u(0) * u(0) * u(0) - 3 * u(0) - parameter);
-  equations.by_unknowns = Eigen::MatrixXd::Constant(1, 1, 3 * u(0) * u(0) - 3);
-  equations.by_parameter = Eigen::VectorXd::Constant(1, -1);
-}
+using test::cubic;
 
 TEST(Branch, PassesBothFoldsOfACubic) {
   const Branch branch(cubic, Eigen::VectorXd::Constant(1, 1), 1);
