@@ -3,7 +3,7 @@
 import math
 import unittest
 
-from trivet_test import InTemporaryFolder, answer
+from trivet_test import InTemporaryFolder, answer, trivet
 from verdict_test import OSCILLATOR as DRIVEN
 from verdict_test import C, G, K, M
 
@@ -55,6 +55,13 @@ class Clearances(InTemporaryFolder):
         self.near(self.judged(above + FORCE)["value"], PEAK - SAG)
         # The transient counts only where it closes the gap: the force acts downwards and never lifts the mass.
         self.near(self.judged(above + FORCE + STEP + "[analyses]\ntransient = {}\n")["value"], PEAK - SAG)
+
+    def test_on_a_nonlinear_machine_small_motions_are_named(self):
+        nonlinear = OSCILLATOR.replace('type = "bushing"\n', 'type = "bushing"\nlaws.z = {cubic = 1e9}\n')
+        self.assertNotEqual(nonlinear, OSCILLATOR)
+        for text, named in ((OSCILLATOR, False), (nonlinear, True)):
+            done = trivet("verdict", self.file(text + FORCE))
+            self.assertEqual("clearances: a nonlinear machine" in done.stderr, named, done.stderr)
 
     def test_an_undamped_resonance_leaves_no_gap(self):
         undamped = OSCILLATOR.replace(f"damping = {{translation = [1e-3, 1e-3, {C}]}}\n", "")

@@ -205,6 +205,38 @@ class LoadCases(InTemporaryFolder):
         self.assertIn("position of rest is not unique", done.stderr)
         self.assertEqual(trivet("modes", path).returncode, 0)  # does not ask for it
 
+    def test_a_stop_is_compressed_by_what_presses_it(self):
+        text = """trivet = 1
+gravity = [0, 0, GRAVITY]
+[bodies.m]
+mass = 10
+free = ["z"]
+[elements.spring]
+type = "three_springs"
+on = "m"
+at = [0, 0, 0]
+translation = [0, 0, 10000]
+[elements.bump]
+type = "stop"
+on = "m"
+at = [0, 0, 0]
+axis = "AXIS"
+gaps = ["4 mm", "5 mm"]
+stiffness = 20000
+"""
+        for gravity, axis, gap in ((-9.81, "-z", 4e-3), (-9.81, "z", 5e-3), (9.81, "z", 4e-3)):
+            of = {
+                m["element"]: m
+                for m in answer("check", self.file(text.replace("GRAVITY", str(gravity)).replace("AXIS", axis)))[
+                    "mounts"
+                ]
+            }
+            travel = (98.1 + 20000 * gap) / 30000
+            self.near(of["bump"]["compression"], 20000 * (travel - gap))
+            self.near(of["spring"]["compression"], math.copysign(10000 * travel, -gravity))
+            notes = trivet("modes", self.folder / "project.toml")
+            self.assertIn(": it bears", notes.stdout + notes.stderr)
+
     def test_run_and_check(self):
         path, target = self.file(genset()), self.folder / "out"
         done = trivet("run", path, "-o", target)

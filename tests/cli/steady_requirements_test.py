@@ -79,6 +79,17 @@ class SteadyRequirements(unittest.TestCase):
         self.assertIn("known to be stable from 4.38", found[0]["reason"])
         self.assertEqual(run.returncode, 1)
 
+    def test_a_curve_that_ends_early_hides_no_violation(self):
+        law = "{gap_stop = {gap = 0.006, stiffness = 3e11}}"
+        run, found = verdict(law, 'steady = {"m.x" = 0.001}')
+        self.assertGreater(found[0]["value"], 0.001)
+        self.assertLess(found[0]["margin"], 1)
+        self.assertIn("steady motion: ", found[0]["detail"])
+        run, found = verdict(law, 'steady = {"m.x" = 0.1}')
+        self.assertIsNone(found[0]["value"])
+        self.assertIn("steady motion: ", found[0]["reason"])
+        self.assertEqual(run.returncode, 1)
+
     def test_a_limit_that_is_met_says_which_motions_were_sought(self):
         _, found = verdict(STOP, 'steady = {"m.x" = 0.1}')
         self.assertGreater(found[0]["margin"], 1)

@@ -2,6 +2,7 @@
 #include "trivet/assembly/following.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -135,9 +136,10 @@ struct Columns {
   Eigen::MatrixXd K, B, K_loss;
 };
 
-/// Of all elements.
+/// In the order of the elements.
 std::vector<FollowedForces> all_followed_forces(const Assembled& assembled) {
   std::vector<FollowedForces> all;
+  all.reserve(assembled.elements.size());
   for (const ElementMap& map : assembled.elements) all.push_back(followed_forces(map, assembled.ground));
   return all;
 }
@@ -145,15 +147,16 @@ std::vector<FollowedForces> all_followed_forces(const Assembled& assembled) {
 /// Forces that the motion R g causes in the free rows: from the elements that `is_selected` accepts, the weights and
 /// the foundations.
 template <typename Predicate>
-Columns coupled(const model::System& system, const Assembled& assembled, const std::vector<FollowedForces>& followed,
+Columns coupled(const model::System& system, const Assembled& assembled, const std::vector<FollowedForces>& all_forces,
                 const Predicate& is_selected) {
+  assert(all_forces.size() == assembled.elements.size());
   const Eigen::Index n = assembled.layout.size();
   const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(n, assembled.ground.followed());
   Columns c{none, none, none};
-  for (std::size_t e = 0; e < followed.size(); ++e) {
+  for (std::size_t e = 0; e < all_forces.size(); ++e) {
     const ElementMap& map = assembled.elements[e];
     if (!is_selected(map)) continue;
-    const FollowedForces& forces = followed[e];
+    const FollowedForces& forces = all_forces[e];
     if (forces.stiffness.isZero(0) && forces.damping.isZero(0)) continue;
     const Eigen::MatrixXd stiffness = map.ends.transpose() * forces.stiffness,
                           damping = map.ends.transpose() * forces.damping, loss = map.ends.transpose() * forces.loss;
@@ -288,7 +291,7 @@ void follow_ground(const model::System& system, const SystemDampingMatrices& dam
     const Columns resisting = coupled(system, assembled, forces, [](const ElementMap&) { return true; });
     if (!resisting.K.isZero(0)) {
       follow_at_rest(resisting, assembled);
-      forces = all_followed_forces(assembled);
+      forces = all_followed_forces(assembled);  // the elements may move otherwise now
     }
   }
   for (std::size_t e = 0; e < forces.size(); ++e)

@@ -2,6 +2,7 @@
 #include "trivet/elements/elastic_force.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace trivet::elements {
@@ -90,19 +91,6 @@ ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection) {
   return std::visit(Force{deflection}, law);
 }
 
-void add_forces_and_tangents(const ElasticForce& law, const Eigen::VectorXd& deflections, Eigen::VectorXd& forces,
-                             Eigen::VectorXd& tangents) {
-  std::visit(
-      [&](const auto& one) {
-        for (Eigen::Index i = 0; i < deflections.size(); ++i) {
-          const ForceAndTangent found = Force{deflections(i)}(one);
-          forces(i) += found.force;
-          tangents(i) += found.tangent;
-        }
-      },
-      law);
-}
-
 ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate) {
   const auto* stop = std::get_if<GapStop>(&law);
   if (!stop || stop->dissipation == 0) {
@@ -114,6 +102,29 @@ ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double
   const double factor = 1 + closing * stop->dissipation * rate;
   if (factor <= 0) return {};
   return {found.force * factor, found.tangent * factor, closing * stop->dissipation * found.force};
+}
+
+void add_forces_in_motion(const ElasticForce& law, const Eigen::VectorXd& deflections, const Eigen::VectorXd& rates,
+                          ForcesInMotion& sums) {
+  assert(rates.size() == deflections.size() && sums.force.size() == deflections.size());
+  if (is_damped(law)) {
+    for (Eigen::Index i = 0; i < deflections.size(); ++i) {
+      const ForceInMotion found = force_in_motion(law, deflections(i), rates(i));
+      sums.force(i) += found.force;
+      sums.by_deflection(i) += found.by_deflection;
+      sums.by_rate(i) += found.by_rate;
+    }
+    return;
+  }
+  std::visit(
+      [&](const auto& one) {
+        for (Eigen::Index i = 0; i < deflections.size(); ++i) {
+          const ForceAndTangent found = Force{deflections(i)}(one);
+          sums.force(i) += found.force;
+          sums.by_deflection(i) += found.tangent;
+        }
+      },
+      law);
 }
 
 bool is_piecewise_bilinear(const ElasticForce& law) {

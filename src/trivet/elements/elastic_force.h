@@ -28,7 +28,7 @@ struct GapStop {
   double gap_below = none;                                      ///< g'
   double stiffness = std::numeric_limits<double>::quiet_NaN();  ///< k [N/m^p], > 0
   double power = 1;                                             ///< p ≥ 1
-  double dissipation = 0;                                       ///< b [s/m], ≥ 0
+  double dissipation = 0;                                       ///< b [s/m or s/rad], ≥ 0
   bool gaps_at_rest = false;                                    ///< gaps are those of the machine at rest
   double counted_from = 0;                                      ///< deflection from which gaps are counted
   std::optional<KnotCurve> curve = {};                          ///< from (0, 0), never falling, in place of k and p
@@ -60,15 +60,18 @@ struct ForceAndTangent {
   double tangent = 0;  ///< df/dδ; at a kink that of larger |δ|
 };
 [[nodiscard]] ForceAndTangent force_and_tangent(const ElasticForce& law, double deflection);
-/// Adds those at many deflections to vectors of the same length.
-void add_forces_and_tangents(const ElasticForce& law, const Eigen::VectorXd& deflections, Eigen::VectorXd& forces,
-                             Eigen::VectorXd& tangents);
 
 /// The same while δ changes at a rate, with the damping of stops.
 struct ForceInMotion {
   double force = 0, by_deflection = 0, by_rate = 0;
 };
 [[nodiscard]] ForceInMotion force_in_motion(const ElasticForce& law, double deflection, double rate);
+struct ForcesInMotion {
+  Eigen::VectorXd force, by_deflection, by_rate;
+};
+/// Adds them at many deflections, each with its rate. All vectors have one length.
+void add_forces_in_motion(const ElasticForce& law, const Eigen::VectorXd& deflections, const Eigen::VectorXd& rates,
+                          ForcesInMotion& sums);
 /// Is it linear in δ at each rate, and in the rate at each δ, between kinks?
 [[nodiscard]] bool is_piecewise_bilinear(const ElasticForce& law);
 /// ∂²f/∂δ∂v of such a force.

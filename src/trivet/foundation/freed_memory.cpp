@@ -11,9 +11,11 @@ namespace trivet::foundation {
 void keep_freed_memory() {
 #if defined(__GLIBC__)
   constexpr int mebibyte = 1 << 20;
-  mallopt(M_TRIM_THRESHOLD, 64 * mebibyte);  // this much may stay
-  mallopt(M_TOP_PAD, mebibyte);              // asked for at once
-  mallopt(M_MMAP_THRESHOLD, 16 * mebibyte);  // larger blocks go back at once
+  // The first of these calls ends the library's own choice of all three. It would rise to 32 MiB for larger blocks,
+  // which are mapped one by one.
+  if (mallopt(M_MMAP_THRESHOLD, 32 * mebibyte) != 1) return;
+  mallopt(M_TRIM_THRESHOLD, 16 * mebibyte);
+  mallopt(M_TOP_PAD, mebibyte);
 #endif
 }
 

@@ -40,50 +40,54 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   const double omega = driving.omega;
   const Index C = coefficients(), m = machine_.size();
   equations.value = unknowns;
-  equations.by_unknowns.setZero(size(), size());
+  equations.by_unknowns.setZero(size(), size());  // setIdentity would test every entry
   equations.by_unknowns.diagonal().setOnes();
   equations.by_parameter.setZero(size());
   const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
-  const MatrixXd& at_rest = machine_.static_receptance();
-  // Of the receptance, coefficients × entries: what multiplies a coefficient, and the other one of its harmonic.
-  // Coefficients a, b have the amplitude a − i b: a product by g_r + i g_i is [g_r g_i; −g_i g_r].
-  MatrixXd by_own(C, m * m), by_other(C, m * m);
-  by_own.row(0) = at_rest.reshaped().transpose();
-  by_other.row(0).setZero();
+  // Coefficients a, b of a harmonic are the amplitude a − i b: the receptance g_r + i g_i turns them into
+  // g_r a + g_i b and g_r b − g_i a. Coefficients × entries of the receptance:
+  MatrixXd direct(C, m * m), crossed(C, m * m), direct_slope(C, m * m), crossed_slope(C, m * m);
+  direct.row(0) = machine_.static_receptance().reshaped().transpose();
+  crossed.row(0).setZero();
+  direct_slope.row(0).setZero();
+  crossed_slope.row(0).setZero();
   Receptance linear;
   for (Index k = 1; k <= harmonics_; ++k) {
     machine_.set_receptance(static_cast<double>(k) * omega, linear);
-    const Index cosine = 2 * k - 1, sine = 2 * k;
-    by_own.row(cosine) = by_own.row(sine) = linear.receptance.reshaped().real().transpose();
-    by_other.row(cosine) = linear.receptance.reshaped().imag().transpose();
-    by_other.row(sine) = -by_other.row(cosine);
+    const auto set = [&](const Eigen::MatrixXcd& entries, double factor, MatrixXd& on_own, MatrixXd& on_other) {
+      on_own.row(2 * k - 1) = on_own.row(2 * k) = factor * entries.reshaped().real().transpose();
+      on_other.row(2 * k - 1) = factor * entries.reshaped().imag().transpose();
+      on_other.row(2 * k) = -on_other.row(2 * k - 1);
+    };
+    set(linear.receptance, 1, direct, crossed);
+    set(linear.slope, static_cast<double>(k), direct_slope, crossed_slope);
+  }
+  VectorXd exchanged = VectorXd::Zero(C);  // sines and cosines
+  const auto exchange = [&](const auto& course) {
+    for (Index k = 1; k <= harmonics_; ++k) {
+      exchanged(2 * k - 1) = course(2 * k);
+      exchanged(2 * k) = course(2 * k - 1);
+    }
+  };
+  const auto add = [&](const MatrixXd& on_own, const MatrixXd& on_other, Index entry, const auto& course, auto&& to) {
+    to += on_own.col(entry).cwiseProduct(course) + on_other.col(entry).cwiseProduct(exchanged);
+  };
+  for (Index j = 0; j < m; ++j) {
+    exchange(forces.force.col(j));
+    for (Index i = 0; i < m; ++i) {
+      add(direct, crossed, j * m + i, forces.force.col(j), equations.value.segment(i * C, C));
+      add(direct_slope, crossed_slope, j * m + i, forces.force.col(j), equations.by_parameter.segment(i * C, C));
+    }
+    exchange(forces.by_omega.col(j));
     for (Index i = 0; i < m; ++i)
-      for (Index j = 0; j < m; ++j) {
-        const std::complex<double> g = linear.receptance(i, j), slope = static_cast<double>(k) * linear.slope(i, j);
-        const double fa = forces.force(cosine, j), fb = forces.force(sine, j), wa = forces.by_omega(cosine, j),
-                     wb = forces.by_omega(sine, j);
-        const Index row = i * C + cosine;
-        equations.value(row) += g.real() * fa + g.imag() * fb;
-        equations.value(row + 1) += g.real() * fb - g.imag() * fa;
-        equations.by_parameter(row) += slope.real() * fa + slope.imag() * fb + g.real() * wa + g.imag() * wb;
-        equations.by_parameter(row + 1) += slope.real() * fb - slope.imag() * fa + g.real() * wb - g.imag() * wa;
-      }
+      add(direct, crossed, j * m + i, forces.by_omega.col(j), equations.by_parameter.segment(i * C, C));
   }
-  for (Index i = 0; i < m; ++i) {
-    equations.value(i * C) += at_rest.row(i).dot(forces.force.row(0));
-    equations.by_parameter(i * C) += at_rest.row(i).dot(forces.by_omega.row(0));
-  }
-  VectorXd others = VectorXd::Zero(C);
   for (const CoupledForces::Tangent& tangent : forces.tangents)
     for (Index c = 0; c < C; ++c) {
-      const auto own = tangent.matrix.col(c);
-      for (Index k = 1; k <= harmonics_; ++k) {
-        others(2 * k - 1) = own(2 * k);
-        others(2 * k) = own(2 * k - 1);
-      }
+      exchange(tangent.matrix.col(c));
       for (Index i = 0; i < m; ++i)
-        equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C) +=
-            by_own.col(tangent.of * m + i).cwiseProduct(own) + by_other.col(tangent.of * m + i).cwiseProduct(others);
+        add(direct, crossed, tangent.of * m + i, tangent.matrix.col(c),
+            equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C));
     }
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {

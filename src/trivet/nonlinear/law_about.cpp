@@ -15,6 +15,10 @@ void make_ascending(std::vector<double>& numbers) {
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
 }
 
+elements::ForcesInMotion none(Eigen::Index count) {
+  return {VectorXd::Zero(count), VectorXd::Zero(count), VectorXd::Zero(count)};
+}
+
 }  // namespace
 
 LawAbout::LawAbout(elements::ScalarLaws laws, double state, elements::SmallMotion reference,
@@ -64,21 +68,9 @@ LawAbout::Force LawAbout::Parts::at(double deflection, double rate) const {
   return sum;
 }
 
-LawAbout::Parts::Forces LawAbout::Parts::at(const VectorXd& deflections, const VectorXd& rates) const {
-  const VectorXd zero = VectorXd::Zero(deflections.size());
-  Forces sums{zero, zero, zero};
-  for (const elements::ElasticForce& law : elastic_) {
-    if (!elements::is_damped(law)) {
-      elements::add_forces_and_tangents(law, deflections, sums.force, sums.by_deviation);
-      continue;
-    }
-    for (Eigen::Index i = 0; i < deflections.size(); ++i) {
-      const elements::ForceInMotion found = elements::force_in_motion(law, deflections(i), rates(i));
-      sums.force(i) += found.force;
-      sums.by_deviation(i) += found.by_deflection;
-      sums.by_rate(i) += found.by_rate;
-    }
-  }
+elements::ForcesInMotion LawAbout::Parts::at(const VectorXd& deflections, const VectorXd& rates) const {
+  elements::ForcesInMotion sums = none(deflections.size());
+  for (const elements::ElasticForce& law : elastic_) elements::add_forces_in_motion(law, deflections, rates, sums);
   for (const elements::DampingForce& law : dampers_)
     for (Eigen::Index i = 0; i < rates.size(); ++i) {
       const elements::ForceOfRate found = elements::force_of_rate(law, rates(i));
@@ -118,11 +110,10 @@ LawAbout::Force LawAbout::without_memory(double deviation, double rate) const {
 }
 
 VectorXd LawAbout::elastic_tangents(const VectorXd& deviations) const {
-  const VectorXd deflections = deviations.array() + state_;
-  VectorXd sums = VectorXd::Constant(deviations.size(), -reference_.stiffness),
-           forces = VectorXd::Zero(deviations.size());
-  for (const elements::ElasticForce& law : elastic_) elements::add_forces_and_tangents(law, deflections, forces, sums);
-  return sums;
+  const VectorXd deflections = deviations.array() + state_, rates = VectorXd::Zero(deviations.size());
+  elements::ForcesInMotion sums = none(deviations.size());
+  for (const elements::ElasticForce& law : elastic_) elements::add_forces_in_motion(law, deflections, rates, sums);
+  return sums.by_deflection.array() - reference_.stiffness;
 }
 
 elements::ForceAndTangent LawAbout::at_rest(double deviation) const {

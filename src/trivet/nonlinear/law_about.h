@@ -24,7 +24,7 @@ class LawAbout {
   /// Of the parts without memory: elastic ones and dampers, with both references.
   [[nodiscard]] Force without_memory(double deviation, double rate) const;
 
-  /// Their tangents if none depends on the rate.
+  /// Tangents of the elastic parts less the reference stiffness, at slow deviations.
   [[nodiscard]] Eigen::VectorXd elastic_tangents(const Eigen::VectorXd& deviations) const;
 
   /// Parts of that force, by how they are integrated over a motion.
@@ -35,11 +35,8 @@ class LawAbout {
     [[nodiscard]] bool is_empty() const { return elastic_.empty() && dampers_.empty(); }
     /// At a deflection and its rate.
     [[nodiscard]] Force at(double deflection, double rate) const;
-    struct Forces {
-      Eigen::VectorXd force, by_deviation, by_rate;
-    };
-    /// At many deflections with their rates.
-    [[nodiscard]] Forces at(const Eigen::VectorXd& deflections, const Eigen::VectorXd& rates) const;
+    /// At many deflections, each with its rate.
+    [[nodiscard]] elements::ForcesInMotion at(const Eigen::VectorXd& deflections, const Eigen::VectorXd& rates) const;
     /// Of parts of second degree; their second derivative by the deflection is zero.
     struct Curvature {
       double mixed = 0, by_rate = 0;  ///< ∂²f/∂x∂v, ∂²f/∂v²

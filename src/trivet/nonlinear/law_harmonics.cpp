@@ -121,15 +121,15 @@ void LawHarmonics::add_sampled(const LawAbout::Parts& parts, const VectorXd& def
   const Index count = deflection.size(), samples = values_.rows();
   const bool damped = law_.has_dampers();
   const VectorXd motion = deflection.head(numerics::coefficient_count(of_motion_)),
-                 course = (values_.leftCols(motion.size()) * motion).array() + law_.state();
-  const VectorXd rate = damped
+                 deflections = (values_.leftCols(motion.size()) * motion).array() + law_.state();
+  const VectorXd rates = damped
       ? VectorXd(values_.leftCols(motion.size()) * (omega * numerics::phase_derivative(motion)))
       : VectorXd::Zero(samples);
-  const LawAbout::Parts::Forces found = parts.at(course, rate);
+  const elements::ForcesInMotion found = parts.at(deflections, rates);
   const double weight = 2.0 / static_cast<double>(samples);
   sum.force.noalias() += weight * values_.leftCols(count).transpose() * found.force;
   if (!sum.with_tangent) return;
-  sum.by_deflection.noalias() += weight * values_.transpose() * found.by_deviation;
+  sum.by_deflection.noalias() += weight * values_.transpose() * found.by_deflection;
   if (damped) sum.by_rate.noalias() += weight * values_.transpose() * found.by_rate;
 }
 

@@ -21,6 +21,25 @@ namespace trivet::nonlinear {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Where its stops close; nothing without stops.
+std::string stops_words(const model::NonlinearPart& part) {
+  std::string words;
+  for (const elements::ElasticForce& law : elements::only<elements::ElasticForce>(part.laws))
+    if (const auto* stop = std::get_if<elements::GapStop>(&law)) {
+      for (const double closed_from : {stop->upper(), stop->lower()})
+        if (std::isfinite(closed_from))
+          words += fmt::format(", {} from {:.4g} {}", words.empty() ? "closed" : "and", closed_from,
+                               part.is_rotation() ? "rad" : "m");
+      if (part.at_rest > stop->upper() || part.at_rest < stop->lower()) words += ": it bears";
+      else if (part.at_rest == stop->upper() || part.at_rest == stop->lower()) words += ": it is just touched";
+    }
+  return words;
+}
+
+}  // namespace
+
 std::vector<std::string> notes_about_rest(const model::System& system) {
   std::vector<std::string> notes;
   for (const model::Element& element : system.elements())
@@ -45,10 +64,10 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
             is_bush ? part.at_rest : std::abs(part.at_rest)));
         continue;
       }
-      notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}",
+      notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
-                                  part.at_rest, turns ? "rad" : "m"));
+                                  part.at_rest, turns ? "rad" : "m", stops_words(part)));
     }
   for (const model::Element& element : system.elements())
     for (const model::RubbingPart& part : element.rubbing_parts) {
@@ -114,8 +133,8 @@ void undeform(model::Description& description) {
 
 /// Stops whose gaps are those of the machine at rest.
 template <typename Elements, typename Visit>
-void each_gap_at_rest(Elements& elements, const Visit& visit) {
-  for (auto& element : elements)
+void each_gap_at_rest(Elements& all, const Visit& visit) {
+  for (auto& element : all)
     for (auto& part : element.nonlinear_parts)
       for (auto& law : part.laws)
         if (auto* elastic = std::get_if<elements::ElasticForce>(&law))

@@ -56,7 +56,7 @@ void judge_ground_motion(const model::System& system, const std::vector<BodyPict
 /// Struts whose free length is far from the distance of their ends.
 void judge_struts(const model::System& system, Suspicions& found);
 
-/// Gaps of stops far larger than machines move.
+/// Gaps of stops, not in rotation, that are larger than machines usually have.
 void judge_gaps(const model::System& system, Suspicions& found);
 
 /// Dampers of one kind of which one is far stronger or weaker.

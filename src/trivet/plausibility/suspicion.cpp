@@ -96,8 +96,8 @@ std::vector<Suspicion> suspicions(const model::System& system, const Stated& sta
   judge_engines(system, stated.engines, found);
   judge_dampers(system, found);
   judge_struts(system, found);
-  judge_gaps(system, found);
   if (!machine_doubtful) {
+    judge_gaps(system, found);
     judge_limits(system, stated.allowed_motions, all, found);
     judge_foundations(system, all, found);
     judge_ground_motion(system, all, found);

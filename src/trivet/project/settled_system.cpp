@@ -72,6 +72,12 @@ void warn_of_small_motions(const model::System& system, const Analyses& asked, f
     of_small_motions.mass = 0;
     if (!of_small_motions.is_empty()) warn("requirements");
   }
+  if (!system.description().clearances.empty())
+    problems.warning(
+        "clearances", "a nonlinear machine",
+        "they are judged for small motions about rest: these pass through the gaps of stops, and mounts do "
+        "not harden",
+        "compare with their \".approach\" in steady, which is counted from rest");
   for (const char* name : {"transient", "random", "orders", "earthquake"})
     if (asked.questions.contains(name)) warn(std::string("analyses.") + name);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "trivet/plausibility/inertia_slips.h"
 #include "trivet/project/analyses/orders_question.h"
@@ -89,7 +90,10 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
       asked.response ? asked.response->selection.quantity : assembly::MotionQuantity::displacement;
   for (const Limit& limit : asked.limits) add_limit("limits", {limit.name, quantity, limit.amplitude}, stated);
   if (asked.requirements)
-    for (const AmplitudeLimit& limit : asked.requirements->limits) add_limit("requirements.limits", limit, stated);
+    for (const auto& [key, limits] : {std::pair{"limits", &asked.requirements->limits},
+                                      {"steady", &asked.requirements->steady},
+                                      {"static", &asked.requirements->statics}})
+      for (const AmplitudeLimit& limit : *limits) add_limit(std::string("requirements.") + key, limit, stated);
   for (const LimitLineRequest& request : asked.limit_lines)
     if (const response::LimitLine& line = request.line; line.unit == "m" || line.unit == "m/s")
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,

@@ -62,6 +62,9 @@ std::vector<PanelRow> mode_rows(const std::vector<Backbone>& modes, std::size_t 
   return rows;
 }
 
+/// Of a backbone without dampers: nothing is known of it.
+Cell damping_cell(double ratio) { return right(ratio == 0 ? "–" : fmt::format("{:.4g}", ratio)); }
+
 }  // namespace
 
 std::vector<Figure> backbone_figures(const study::Answers& answers) {
@@ -96,8 +99,8 @@ std::string backbone_tables(const study::Answers& answers) {
                     frequency_cell(mode.angular_frequency, answers.display),
                     frequency_cell(end.angular_frequency, answers.display),
                     quantity_cell(end.energy, "J"),
-                    right(fmt::format("{:.4g}", mode.points.front().damping_ratio)),
-                    right(fmt::format("{:.4g}", end.damping_ratio)),
+                    damping_cell(mode.points.front().damping_ratio),
+                    damping_cell(end.damping_ratio),
                     right(fmt::format("{}", mode.harmonics)),
                     right(fmt::format("{:.2g}", mode.left_out))});
   }

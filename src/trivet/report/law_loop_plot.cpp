@@ -51,7 +51,7 @@ void draw_law_loops(SvgCanvas& canvas, PixelPoint corner, const study::ElementLa
     row.curves.push_back(std::move(rising));
   }
   canvas.text({corner.x + left, corner.y + 22},
-              fmt::format("Slow loops {}{}", laws.words, laws.whole ? "" : ", in addition to the linear stiffness"),
+              fmt::format("Slow loops {}{}", laws.words, laws.whole ? "" : ", of the laws alone"),
               "font-weight=\"bold\"");
   draw_row(canvas, {{corner.x + left, corner.y + top}, width, height, row.x, row.y}, row);
   draw_key(canvas, {corner.x + left + width + 18, corner.y + top}, row.curves);

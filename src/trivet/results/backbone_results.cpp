@@ -111,14 +111,19 @@ std::string backbone_text(const project::Case& variant, const study::Answers& an
     if (!mode.ended.empty()) text += "  " + mode.ended + "\n";
     for (const std::string& name : mode.held)
       text += fmt::format("  friction of {} sticks at every amplitude; with damped = true it slips\n", name);
+    const bool damped = std::any_of(mode.points.begin(), mode.points.end(),
+                                    [](const BackbonePoint& point) { return point.damping_ratio != 0; });
+    if (!damped) text += "  without dampers; damped = true shows the damping ratio over the amplitude\n";
     std::vector<std::string> headings = {"at [" + unit + "]", "energy [J]", "damping ratio"};
+    if (!damped) headings.pop_back();
     constexpr std::size_t most_results = 6;
     const std::size_t results = std::min(most_results, mode.results.size());
     for (std::size_t c = 0; c < results; ++c) headings.push_back(mode.results[c]);
     TextTable table(headings);
     for (const BackbonePoint* point : shown_points(mode)) {
       std::vector<std::string> cells = {number_text(shown_frequency(display, point->angular_frequency), 6),
-                                        number_text(point->energy, 4), number_text(point->damping_ratio, 4)};
+                                        number_text(point->energy, 4)};
+      if (damped) cells.push_back(number_text(point->damping_ratio, 4));
       for (std::size_t c = 0; c < results; ++c)
         cells.push_back(value_text(point->results[c].half_of_range(), display_unit(display, mode.units[c])));
       table.add(cells);

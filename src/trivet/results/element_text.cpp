@@ -230,8 +230,8 @@ std::string laws_text(const study::ElementSummary& summary, const ShownUnits& di
                       force = display_unit(display, turns ? "N m" : "N"),
                       stiffness = display_unit(display, turns ? "N m/rad" : "N/m");
     text += fmt::format("\n{} {}{}, about rest at a deflection of {}{}\n", laws.whole ? "Force" : "Laws", laws.words,
-                        laws.whole ? "" : ", in addition to the stiffness", value_text(laws.at_rest, deflection),
-                        laws.damped ? "; dampers left out" : "");
+                        laws.whole ? "" : " alone (the 12×12 above contains their tangents)",
+                        value_text(laws.at_rest, deflection), laws.damped ? "; dampers left out" : "");
     if (laws.loops.empty()) continue;
     TextTable table({"amplitude", "force from", "to", "storage", "loss", "lost per cycle"});
     for (const nonlinear::LawLoop& loop : laws.loops) {

@@ -61,8 +61,9 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& system, const assem
     Eigen::Vector3d force;  // on the N side, ground axes
     for (int j = 0; j < 3; ++j) force(j) = rest.values[first + to_size(j)].value;
     const Eigen::Vector3d axis = model::end_in_ground(system.bodies(), system.elements()[mounts[m]].n).rotation.col(2);
-    result[m].compression = -force.dot(axis);
-    result[m].across = (force + result[m].compression * axis).norm();
+    const double along = force.dot(axis);  // a stop is pressed from either side; its axis points towards it
+    result[m].compression = system.elements()[mounts[m]].type == "stop" ? std::abs(along) : -along;
+    result[m].across = (force - along * axis).norm();
     result[m].deflection = rest.values[first + axial_deflection].value;
   }
   return result;

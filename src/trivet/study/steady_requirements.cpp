@@ -148,15 +148,16 @@ void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, 
                           to / foundation::two_pi);
     return text;
   };
-  std::string unknown;
+  std::vector<std::string> gaps;  // in what is known
+  if (!branch.ended.empty()) gaps.push_back("steady motion: " + branch.ended);
   if (const auto without = nonlinear::without_stable_motion(branch); !without.empty())
-    unknown = fmt::format("no periodic motion is known to be stable from {} Hz; what happens there is not computed",
-                          in_hertz(without));
+    gaps.push_back(fmt::format(
+        "no periodic motion is known to be stable from {} Hz; what happens there is not computed", in_hertz(without)));
   if (const auto lost = nonlinear::quasi_periodic_stretches(branch); !lost.empty())
-    unknown +=
-        fmt::format("{}a motion has lost its stability to quasi-periodic ones from {} Hz, which are not computed",
-                    unknown.empty() ? "" : "; ", in_hertz(lost));
-  if (unknown.empty()) return;
+    gaps.push_back(fmt::format(
+        "a motion has lost its stability to quasi-periodic ones from {} Hz, which are not computed", in_hertz(lost)));
+  if (gaps.empty()) return;
+  const std::string unknown = fmt::format("{}", fmt::join(gaps, "; "));
   const bool is_violated = result.margin < 1;
   if (is_violated) {
     add(unknown);
@@ -185,7 +186,6 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
     for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
     asked.all_branches = asked.all_branches || required.no_jump;
     const SteadyBranch branch = steady_motions(context, asked);
-    if (!branch.ended.empty()) throw foundation::NotComputable("steady motion: " + branch.ended);
     foundation::Problems doubts;
     warn_of_motions(context, asked, branch, doubts);
     if (required.no_jump) set_jumps(branch, list[first]);

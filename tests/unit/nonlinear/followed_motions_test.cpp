@@ -14,7 +14,7 @@ namespace followed_motions_test {
 using namespace trivet;
 using nonlinear::FollowedMotions;
 using numerics::BranchPoint;
-using test::cubic;
+using test::cubic_with_two_folds;
 
 void follow(const numerics::Branch& branch, const BranchPoint& first, double to, FollowedMotions& motions) {
   constexpr double step = 0.2;
@@ -61,7 +61,7 @@ class JoinedMotions : public testing::Test {
   }
 
   const std::vector<double> wanted = {0};
-  const numerics::Branch branch{cubic, Eigen::VectorXd::Constant(1, 1), 1};
+  const numerics::Branch branch{cubic_with_two_folds, Eigen::VectorXd::Constant(1, 1), 1};
   FollowedMotions joined{branch, wanted};
   std::size_t points_of_both = 0;
 };

@@ -13,10 +13,10 @@ namespace branch_test {
 using namespace trivet;
 using numerics::Branch;
 using numerics::BranchPoint;
-using test::cubic;
+using test::cubic_with_two_folds;
 
 TEST(Branch, PassesBothFoldsOfACubic) {
-  const Branch branch(cubic, Eigen::VectorXd::Constant(1, 1), 1);
+  const Branch branch(cubic_with_two_folds, Eigen::VectorXd::Constant(1, 1), 1);
   std::optional<BranchPoint> now = branch.start(Eigen::VectorXd::Constant(1, -3), -5);
   ASSERT_TRUE(now);
   std::vector<BranchPoint> folds;
@@ -37,7 +37,7 @@ TEST(Branch, PassesBothFoldsOfACubic) {
 }
 
 TEST(Branch, FindsTheSolutionAtAParameterBetweenTwoPoints) {
-  const Branch branch(cubic, Eigen::VectorXd::Constant(1, 1), 1);
+  const Branch branch(cubic_with_two_folds, Eigen::VectorXd::Constant(1, 1), 1);
   const std::optional<BranchPoint> from = branch.start(Eigen::VectorXd::Constant(1, -3), -5);
   ASSERT_TRUE(from);
   for (const double step : {0.1, 0.8}) {  // near enough for the cubic between them, and too far for it

@@ -352,18 +352,28 @@ TEST(Plausibility, DetectsAStrutWhoseFreeLengthIsInMillimetres) {
 }
 
 TEST(Plausibility, DetectsGapsInMillimetres) {
-  const auto with = [](const std::string& gap) {
-    return Cube{}.text() +
-        "[elements.bumper]\ntype = \"stop\"\non = \"cube\"\nat = [0, 0, 0.2]\naxis = \"z\"\nstiffness = 1e6\ngap = " +
-        gap + "\n";
+  const auto stop = [](const std::string& gap, const std::string& name = "bumper") {
+    return "[elements." + name +
+        "]\ntype = \"stop\"\non = \"cube\"\nat = [0, 0, 0.2]\naxis = \"z\"\nstiffness = 1e6\n" + gap + "\n";
   };
-  EXPECT_THAT(kinds(with("2.5")), testing::ElementsAre("gap"));
-  EXPECT_THAT(kinds(with("\"2.5 mm\"")), IsEmpty());
-  EXPECT_THAT(
-      kinds(with("0.01") +
-            "[elements.buffer]\ntype = \"three_springs\"\non = \"cube\"\nat = [0, 0, 0.2]\ntranslation = [0, 0, "
-            "0]\nlaws.z = {gap_stop = {gap = 3, stiffness = 1e6}}\n"),
-      testing::ElementsAre("gap"));
+  const auto law = [](const std::string& axis, const std::string& gap) {
+    return "[elements.buffer]\ntype = \"three_springs\"\non = \"cube\"\nat = [0, 0, 0.2]\ntranslation = [0, 0, "
+           "0]\nlaws." +
+        axis + " = {gap_stop = {gap = " + gap + ", stiffness = 1e6}}\n";
+  };
+  for (const std::string& wide : {stop("gap = 2.5"), stop("gap = 0.21"), stop("gaps = [0.01, 3]"), stop("ring = 2"),
+                                  law("z", "3"), stop("gap = 2.5") + stop("gap = 2.5", "other")})
+    EXPECT_THAT(kinds(Cube{}.text() + wide), ElementsAre("gap")) << wide;
+  for (const std::string& usual : {stop("gap = \"2.5 mm\""), stop("gap = 0.19"), stop("ring = 0.01"), law("rz", "0.3")})
+    EXPECT_THAT(kinds(Cube{}.text() + usual), IsEmpty()) << usual;
+}
+
+TEST(Plausibility, LongCoilSpringsMayTravelFar) {
+  EXPECT_THAT(kinds(Cube{}.text() +
+                    "[elements.spring]\ntype = \"coil_spring\"\non = \"cube\"\nat = [0, 0, 0.2]\naxis = "
+                    "\"z\"\nwire_diameter = \"10 mm\"\nmean_diameter = \"150 mm\"\nactive_coils = 6\nfree_length = "
+                    "0.5\ncoil_bind = true\nmaterial = \"spring_steel\"\n"),
+              testing::Not(testing::Contains("gap")));
 }
 
 }  // namespace plausibility_test

@@ -39,23 +39,23 @@ TEST(LawReaders, ReadBristlesWithinFrictionAndBesideIt) {
   }
 }
 
+std::string with_gap_stop(const std::string& axis, const std::string& dissipation) {
+  return "trivet = 1\n[bodies.m]\nmass = 10\ninertia = {about = \"center_of_mass\", xx = 1, yy = 1, zz = "
+         "1}\n[elements.mount]\ntype = "
+         "\"bushing\"\non = \"m\"\nat = [0, 0, 0]\ntranslation = [1000, 1000, 1000]\nrotation = [10, 10, 10]\nlaws." +
+      axis + " = {gap_stop = {gap = 0.002, stiffness = 2e5, dissipation = " + dissipation + "}}\n";
+}
+
 TEST(LawReaders, ReadTheDissipationOfAStopWithItsUnit) {
-  for (const char* dissipation : {"0.4", "\"0.4 s/m\"", "\"4e-4 s/mm\""}) {
-    const project::Project file = test::project(R"(trivet = 1
-[bodies.m]
-mass = 10
-free = ["x"]
-[elements.stop]
-type = "stop"
-on = "m"
-at = [0, 0, 0]
-axis = "x"
-gap = "2 mm"
-stiffness = "200 N/mm"
-dissipation = )" + std::string(dissipation) + "\n");
+  for (const auto& [axis, dissipation] :
+       {std::pair{"x", "0.4"}, {"x", "\"0.4 s/m\""}, {"x", "\"4e-4 s/mm\""}, {"rx", "0.4"}, {"rx", "\"0.4 s/rad\""}}) {
+    const project::Project file = test::project(with_gap_stop(axis, dissipation));
     const elements::ScalarLaw& law = file.base().system.elements().at(0).nonlinear_parts.at(0).laws.at(0);
-    EXPECT_DOUBLE_EQ(std::get<elements::GapStop>(std::get<elements::ElasticForce>(law)).dissipation, 0.4);
+    EXPECT_DOUBLE_EQ(std::get<elements::GapStop>(std::get<elements::ElasticForce>(law)).dissipation, 0.4)
+        << axis << " " << dissipation;
   }
+  for (const auto& [axis, dissipation] : {std::pair{"x", "\"0.4 s/rad\""}, {"rx", "\"0.4 s/m\""}})
+    EXPECT_FALSE(project::project_from_text(with_gap_stop(axis, dissipation), "p.toml")) << axis << " " << dissipation;
 }
 
 }  // namespace law_readers_test

@@ -38,7 +38,7 @@ Largest largest(Quantity quantity) {
       return {1e15, "atoms of a solid vibrate at 1e13 rad/s"};
     case Quantity::time_per_length:
     case Quantity::time_per_angle:
-      return {1e9, "a stop with 1e3 s/m gives back next to nothing"};
+      return {1e9, "at unit speed the force of a stop would be 1e9 times that at rest"};
     case Quantity::velocity:
       return {3e8, "the speed of light"};
     case Quantity::angular_velocity:
