@@ -55,8 +55,9 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   for (Index k = 1; k <= harmonics_; ++k) {
     machine_.set_receptance(static_cast<double>(k) * omega, linear);
     const auto set = [&](const Eigen::MatrixXcd& entries, double factor, MatrixXd& on_own, MatrixXd& on_other) {
-      on_own.row(2 * k - 1) = on_own.row(2 * k) = factor * entries.reshaped().real().transpose();
-      on_other.row(2 * k - 1) = factor * entries.reshaped().imag().transpose();
+      const MatrixXd real = factor * entries.real(), imaginary = factor * entries.imag();
+      on_own.row(2 * k - 1) = on_own.row(2 * k) = real.reshaped().transpose();
+      on_other.row(2 * k - 1) = imaginary.reshaped().transpose();
       on_other.row(2 * k) = -on_other.row(2 * k - 1);
     };
     set(linear.receptance, 1, direct, crossed);
