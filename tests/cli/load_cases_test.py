@@ -225,16 +225,12 @@ gaps = ["4 mm", "5 mm"]
 stiffness = 20000
 """
         for gravity, axis, gap in ((-9.81, "-z", 4e-3), (-9.81, "z", 5e-3), (9.81, "z", 4e-3)):
-            of = {
-                m["element"]: m
-                for m in answer("check", self.file(text.replace("GRAVITY", str(gravity)).replace("AXIS", axis)))[
-                    "mounts"
-                ]
-            }
+            path = self.file(text.replace("GRAVITY", str(gravity)).replace("AXIS", axis))
+            of = {mount["element"]: mount for mount in answer("check", path)["mounts"]}
             travel = (98.1 + 20000 * gap) / 30000
             self.near(of["bump"]["compression"], 20000 * (travel - gap))
             self.near(of["spring"]["compression"], math.copysign(10000 * travel, -gravity))
-            notes = trivet("modes", self.folder / "project.toml")
+            notes = trivet("modes", path)
             self.assertIn(": it bears", notes.stdout + notes.stderr)
 
     def test_run_and_check(self):
