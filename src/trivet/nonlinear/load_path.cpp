@@ -41,7 +41,7 @@ model::System without_built_in_forces(const model::System& linear) {
 LoadPath::LoadPath(const model::System& undeformed) {
   const References references = positive_references(undeformed);
   const model::System linear = with_references(undeformed, references);
-  const assembly::Assembled assembled = assembly::assemble(linear);
+  const assembly::Assembled assembled = assembly::assemble_first_order(linear);
   deflections_ = nonlinear_deflections(linear, assembled, references);
   add_rubbings(linear, assembled, deflections_);
   const Index count = to_index(deflections_.size());

@@ -125,10 +125,6 @@ struct Stated {
 /// of the file.
 [[nodiscard]] std::string table_of(const std::string& subject);
 
-/// Notes on bodies so high above their mounts that gravity takes much of the tilting stiffness, or all of it: one
-/// sentence per body.
-[[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
-
 /// All suspicions, one per cause, in the order body, layout, damping, loads, questions.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);
 

@@ -17,6 +17,7 @@
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
 #include "trivet/nonlinear/rest_position.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/response/steady/resonant_mode.h"
@@ -104,6 +105,8 @@ class CaseStudy {
     result.free_motions = modal::free_motions(c_.system, c_.assembled, c_.modes);
     result.notes = model::left_out_notes(c_.system.description());
     for (std::string& note : nonlinear::notes_about_rest(c_.system)) result.notes.push_back(std::move(note));
+    for (std::string& note : plausibility::first_order_notes(c_.system, c_.assembled))
+      result.notes.push_back(std::move(note));
     result.modes = c_.modes;
     const int lowest = analyses.lowest_modes;
     if (lowest > 0 && (result.modes.lowest_only || std::ssize(result.modes.list) > lowest)) {
@@ -142,9 +145,10 @@ class CaseStudy {
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
-        result.statics = response::static_response(
-            c_.system, c_.assembled,
-            assembly::channels(c_.system, c_.assembled, *analyses.static_of, assembly::MotionQuantity::displacement));
+        result.statics =
+            response::static_response(c_.system, c_.assembled,
+                                      assembly::channels(c_.system, c_.assembled.first_order(), *analyses.static_of,
+                                                         assembly::MotionQuantity::displacement));
         if (analyses.all_rest_states) result.rest_states = nonlinear::rest_states(c_.system);
       });
     answer_questions(analyses, attempt_question, result);

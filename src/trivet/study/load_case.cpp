@@ -54,7 +54,7 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& system, const assem
   }
   if (result.empty()) return result;
   const response::StaticResponse rest = response::static_response(
-      system, assembled, assembly::channels(system, assembled, words, MotionQuantity::displacement));
+      system, assembled, assembly::channels(system, assembled.first_order(), words, MotionQuantity::displacement));
   constexpr std::size_t values_per_mount = 12, axial_deflection = 8;  // six forces, then six deflections
   for (std::size_t m = 0; m < result.size(); ++m) {
     const std::size_t first = values_per_mount * m;
@@ -74,9 +74,9 @@ LoadCase load_case(const std::string& name, const model::System& system, const a
   LoadCase result{name, {}, ""};
   try {
     if (analyses.static_of)
-      result.values = response::static_response(
-                          system, assembled,
-                          assembly::channels(system, assembled, *analyses.static_of, MotionQuantity::displacement))
+      result.values = response::static_response(system, assembled,
+                                                assembly::channels(system, assembled.first_order(), *analyses.static_of,
+                                                                   MotionQuantity::displacement))
                           .values;
     for (const MountAtRest& mount : mounts_at_rest(system, assembled)) {
       result.values.push_back({mount.name + ", compression", "N", mount.compression});

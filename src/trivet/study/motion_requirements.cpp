@@ -99,7 +99,8 @@ class MotionRequirements {
       std::vector<std::string> words;
       for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
       const response::StaticResponse rest = response::static_response(
-          c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
+          c_.system, c_.assembled,
+          assembly::channels(c_.system, c_.assembled.first_order(), words, MotionQuantity::displacement));
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];

@@ -37,14 +37,15 @@ struct NoSum {
 
 /// Inertia, stiffness and static load of one model.
 struct Assembly {
-  Eigen::MatrixXd inertia, stiffness;
+  Eigen::MatrixXd inertia, stiffness, stiffness_at_rest;
   Eigen::VectorXd load;
 };
 
 Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
   if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
   if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
-  return {assembled.matrices.A, assembled.matrices.K, assembly::static_load(system, assembled)};
+  return {assembled.matrices.A, assembled.matrices.K, assembled.first_order().matrices.K,
+          assembly::static_load(system, assembled)};
 }
 
 /// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
@@ -224,7 +225,7 @@ std::vector<std::size_t> MountCombinations::mounts(std::size_t combination) cons
 
 model::System MountCombinations::system_with(const project::Case& variant, std::size_t choice,
                                              std::size_t mount) const {
-  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}));
+  return valid(project::changed_system(variant, std::vector{change_of(choices_[choice], mount)}, true));
 }
 
 std::vector<project::Node> MountCombinations::changes(std::size_t combination) const {
@@ -256,6 +257,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   Sums sums;
   sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
   sums.stiffness = sums.shapes.transpose() * base.stiffness * sums.shapes;
+  sums.stiffness_at_rest = sums.shapes.transpose() * base.stiffness_at_rest * sums.shapes;
   sums.load = sums.shapes.transpose() * base.load;
   sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
@@ -277,6 +279,8 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
       if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
       Option& option = options.emplace_back();
       option.stiffness = sums.shapes.transpose() * (assembly.stiffness - base.stiffness) * sums.shapes;
+      option.stiffness_at_rest =
+          sums.shapes.transpose() * (assembly.stiffness_at_rest - base.stiffness_at_rest) * sums.shapes;
       option.load = sums.shapes.transpose() * (assembly.load - base.load);
       add_mounts(
           context, sums.shapes, [&](const std::string& name) { return is_of(choices_[c], name); }, option.mounts,
@@ -286,15 +290,17 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   return sums;
 }
 
-void MountCombinations::compare_with_assembled() const {
+void MountCombinations::compare_with_assembled() {
   for (const std::size_t combination : spread_combinations()) {
     const std::vector<std::size_t> numbers = mounts(combination);
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
       const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
-      const auto& [stiffness, load] = added(sums_[v], numbers);
+      const auto& [stiffness, stiffness_at_rest, load] = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
-      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)) ||
+      if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)))
+        sums_[v].bounds_frequencies = false;  // forces at rest that differ by more than a sum over the mounts
+      if (!equal(stiffness_at_rest, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness_at_rest * shapes)) ||
           !equal(load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
           !equal(Eigen::MatrixXd(shapes.transpose() * assembled.inertia * shapes),
                  Eigen::MatrixXd(Eigen::MatrixXd::Identity(load.size(), load.size()))))
@@ -303,12 +309,13 @@ void MountCombinations::compare_with_assembled() const {
   }
 }
 
-std::pair<Eigen::MatrixXd, Eigen::VectorXd> MountCombinations::added(const Sums& sums,
-                                                                     const std::vector<std::size_t>& mounts) {
-  std::pair<Eigen::MatrixXd, Eigen::VectorXd> result{sums.stiffness, sums.load};
+MountCombinations::Added MountCombinations::added(const Sums& sums, const std::vector<std::size_t>& mounts) {
+  Added result{sums.stiffness, sums.stiffness_at_rest, sums.load};
   for (std::size_t c = 0; c < mounts.size(); ++c) {
-    result.first += sums.options[c][mounts[c]].stiffness;
-    result.second += sums.options[c][mounts[c]].load;
+    const Option& option = sums.options[c][mounts[c]];
+    result.stiffness += option.stiffness;
+    result.stiffness_at_rest += option.stiffness_at_rest;
+    result.load += option.load;
   }
   return result;
 }
@@ -327,14 +334,16 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (sums.required.price) judge(MountTest::price, margin_of(sums.required.price->amount, price));
   if (sums.required.mass > 0) judge(MountTest::mass, margin_of(sums.required.mass, mass));
   const bool wants_loads = sums.required.mount_load && sums.loaded;
-  const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
+  const bool wants_frequencies =
+      sums.bounds_frequencies && (!sums.required.avoided.empty() || sums.required.separation > 0);
   if (!wants_loads && !wants_frequencies) return result;
-  const auto [stiffness, load] = added(sums, mounts);
+  const auto [stiffness, stiffness_at_rest, load] = added(sums, mounts);
   const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
+  if (squares(0) < -at_rest * squares.tail<1>()(0)) return result;  // falls over: the verdict says so
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
-    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
+    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness_at_rest, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {
       for (const Mount& mount : list) all.push_back(&mount);

@@ -77,27 +77,31 @@ class MountCombinations {
   };
   /// One mount of a choice: what it adds to the given design.
   struct Option {
-    Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd stiffness, stiffness_at_rest;
     Eigen::VectorXd load;
     std::vector<Mount> mounts;
     double price = 0, mass = 0;
   };
   /// A case in coordinates p, q = Φ p, in which its inertia matrix is the unit matrix.
   struct Sums {
-    Eigen::MatrixXd shapes;  ///< Φ: undamped modes of the given design
-    Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd shapes;                        ///< Φ: undamped modes of the given design
+    Eigen::MatrixXd stiffness, stiffness_at_rest;  ///< with what the forces at rest add, and without it
     Eigen::VectorXd load;
     std::vector<Mount> mounts;  ///< at places without a choice
     double price = 0, mass = 0;
-    bool loaded = false;  ///< by gravity or constant forces
+    bool loaded = false;             ///< by gravity or constant forces
+    bool bounds_frequencies = true;  ///< the stiffness is a sum over the mounts
     project::Requirements required;
     std::vector<std::vector<Option>> options;  ///< per choice and mount
   };
   [[nodiscard]] Sums sums_of(const project::Case& variant) const;
-  void compare_with_assembled() const;
+  void compare_with_assembled();
   /// Stiffness and load of a combination.
-  [[nodiscard]] static std::pair<Eigen::MatrixXd, Eigen::VectorXd> added(const Sums& sums,
-                                                                         const std::vector<std::size_t>& mounts);
+  struct Added {
+    Eigen::MatrixXd stiffness, stiffness_at_rest;
+    Eigen::VectorXd load;
+  };
+  [[nodiscard]] static Added added(const Sums& sums, const std::vector<std::size_t>& mounts);
   [[nodiscard]] std::vector<project::Node> changes(std::size_t combination) const;
   [[nodiscard]] Bound bound(const Sums& sums, const std::vector<std::size_t>& mounts) const;
 

@@ -108,7 +108,8 @@ double share_of_range(double load, const Eigen::Vector2d& range) {
   return end > 0 ? std::abs(load) / end : foundation::infinity;
 }
 
-MountRows mount_rows(const model::System& system, const assembly::Assembled& assembled, const model::Element& element) {
+MountRows mount_rows(const model::System& system, const assembly::Assembled& given, const model::Element& element) {
+  const assembly::Assembled& assembled = given.first_order();
   const std::vector<assembly::Channel> channels = assembly::channels(
       system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
   Eigen::Matrix<double, 3, Eigen::Dynamic> force(3, assembled.matrices.size());  // on the N side, ground axes

@@ -100,6 +100,7 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     : results_(results), covered_(results.size(), false) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   n_ = assembled.matrices.size();
+  second_order_ = assembled.without_second_order != nullptr;
   plan_searches(asked);
   plan_rest(variant.system);
   plan_decoupling(variant.system, assembled);
@@ -199,6 +200,8 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   const assembly::Assembled assembled = assembly::assemble(system);
   std::vector<design::DrivenDesign> designs;
   if (assembled.matrices.size() != n_) return {{}, "designs with more coordinates than others"};
+  if ((assembled.without_second_order != nullptr) != second_order_)
+    return {{}, "designs with and without an effect of the forces at rest"};
   if (const std::string reason = form(system, assembled, designs); !reason.empty()) return {{}, reason};
   for (std::size_t s = 0; s < searches_.size(); ++s)
     if (const std::string reason = design::reason_for_separate_families(searches_[s].first, designs[s]);
@@ -211,11 +214,18 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
     list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
   if (!at_rest_.empty()) {
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
-    const Eigen::VectorXd load = assembly::static_load(system, assembled);
+    const assembly::Assembled& first = assembled.first_order();
+    const Eigen::VectorXd load = assembly::static_load(system, first);
     list.add(load, scale_of(load, root_of_mass));
-    const Eigen::VectorXd rest = numerics::cholesky_solution(assembled.matrices.K, load);
+    if (second_order_) {
+      design::DrivenDesign at_rest = designs.front();
+      at_rest.K = first.matrices.K;
+      const Eigen::Index triangle = matrices / 4;
+      list.add(packed(at_rest).segment(2 * triangle, triangle), scales(at_rest).segment(2 * triangle, triangle));
+    }
+    const Eigen::VectorXd rest = numerics::cholesky_solution(first.matrices.K, load);
     for (const RestValue& value : at_rest_) {
-      const auto row = rest_row(system, assembled, results_[value.result]);
+      const auto row = rest_row(system, first, results_[value.result]);
       list.add(row.first, scale_of(row.first, root_of_mass));
       const double size = row.first.cwiseAbs().dot(rest.cwiseAbs()) + std::abs(row.second);
       list.add(Eigen::VectorXd::Constant(1, row.second), Eigen::VectorXd::Constant(1, size));
@@ -245,7 +255,9 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
     at += columns;
     return entries.middleCols(at - columns, columns);
   };
+  designs.rest_K = designs.free.K;
   if (!at_rest_.empty()) designs.load = next(n_);
+  if (!at_rest_.empty() && second_order_) designs.rest_K = next(triangle).array();
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
   for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
   return designs;

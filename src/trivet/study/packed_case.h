@@ -67,6 +67,7 @@ class PackedCase {
   struct Unpacked {
     numerics::Designs free;                         ///< A and K alone
     std::vector<numerics::DrivenDesigns> searched;  ///< per search
+    Eigen::ArrayXXd rest_K;                         ///< of the first order, for positions of rest
     Eigen::MatrixXd load;                           ///< designs × n, at rest
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
     std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
@@ -89,6 +90,7 @@ class PackedCase {
   std::vector<response::Band> avoided_;
   std::string reason_;
   Eigen::Index n_ = 0;
+  bool second_order_ = false;  ///< K has more than that of positions of rest
 };
 
 /// Mass [kg], centre of mass [m], inertia about it (xx, yy, zz, xy, xz, yz) [kg m²] of one body as ten numbers.

@@ -127,14 +127,14 @@ Eigen::RowVectorXd PackedSlopes::rest_slopes(std::size_t result) const {
   const auto& rows = here_.rows[to_size(found - values.begin())];
   const auto& moved = change_.rows[to_size(found - values.begin())];
   const Eigen::Index n = of_.coordinates();
-  const Eigen::MatrixXd K = numerics::unpacked(here_.free.K, 0);
+  const Eigen::MatrixXd K = numerics::unpacked(here_.rest_K, 0);
   const Eigen::VectorXd load = here_.load.row(0).transpose(), row = rows.row(0).head(n).transpose();
   const Eigen::VectorXd rest = numerics::cholesky_solution(K, load), adjoint = numerics::cholesky_solution(K, row);
   const double value = row.dot(rest) + rows(0, n);
   const bool grows = found->range && is_near_lower_end(value, *found->range);
   Eigen::RowVectorXd slopes(parameters_);
   for (Eigen::Index j = 0; j < parameters_; ++j) {
-    const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.free.K, j) * rest;
+    const Eigen::VectorXd pull = change_.load.row(j).transpose() - numerics::unpacked(change_.rest_K, j) * rest;
     const double change = adjoint.dot(pull) + moved.row(j).head(n).dot(rest) + moved(j, n);
     slopes(j) = (grows ? 1 : -1) * change / value;
   }

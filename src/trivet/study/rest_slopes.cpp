@@ -21,20 +21,21 @@ Eigen::VectorXd solution_at_rest(const Eigen::MatrixXd& stiffness, const Eigen::
 }  // namespace
 
 Eigen::RowVectorXd rest_slopes(const CaseContext& c, const DesignNeighbours& neighbours, const RestRowOf& row_of) {
-  const Eigen::MatrixXd& stiffness = c.assembled.matrices.K;
-  const Eigen::VectorXd scale = numerics::unit_scale(c.assembled.matrices);
-  const response::RestRow here = row_of(c.system, c.assembled);
-  const Eigen::VectorXd load = assembly::static_load(c.system, c.assembled),
-                        q = solution_at_rest(stiffness, scale, load),
+  const assembly::Assembled& first = c.assembled.first_order();
+  const Eigen::MatrixXd& stiffness = first.matrices.K;
+  const Eigen::VectorXd scale = numerics::unit_scale(first.matrices);
+  const response::RestRow here = row_of(c.system, first);
+  const Eigen::VectorXd load = assembly::static_load(c.system, first), q = solution_at_rest(stiffness, scale, load),
                         adjoint = solution_at_rest(stiffness.transpose(), scale, here.row.transpose());
   const double value = here.row.dot(q) + here.at_rest;
   Eigen::RowVectorXd slopes(to_index(neighbours.parameters()));
   for (std::size_t j = 0; j < neighbours.parameters(); ++j) {
     double change = 0;
     for (const response::WeightedModel& model : neighbours.along(j)) {
-      const response::RestRow there = row_of(*model.system, *model.assembled);
+      const assembly::Assembled& moved = model.assembled->first_order();
+      const response::RestRow there = row_of(*model.system, moved);
       const Eigen::VectorXd more =
-          assembly::static_load(*model.system, *model.assembled) - load - (model.assembled->matrices.K - stiffness) * q;
+          assembly::static_load(*model.system, moved) - load - (moved.matrices.K - stiffness) * q;
       change += model.weight * (adjoint.dot(more) + (there.row - here.row).dot(q) + there.at_rest - here.at_rest);
     }
     slopes(to_index(j)) = change / value;

@@ -12,7 +12,7 @@
 #include "trivet/model/nodes.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
-#include "trivet/plausibility/suspicion.h"
+#include "trivet/plausibility/overturning.h"
 #include "trivet/project/analyses/question_sizes.h"
 #include "trivet/study/case_context.h"
 #include "trivet/study/design_front.h"
@@ -180,8 +180,11 @@ std::vector<CaseCheck> check(const project::Project& project, bool deep) {
     if (cases.empty()) of_base = found.mounts;
     found.free_motions = modal::free_motions(variant.system, assembled, modes);
     found.notes = model::left_out_notes(variant.system.description());
+    for (std::string& note : plausibility::first_order_notes(variant.system, assembled))
+      found.notes.push_back(std::move(note));
     if (cases.empty())
-      for (std::string& note : plausibility::overturning_notes(variant.system)) found.notes.push_back(std::move(note));
+      for (std::string& note : plausibility::overturning_notes(variant.system, assembled))
+        found.notes.push_back(std::move(note));
     if (deep) found.deep = deep_check(variant);
     cases.push_back(std::move(found));
   }

@@ -130,6 +130,11 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
 
 void read_excitations(TableReader& root, model::Description& description, NamesInFile& in_file) {
   description.gravity = root.vector("gravity", Quantity::acceleration);
+  description.second_order = root.boolean("second_order").value_or(true);
+  if (!description.second_order && !description.gravity && !root.has("cases"))
+    warn_of_idle_key(root, "second_order", "second_order = false without gravity",
+                     "it leaves out what the forces at rest under gravity add to the stiffness",
+                     "give gravity, or remove it");
   const Node* table = root.table("excitations");
   if (!table) return;
   for (std::size_t i = 0; i < table->keys.size(); ++i) {

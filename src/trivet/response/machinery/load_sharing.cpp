@@ -22,7 +22,8 @@ LoadSharing load_sharing(const model::System& system, const assembly::Assembled&
     words.insert(words.end(), {result.mounts.back().element, result.mounts.back().element + ".deflection"});
   }
   const StaticResponse rest = static_response(
-      system, assembled, assembly::channels(system, assembled, words, assembly::MotionQuantity::displacement));
+      system, assembled,
+      assembly::channels(system, assembled.first_order(), words, assembly::MotionQuantity::displacement));
   const Eigen::Vector3d down = gravity->normalized();
   // Per mount: six components of the wrench, then six of the deflection.
   double largest = 0;

@@ -22,8 +22,9 @@ std::vector<RatedLoad> rated_loads(const model::System& system, const assembly::
   const StaticSolution rest = static_solution(system, assembled);
   for (RatedLoad& one : result) {  // one after another: the rows of all mounts of a large system take gigabytes
     const model::Element& element = system.elements()[one.element];
-    const std::vector<assembly::Channel> channels = assembly::channels(
-        system, assembled, {element.name, element.name + ".deflection"}, assembly::MotionQuantity::displacement);
+    const std::vector<assembly::Channel> channels =
+        assembly::channels(system, assembled.first_order(), {element.name, element.name + ".deflection"},
+                           assembly::MotionQuantity::displacement);
     Eigen::Vector3d force;  // on the N side, ground axes
     for (std::size_t j = 0; j < 3; ++j) force(to_index(j)) = value_at_rest(channels[j], assembled, rest);
     one.load = -(mount_axes(system, element).transpose() * force);
