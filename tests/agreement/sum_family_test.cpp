@@ -25,8 +25,10 @@ Eigen::VectorXd random_shares(std::mt19937& random, std::size_t count) {
   return shares;
 }
 
-void expect_agreement(const std::string& damping) {
-  const project::Project project = test::project(test::machine_with_twenty_numbers(damping));
+void expect_agreement(const std::string& damping, const std::string& gravity = "-9.80665") {
+  std::string text = test::machine_with_twenty_numbers(damping);
+  text.replace(text.find("-9.80665"), 8, gravity);
+  const project::Project project = test::project(text);
   const study::DesignObjective objective(project, {});
   const study::CaseFamily& found = objective.families().front();
   ASSERT_EQ(found.reason(), "");
@@ -60,6 +62,11 @@ TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderLossFactors) {
 
 TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderViscousDamping) {
   expect_agreement("damping = {translation = [200, 300, 900], rotation = [1, 1, 1]}\n");
+}
+
+/// The weight takes up to a fifth of the tilting stiffness, by forces at rest that follow from all numbers together.
+TEST(SumFamilyOfAMachine, IsThatOfModelsReadAgainUnderALargeWeight) {
+  expect_agreement("damping = {loss_factor = 0.08}\n", "-98");
 }
 
 TEST(SumFamilyOfAMachine, IsRejectedForCoordinatesWithoutMass) {

@@ -133,6 +133,64 @@ std::vector<bool> unbalanced(const model::System& system, const Assembled& first
   return result;
 }
 
+/// The parts of a machine whose forces at rest are those of statics, under its load.
+class LoadedParts {
+ public:
+  LoadedParts(const model::System& system, const Assembled& first)
+      : system_(system), first_(first), parts_(system), of_statics_(parts_of_statics(system, first, parts_)) {
+    const VectorXd load = static_load(system, first);
+    rest_ = coordinates_at_rest(first.matrices, load);
+    const std::vector<bool> moves = unbalanced(system, first, parts_, load, rest_);
+    for (std::size_t b = 0; b < moves.size(); ++b) {
+      if (!of_statics_[b] || !moves[b]) continue;
+      without_rest_.push_back(b);
+      of_statics_[b] = false;
+    }
+  }
+
+  [[nodiscard]] const VectorXd& rest() const { return rest_; }
+
+  /// With the forces of these coordinates.
+  [[nodiscard]] SecondOrder second_order(const VectorXd& rest) const {
+    const std::vector<EndForces> forces = end_forces(system_, first_, rest);
+    Levers levers(system_, first_.layout);
+    SecondOrder result;
+    result.without_rest = without_rest_;
+    result.of_elements.assign(forces.size(), elements::Matrix12::Zero());
+    for (std::size_t e = 0; e < forces.size(); ++e) {
+      const model::Element& element = system_.elements()[e];
+      if (!is_of_statics(element.n) && !is_of_statics(element.k)) continue;
+      if (element.n.body) levers.add(*element.n.body, element.n.at, element.n.axes * forces[e].in_all.segment<3>(0));
+      if (element.k.body) levers.add(*element.k.body, element.k.at, element.k.axes * forces[e].in_all.segment<3>(6));
+      // The law between points of the ground is in axes of the ground; a residual under rigid motion is a load at rest.
+      if (model::couples_ground_points(element) || element.allow_residual) continue;
+      const model::Span span = model::span(system_.bodies(), element.n, element.k);
+      result.of_elements[e] = elements::stiffness_of_force_at_rest(
+          element.law, not_in_tangent(element, forces[e].of_law), span.arm, span.n_from_k);
+    }
+    for (std::size_t b = 0; b < system_.bodies().size(); ++b)
+      if (of_statics_[b]) levers.add_weight(b);
+    for (const model::ConstantForce& force : system_.description().constant_forces)
+      if (of_statics_[force.body]) levers.add(force.body, force.at, -force.wrench.force);
+    levers.add_preloads([&](std::size_t body) { return !of_statics_[body]; });
+    result.of_levers = levers.stiffness();
+    return result;
+  }
+
+ private:
+  [[nodiscard]] bool is_of_statics(const model::End& end) const {
+    const auto part = parts_.place(end);
+    return part && of_statics_[*part];
+  }
+
+  const model::System& system_;
+  const Assembled& first_;
+  JoinedParts parts_;
+  std::vector<bool> of_statics_;
+  std::vector<std::size_t> without_rest_;
+  VectorXd rest_;
+};
+
 }  // namespace
 
 bool has_second_order(const model::System& system) {
@@ -141,38 +199,26 @@ bool has_second_order(const model::System& system) {
 }
 
 SecondOrder second_order(const model::System& system, const Assembled& first) {
-  const JoinedParts parts(system);
-  std::vector<bool> of_statics = parts_of_statics(system, first, parts);
-  const VectorXd load = static_load(system, first), rest = coordinates_at_rest(first.matrices, load);
-  const std::vector<bool> moves = unbalanced(system, first, parts, load, rest);
-  SecondOrder result;
-  for (std::size_t b = 0; b < moves.size(); ++b) {
-    if (!of_statics[b] || !moves[b]) continue;
-    result.without_rest.push_back(b);
-    of_statics[b] = false;
-  }
-  const std::vector<EndForces> forces = end_forces(system, first, rest);
-  Levers levers(system, first.layout);
-  result.of_elements.assign(forces.size(), elements::Matrix12::Zero());
-  for (std::size_t e = 0; e < forces.size(); ++e) {
-    const model::Element& element = system.elements()[e];
-    const auto n = parts.place(element.n), k = parts.place(element.k);
-    if (!((n && of_statics[*n]) || (k && of_statics[*k]))) continue;
-    if (element.n.body) levers.add(*element.n.body, element.n.at, element.n.axes * forces[e].in_all.segment<3>(0));
-    if (element.k.body) levers.add(*element.k.body, element.k.at, element.k.axes * forces[e].in_all.segment<3>(6));
-    // The law between points of the ground is in axes of the ground; a residual under rigid motion is a load at rest.
-    if (model::couples_ground_points(element) || element.allow_residual) continue;
-    const model::Span span = model::span(system.bodies(), element.n, element.k);
-    result.of_elements[e] = elements::stiffness_of_force_at_rest(element.law, not_in_tangent(element, forces[e].of_law),
-                                                                 span.arm, span.n_from_k);
-  }
-  for (std::size_t b = 0; b < system.bodies().size(); ++b)
-    if (of_statics[b]) levers.add_weight(b);
-  for (const model::ConstantForce& force : system.description().constant_forces)
-    if (of_statics[force.body]) levers.add(force.body, force.at, -force.wrench.force);
-  levers.add_preloads([&](std::size_t body) { return !of_statics[body]; });
-  result.of_levers = levers.stiffness();
-  return result;
+  const LoadedParts loaded(system, first);
+  return loaded.second_order(loaded.rest());
+}
+
+SecondOrderForms second_order_forms(const model::System& system, const Assembled& first) {
+  const LoadedParts loaded(system, first);
+  const Eigen::Index n = first.layout.size();
+  const auto added = [&](const VectorXd& rest) {
+    const SecondOrder found = loaded.second_order(rest);
+    Eigen::MatrixXd sum = found.of_levers - first.of_levers;
+    for (std::size_t e = 0; e < found.of_elements.size(); ++e) {
+      const ElementMap& map = first.elements[e];
+      const Eigen::MatrixXd ends = map.ends.topRows(12);
+      sum(map.rows, map.rows) += ends.transpose() * found.of_elements[e] * ends;
+    }
+    return sum;
+  };
+  SecondOrderForms forms{added(VectorXd::Zero(n)), {}};
+  for (Eigen::Index k = 0; k < n; ++k) forms.per_coordinate.push_back(added(VectorXd::Unit(n, k)) - forms.constant);
+  return forms;
 }
 
 }  // namespace trivet::assembly

@@ -23,6 +23,13 @@ struct SecondOrder {
 /// @param first  the machine of the first order
 [[nodiscard]] SecondOrder second_order(const model::System& system, const Assembled& first);
 
+/// The same as a function of the coordinates at rest, added to K of the first order: constant + Σ q_k per_coordinate_k.
+struct SecondOrderForms {
+  Eigen::MatrixXd constant;
+  std::vector<Eigen::MatrixXd> per_coordinate;  ///< free coordinates, each n × n [N/m per m …]
+};
+[[nodiscard]] SecondOrderForms second_order_forms(const model::System& system, const Assembled& first);
+
 /// Does the model ask for it: is there a weight?
 [[nodiscard]] bool has_second_order(const model::System& system);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "trivet/assembly/loads.h"
+#include "trivet/assembly/second_order.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -45,6 +46,15 @@ Eigen::VectorXd scale_of(const spatial::MassProperties& mass) {
   scale << mass.mass, Eigen::Vector3d::Constant(root.maxCoeff() / std::sqrt(mass.mass)), root.cwiseAbs2(),
       root(0) * root(1), root(0) * root(2), root(1) * root(2);
   return scale;
+}
+
+/// Lower triangle, row by row.
+Eigen::VectorXd triangle_of(const Eigen::MatrixXd& m) {
+  Eigen::VectorXd entries(m.rows() * (m.rows() + 1) / 2);
+  Eigen::Index next = 0;
+  for (Eigen::Index i = 0; i < m.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) entries(next++) = m(i, j);
+  return entries;
 }
 
 Eigen::Index matrix_entries(Eigen::Index n) { return 4 * (n * (n + 1) / 2); }
@@ -203,6 +213,9 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   if ((assembled.without_second_order != nullptr) != second_order_)
     return {{}, "designs with and without an effect of the forces at rest"};
   if (const std::string reason = form(system, assembled, designs); !reason.empty()) return {{}, reason};
+  // Forces at rest are no polynomials of the numbers of a design; the stiffness that they are found with is.
+  const assembly::Assembled& first = assembled.first_order();
+  for (design::DrivenDesign& one : designs) one.K = first.matrices.K;
   for (std::size_t s = 0; s < searches_.size(); ++s)
     if (const std::string reason = design::reason_for_separate_families(searches_[s].first, designs[s]);
         !reason.empty())
@@ -212,18 +225,21 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   list.add(packed(designs.front()).head(matrices), scales(designs.front()).head(matrices));
   for (std::size_t s = 0; s < searches_.size(); ++s)
     list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
-  if (!at_rest_.empty()) {
+  if (loads()) {
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
-    const assembly::Assembled& first = assembled.first_order();
     const Eigen::VectorXd load = assembly::static_load(system, first);
     list.add(load, scale_of(load, root_of_mass));
-    if (second_order_) {
-      design::DrivenDesign at_rest = designs.front();
-      at_rest.K = first.matrices.K;
-      const Eigen::Index triangle = matrices / 4;
-      list.add(packed(at_rest).segment(2 * triangle, triangle), scales(at_rest).segment(2 * triangle, triangle));
-    }
     const Eigen::VectorXd rest = numerics::cholesky_solution(first.matrices.K, load);
+    if (second_order_) {
+      const assembly::SecondOrderForms forms = assembly::second_order_forms(system, first);
+      const Eigen::VectorXd root = first.matrices.K.diagonal().cwiseAbs().cwiseSqrt(),
+                            scale = triangle_of(root * root.transpose());
+      constexpr double least = 1e-12;  // of a machine whose preloads carry it [m √kg]
+      const double largest = std::max(least, rest.cwiseProduct(root_of_mass).cwiseAbs().maxCoeff());
+      list.add(triangle_of(forms.constant), scale);
+      for (Eigen::Index k = 0; k < n_; ++k)
+        list.add(triangle_of(forms.per_coordinate[to_size(k)]), scale * root_of_mass(k) / largest);
+    }
     for (const RestValue& value : at_rest_) {
       const auto row = rest_row(system, first, results_[value.result]);
       list.add(row.first, scale_of(row.first, root_of_mass));
@@ -238,7 +254,7 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   return {list.list(), ""};
 }
 
-PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const {
+PackedCase::Unpacked PackedCase::parted(const Eigen::MatrixXd& entries) const {
   Unpacked designs;
   const Eigen::Index matrices = matrix_entries(n_), triangle = matrices / 4;
   designs.free.A = entries.leftCols(triangle).array();
@@ -256,11 +272,52 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
     return entries.middleCols(at - columns, columns);
   };
   designs.rest_K = designs.free.K;
-  if (!at_rest_.empty()) designs.load = next(n_);
-  if (!at_rest_.empty() && second_order_) designs.rest_K = next(triangle).array();
+  if (loads()) designs.load = next(n_);
+  if (second_order_) designs.constant = next(triangle);
+  for (Eigen::Index k = 0; second_order_ && k < n_; ++k) designs.per_coordinate.push_back(next(triangle));
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
   for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
   return designs;
+}
+
+PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const {
+  Unpacked designs = parted(entries);
+  designs.falls.assign(to_size(entries.rows()), false);
+  if (!second_order_) return designs;
+  for (Eigen::Index d = 0; d < entries.rows(); ++d) {
+    const Eigen::VectorXd load = designs.load.row(d).transpose(),
+                          rest = numerics::cholesky_solution(numerics::unpacked(designs.rest_K, d), load);
+    Eigen::ArrayXd stiffness = designs.rest_K.row(d).transpose() + designs.constant.row(d).transpose().array();
+    for (Eigen::Index k = 0; k < n_; ++k)
+      stiffness += rest(k) * designs.per_coordinate[to_size(k)].row(d).transpose().array();
+    designs.free.K.row(d) = stiffness.transpose();
+    if (!numerics::is_positive_definite(numerics::unpacked(designs.free.K, d))) {
+      designs.falls[to_size(d)] = true;
+      designs.free.K.row(d) = designs.rest_K.row(d);
+    }
+  }
+  for (numerics::DrivenDesigns& searched : designs.searched) searched.K = designs.free.K;
+  return designs;
+}
+
+PackedCase::Unpacked PackedCase::changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const {
+  Unpacked changes = parted(slopes);
+  if (!second_order_) return changes;
+  const Eigen::MatrixXd stiffness = numerics::unpacked(here.rest_K, 0);
+  const Eigen::VectorXd load = here.load.row(0).transpose(), rest = numerics::cholesky_solution(stiffness, load);
+  for (Eigen::Index j = 0; j < slopes.rows(); ++j) {
+    const Eigen::VectorXd pull = changes.load.row(j).transpose() - numerics::unpacked(changes.rest_K, j) * rest,
+                          moved = numerics::cholesky_solution(stiffness, pull);
+    Eigen::ArrayXd change = changes.rest_K.row(j).transpose() + changes.constant.row(j).transpose().array();
+    for (Eigen::Index k = 0; k < n_; ++k)
+      change +=
+          (moved(k) * here.per_coordinate[to_size(k)].row(0) + rest(k) * changes.per_coordinate[to_size(k)].row(j))
+              .transpose()
+              .array();
+    changes.free.K.row(j) = change.transpose();
+  }
+  for (numerics::DrivenDesigns& searched : changes.searched) searched.K = changes.free.K;
+  return changes;
 }
 
 }  // namespace trivet::study

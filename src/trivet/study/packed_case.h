@@ -68,14 +68,23 @@ class PackedCase {
     numerics::Designs free;                         ///< A and K alone
     std::vector<numerics::DrivenDesigns> searched;  ///< per search
     Eigen::ArrayXXd rest_K;                         ///< of the first order, for positions of rest
+    Eigen::MatrixXd constant;                       ///< what forces at rest add to it, without displacements
+    std::vector<Eigen::MatrixXd> per_coordinate;    ///< and per displacement at rest
+    std::vector<bool> falls;                        ///< designs whose weight makes them unstable; K is rest_K
     Eigen::MatrixXd load;                           ///< designs × n, at rest
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
     std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
   };
   [[nodiscard]] Unpacked unpacked(const Eigen::MatrixXd& entries) const;
+  /// Changes of one design, from changes of its list, one per row.
+  [[nodiscard]] Unpacked changes(const Unpacked& here, const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] Eigen::Index coordinates() const { return n_; }
 
  private:
+  /// With the stiffness of the first order.
+  [[nodiscard]] Unpacked parted(const Eigen::MatrixXd& entries) const;
+  /// Do designs contain their loads at rest?
+  [[nodiscard]] bool loads() const { return second_order_ || !at_rest_.empty(); }
   void plan_searches(const project::Analyses& asked);
   void plan_rest(const model::System& system);
   void plan_decoupling(const model::System& system, const assembly::Assembled& assembled);

@@ -122,6 +122,12 @@ void set_rest(const PackedCase& of, const PackedCase::Unpacked& designs, Eigen::
   }
 }
 
+/// Machines that fall over are left to the model itself, which says so.
+void leave_falling(const PackedCase::Unpacked& designs, Eigen::ArrayXXd& margins) {
+  for (Eigen::Index d = 0; d < margins.rows(); ++d)
+    if (designs.falls[to_size(d)]) margins.row(d) = unknown;
+}
+
 }  // namespace
 
 numerics::Designs part_of_designs(const numerics::Designs& all, const std::vector<Eigen::Index>& rows) {
@@ -147,18 +153,23 @@ Eigen::ArrayXXd packed_quick_margins(const PackedCase& of, const Eigen::MatrixXd
   set_frequencies(of, designs, margins);
   set_decoupling(of, designs, margins);
   set_rest(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 
 Eigen::ArrayXXd packed_curve_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = unlimited(of, entries.rows());
-  set_curves(of, of.unpacked(entries), margins);
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 
 Eigen::ArrayXXd packed_margins(const PackedCase& of, const Eigen::MatrixXd& entries) {
   Eigen::ArrayXXd margins = packed_quick_margins(of, entries);
-  set_curves(of, of.unpacked(entries), margins);
+  const PackedCase::Unpacked designs = of.unpacked(entries);
+  set_curves(of, designs, margins);
+  leave_falling(designs, margins);
   return margins;
 }
 

@@ -59,7 +59,7 @@ Complex with(const Eigen::VectorXcd& a, const Eigen::VectorXcd& b) { return a.cw
 PackedSlopes::PackedSlopes(const PackedCase& of, const Eigen::VectorXd& entries, const Eigen::MatrixXd& slopes)
     : of_(of),
       here_(of.unpacked(entries.transpose())),
-      change_(of.unpacked(slopes.transpose())),
+      change_(of.changes(here_, slopes.transpose())),
       parameters_(slopes.cols()),
       of_decoupled_(of.decoupled().size()) {}
 
