@@ -2,6 +2,7 @@
 #include "trivet/assembly/second_order.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -70,7 +71,9 @@ std::vector<bool> parts_of_statics(const model::System& system, const Assembled&
 /// Coordinates at rest. A machine that is free to move has the smallest ones that balance its load, if there are any.
 VectorXd coordinates_at_rest(const numerics::DynamicMatrices& m, const VectorXd& load) {
   constexpr double regular = 1e-13;
-  const VectorXd scale = numerics::unit_scale(m);
+  VectorXd scale = numerics::unit_scale(m);
+  for (Eigen::Index i = 0; i < scale.size(); ++i)  // a light part has a stiffness like others, but a high frequency
+    if (m.K(i, i) > 0) scale(i) = 1 / std::sqrt(m.K(i, i));
   const Eigen::MatrixXd stiffness = scale.asDiagonal() * m.K * scale.asDiagonal();
   const VectorXd scaled = scale.asDiagonal() * load;
   const numerics::PivotedLu<double> factors(stiffness);
