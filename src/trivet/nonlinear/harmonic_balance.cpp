@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/nonlinear/harmonic_balance.h"
 
+#include <cmath>
+
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
@@ -18,6 +20,19 @@ HarmonicBalance::HarmonicBalance(const CondensedMachine& machine, const std::vec
       sizes_(deflections, machine.static_receptance()),
       laws_(deflections, harmonics, harmonics),
       wider_(deflections, 3 * harmonics, harmonics) {}
+
+namespace {
+
+/// Means of forces that are round-off of their harmonics are zero. Where hardly anything brings a mean back, as of
+/// fluid that circulates within the play of a decoupler, round-off would decide on it.
+void remove_round_off_of_means(MatrixXd& force) {
+  constexpr double round_off = 1e-14;
+  for (Index j = 0; j < force.cols(); ++j)
+    if (std::abs(force(0, j)) <= round_off * force.col(j).tail(force.rows() - 1).lpNorm<Eigen::Infinity>())
+      force(0, j) = 0;
+}
+
+}  // namespace
 
 Index HarmonicBalance::coefficients() const { return numerics::coefficient_count(harmonics_); }
 
@@ -43,7 +58,8 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
   equations.by_unknowns.setZero(size(), size());  // setIdentity would test every entry
   equations.by_unknowns.diagonal().setOnes();
   equations.by_parameter.setZero(size());
-  const CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
+  CoupledForces forces = laws_.at(unknowns.reshaped(C, m), omega);
+  remove_round_off_of_means(forces.force);
   // Coefficients a, b of a harmonic are the amplitude a − i b: the receptance g_r + i g_i turns them into
   // g_r a + g_i b and g_r b − g_i a. Coefficients × entries of the receptance:
   MatrixXd direct(C, m * m), crossed(C, m * m), direct_slope(C, m * m), crossed_slope(C, m * m);
@@ -129,7 +145,9 @@ bool HarmonicBalance::are_same(const VectorXd& one, const VectorXd& other, doubl
 }
 
 MatrixXd HarmonicBalance::forces(const VectorXd& unknowns, double omega) const {
-  return laws_.forces(unknowns.reshaped(coefficients(), machine_.size()), omega);
+  MatrixXd found = laws_.forces(unknowns.reshaped(coefficients(), machine_.size()), omega);
+  remove_round_off_of_means(found);
+  return found;
 }
 
 double HarmonicBalance::left_out(const VectorXd& unknowns, double omega) const {

@@ -280,9 +280,10 @@ const char* words(StabilityChange::Kind kind) {
 SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                            const foundation::Progress& progress) {
   check(options);
-  const bool holds = holds_at_rest(system);
-  if (options.at_phase) return phase_resonances(system, options, references_of(system, holds), progress);
-  const ReferenceMachine machine(system, references_of(system, holds), options.excitations);
+  const HoldAtRest hold = hold_at_rest(system);
+  const References references = references_of(system, hold);
+  if (options.at_phase) return phase_resonances(system, options, references, progress);
+  const ReferenceMachine machine(system, references, options.excitations);
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
@@ -293,7 +294,7 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
       continue;
     SteadyBranch found = Curves(machine, path, options, progress).all();
     found.lost_means = lost_means(machine.deflections);
-    if (holds && !found.results.empty()) add_linear(system, options, found);
+    if (hold.holds && !found.results.empty()) add_linear(system, options, found);
     return found;
   }
 }

@@ -8,6 +8,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/mounts.h"
 
 namespace trivet::study {
@@ -53,8 +54,10 @@ std::vector<MountAtRest> mounts_at_rest(const model::System& system, const assem
     words.insert(words.end(), {system.elements()[e].name, system.elements()[e].name + ".deflection"});
   }
   if (result.empty()) return result;
-  const response::StaticResponse rest = response::static_response(
-      system, assembled, assembly::channels(system, assembled, words, MotionQuantity::displacement));
+  const nonlinear::StaticMachine held = nonlinear::static_machine(system, assembled);
+  const response::StaticResponse rest =
+      response::static_response(held.system, held.assembled,
+                                assembly::channels(held.system, held.assembled, words, MotionQuantity::displacement));
   constexpr std::size_t values_per_mount = 12, axial_deflection = 8;  // six forces, then six deflections
   for (std::size_t m = 0; m < result.size(); ++m) {
     const std::size_t first = values_per_mount * m;
@@ -73,11 +76,13 @@ LoadCase load_case(const std::string& name, const model::System& system, const a
                    const project::Analyses& analyses) {
   LoadCase result{name, {}, ""};
   try {
-    if (analyses.static_of)
-      result.values = response::static_response(
-                          system, assembled,
-                          assembly::channels(system, assembled, *analyses.static_of, MotionQuantity::displacement))
+    if (analyses.static_of) {
+      const nonlinear::StaticMachine held = nonlinear::static_machine(system, assembled);
+      result.values = response::static_response(held.system, held.assembled,
+                                                assembly::channels(held.system, held.assembled, *analyses.static_of,
+                                                                   MotionQuantity::displacement))
                           .values;
+    }
     for (const MountAtRest& mount : mounts_at_rest(system, assembled)) {
       result.values.push_back({mount.name + ", compression", "N", mount.compression});
       result.values.push_back({mount.name + ", force across", "N", mount.across});

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/nonlinear/static_machine.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
@@ -131,7 +132,8 @@ MountRows mount_rows(const model::System& system, const assembly::Assembled& ass
 
 MountsAtRest mounts_at_rest(const CaseContext& context) {
   try {
-    return {response::rated_loads(context.system, context.assembled), ""};
+    const nonlinear::StaticMachine held = nonlinear::static_machine(context.system, context.assembled);
+    return {response::rated_loads(held.system, held.assembled), ""};
   } catch (const foundation::NotComputable& refused) {
     return {{}, refused.what()};
   } catch (const foundation::InvalidInput& refused) {
