@@ -13,6 +13,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/branched_motions.h"
 #include "trivet/nonlinear/enough_harmonics.h"
+#include "trivet/nonlinear/held_by_friction.h"
 #include "trivet/nonlinear/observed_path.h"
 #include "trivet/nonlinear/phase_resonance.h"
 #include "trivet/nonlinear/reference_machine.h"
@@ -280,6 +281,7 @@ const char* words(StabilityChange::Kind kind) {
 SteadyBranch steady_branch(const model::System& system, const SteadyOptions& options,
                            const foundation::Progress& progress) {
   check(options);
+  require_elastic_hold(system, "steady");
   const HoldAtRest hold = hold_at_rest(system);
   const References references = references_of(system, hold);
   if (options.at_phase) return phase_resonances(system, options, references, progress);
