@@ -24,7 +24,7 @@ MatrixXd columns(const std::vector<Deflection>& deflections, Index coordinates) 
 }  // namespace
 
 FreeMotion::FreeMotion(const assembly::Assembled& assembled, const std::vector<Deflection>& deflections, bool damped,
-                       Index harmonics)
+                       Index harmonics, const MatrixXd& holding)
     : A_(assembled.matrices.A),
       B_(assembled.matrices.B),
       K_(assembled.matrices.K),
@@ -32,7 +32,7 @@ FreeMotion::FreeMotion(const assembly::Assembled& assembled, const std::vector<D
       damped_(damped),
       harmonics_(harmonics),
       across_(columns(deflections, A_.rows())),
-      sizes_(deflections, across_.transpose() * numerics::PivotedLu<double>(K_).solve(across_)),
+      sizes_(deflections, across_.transpose() * numerics::PivotedLu<double>(holding).solve(across_)),
       laws_(deflections, harmonics, harmonics),
       wider_(deflections, 3 * harmonics, harmonics) {}
 
