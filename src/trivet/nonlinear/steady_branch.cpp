@@ -289,8 +289,9 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
-  for (Index harmonics = is_given ? options.harmonics : fewest;; harmonics = more_harmonics(harmonics)) {
-    const bool is_last = is_given || harmonics == most_steady_harmonics;
+  for (Index harmonics = is_given ? options.harmonics : fewest;;
+       harmonics = std::min(options.most_harmonics, more_harmonics(harmonics))) {
+    const bool is_last = is_given || harmonics >= options.most_harmonics;
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
     if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options), progress))
       continue;
