@@ -82,7 +82,6 @@ spatial::MassProperties undone_mass(const BodyPicture& picture, const Slip& undo
 spatial::Matrix6 stiffness_at(const BodyPicture& picture, const Eigen::Vector3d& centre, const Slip& undone) {
   spatial::Matrix6 sum = spatial::Matrix6::Zero();
   for (const Attachment& a : picture.attachments) {
-    if (!a.elastic()) continue;
     const double k = a.typed ? undone.stiffness : 1, s = undone.places;
     // arms inside an element were typed in the same unit as its place
     spatial::Matrix6 own;

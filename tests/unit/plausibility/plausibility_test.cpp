@@ -66,6 +66,17 @@ TEST(Plausibility, FeaturesOfACubeAgreeWithClosedForms) {
   EXPECT_FALSE(found.damping_ratio.has_value());
 }
 
+/// All mounts are at the centre of mass, so that an element of rotations alone holds the cube against rotation: √(k/J).
+TEST(Plausibility, AnElementOfRotationsAloneHoldsABody) {
+  Cube cube;
+  cube.centre = cube.places = 0;
+  cube.more =
+      "[elements.bar]\ntype = \"bushing\"\non = \"cube\"\nat = [0, 0, 0]\ntranslation = [0, 0, 0]\n"
+      "rotation = [1e5, 2e5, 3e5]\n";
+  const plausibility::Features found = plausibility::features(picture(test::project(cube.text())), {});
+  EXPECT_NEAR(*found.lowest, std::sqrt(1e5 / cube.inertia) / (2 * pi), round_off);
+}
+
 TEST(Plausibility, ACorrectedSlipGivesTheFeaturesOfTheIntendedMachine) {
   const project::Project meant = test::project(Cube{}.text());
   const plausibility::Features sound = plausibility::features(picture(meant), {});
