@@ -9,13 +9,12 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
-#include "trivet/modal/modes.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/nonlinear/ending_cause.h"
 #include "trivet/nonlinear/free_motion.h"
 #include "trivet/nonlinear/held_by_friction.h"
+#include "trivet/nonlinear/modes_at_rest.h"
 #include "trivet/nonlinear/reference_machine.h"
-#include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/numerics/periodic/branch_walk.h"
 #include "trivet/numerics/periodic/fourier_basis.h"
 
@@ -90,7 +89,7 @@ class FreeCourse {
       throw foundation::NotComputable(
           "backbone: elements whose stiffness is a function of frequency; give them constant matrices or a Maxwell "
           "model");
-    std::vector<ModeAtRest> modes = modes_at_rest();
+    std::vector<ModeAtRest> modes = modes_at_rest(system_, assembled_, holding_);
     if (options.mode < 0 || options.mode >= to_index(modes.size()))
       throw foundation::NotComputable(
           fmt::format("backbone: mode {} does not exist; {} modes have a frequency above 0, at rest or in motion",
@@ -126,34 +125,6 @@ class FreeCourse {
   }
 
  private:
-  struct ModeAtRest {
-    double angular_frequency;
-    VectorXd shape;
-  };
-  /// Of motions of vanishing amplitude, ascending. Directions without a stiffness at rest that deflect nonlinear parts
-  /// come first: they have a frequency as soon as they move. So they are in the order of their stiffnesses over a small
-  /// deflection.
-  [[nodiscard]] std::vector<ModeAtRest> modes_at_rest() const {
-    std::vector<ModeAtRest> found;
-    const modal::Modes all = modal::modes(system_, assembled_);
-    std::vector<VectorXd> still;
-    for (const modal::Mode& mode : all.list)
-      if (mode.eigenvalue_squared == 0) still.push_back(mode.coordinates / std::sqrt(std::abs(mode.modal_mass)));
-    if (!still.empty()) {
-      MatrixXd shapes(assembled_.matrices.size(), to_index(still.size()));
-      for (std::size_t i = 0; i < still.size(); ++i) shapes.col(to_index(i)) = still[i];
-      const auto eigen = numerics::symmetric_eigen(MatrixXd(shapes.transpose() * holding_ * shapes));
-      constexpr double round_off = 1e-12;
-      const double least = round_off * (holding_.diagonal().cwiseAbs().maxCoeff() * shapes.squaredNorm());
-      for (Index i = 0; i < eigen.values.size(); ++i)
-        if (eigen.values(i) > least) found.push_back({0, shapes * eigen.vectors.col(i)});
-    }
-    for (const modal::Mode& mode : all.list)
-      if (mode.angular_frequency && *mode.angular_frequency > 0)
-        found.push_back({*mode.angular_frequency, mode.coordinates});
-    return found;
-  }
-
   /// Of a motion with this shape, by the balance of its first harmonic along itself.
   [[nodiscard]] double frequency_of(const VectorXd& start) const {
     const double probe = omega_ > 0 ? omega_ : 1;
