@@ -218,6 +218,18 @@ TEST(RestWithoutStiffness, StiffnessesThatCancelLeaveNoRoundOff) {
   EXPECT_FALSE(mode.strain_energy_share.has_value());
 }
 
+/// Within a gap every place is one of rest.
+TEST(RestWithoutStiffness, APlaceWithinAGapIsNotUnique) {
+  const model::System system =
+      test::project(body(10, "'z'", false) +
+                    "[elements.s]\ntype = \"stop\"\non = \"m\"\nat = [0, 0, 0]\naxis = \"z\"\ngaps = [1e-4, 1e-4]\n"
+                    "stiffness = 1e6\n")
+          .base()
+          .system;
+  EXPECT_THAT([&] { (void)at_rest(system, "m.z"); },
+              testing::ThrowsMessage<foundation::NotComputable>(testing::HasSubstr("not unique")));
+}
+
 /// The machine is symmetric, so that its mean is zero. Amplitudes at 1 and 1.5 Hz: shooting with SciPy (DOP853, 1e-10).
 TEST(RestWithoutStiffness, TheMeanOfASteadyMotionIsNoRoundOff) {
   for (const double spring : {3200.0, 3200.001}) {
