@@ -52,6 +52,32 @@ std::vector<double> TangentsAlong::list() const {
   return all;
 }
 
+MatrixXd TangentsAlong::stiffness(const LawsAlong& motion) const {
+  MatrixXd all = by_deflection.asDiagonal();
+  for (std::size_t h = 0; h < motion.loops.size(); ++h) {
+    const Index j = motion.loops[h].deflection;
+    all(j, j) += by_travel(to_index(h));
+  }
+  for (std::size_t d = 0; d < distances.size(); ++d)
+    all.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += distances[d].by_deflection;
+  for (std::size_t r = 0; r < rubbings.size(); ++r)
+    all(motion.rubbings[r].on, motion.rubbings[r].on) += rubbings[r].by_deflection;
+  return all;
+}
+
+MatrixXd TangentsAlong::damping(const LawsAlong& motion) const {
+  MatrixXd all = by_rate.asDiagonal();
+  for (std::size_t b = 0; b < bristles.size(); ++b) {
+    const Index j = motion.bristles[b].deflection;
+    all(j, j) += bristles[b].by_rate;
+  }
+  for (std::size_t d = 0; d < distances.size(); ++d)
+    all.block<3, 3>(motion.distances[d].first, motion.distances[d].first) += distances[d].by_rate;
+  for (std::size_t r = 0; r < rubbings.size(); ++r)
+    all(motion.rubbings[r].on, motion.rubbings[r].on) += rubbings[r].by_rate;
+  return all;
+}
+
 MatrixXd TangentsAlong::forces(const LawsAlong& motion, const MatrixXd& values, const MatrixXd& rates) const {
   const Index n = values.cols();
   MatrixXd rows = MatrixXd::Zero(values.rows(), n + 2 * by_travel.size());
