@@ -104,7 +104,10 @@ SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
   if (by_winding_) {
     result.unstable_by_winding =
         observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
-    if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
+    if (result.unstable_by_winding) {
+      result.stable = *result.unstable_by_winding == 0;
+      result.uncertain = false;
+    }
   }
   return result;
 }
@@ -129,7 +132,10 @@ void ObservedPath::judge_by_winding(SteadyBranch& found, const foundation::Progr
   judge(others, found, progress);
   found.winding.decides = by_winding_ = true;
   for (SteadyPoint& point : found.points)
-    if (point.unstable_by_winding) point.stable = *point.unstable_by_winding == 0;
+    if (point.unstable_by_winding) {
+      point.stable = *point.unstable_by_winding == 0;
+      point.uncertain = false;
+    }
 }
 
 void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& found,
@@ -141,8 +147,13 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
         observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
     ++found.winding.points;
     if (!judged.unstable_by_winding) ++found.winding.undecided;
-    else if (*judged.unstable_by_winding != judged.unstable_multipliers())
+    else if (judged.multipliers_hold && *judged.unstable_by_winding != judged.unstable_multipliers()) {
       found.winding.differs_at.push_back(point.parameter);
+      if ((*judged.unstable_by_winding == 0) != judged.stable) {
+        judged.uncertain = true;
+        judged.stable = false;
+      }
+    }
     foundation::report_progress(progress, "stability by winding number",
                                 static_cast<double>(i) / static_cast<double>(chosen.size()));
   }
@@ -194,12 +205,14 @@ void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) 
 void ObservedPath::add_changes(SteadyBranch& found) const {
   for (std::size_t i = 0; i + 1 < found.points.size(); ++i) {
     if (found.points[i].stable == found.points[i + 1].stable) continue;
+    if (found.points[i].uncertain || found.points[i + 1].uncertain) continue;
     const auto is_fold_near = [&](std::size_t steps) {
       return std::any_of(found.folds.begin(), found.folds.end(),
                          [&](const Fold& fold) { return std::max(fold.after, i) - std::min(fold.after, i) <= steps; });
     };
     if (is_fold_near(0)) continue;
-    StabilityChange change = change_after(i);
+    const bool multipliers_hold = found.points[i].multipliers_hold && found.points[i + 1].multipliers_hold;
+    StabilityChange change = change_after(i, by_winding_ || !multipliers_hold);
     // Multipliers pass 1 beside the fold of the harmonics by what the harmonics leave out.
     if (change.kind == StabilityChange::Kind::branch_point && is_fold_near(1)) continue;
     found.changes.push_back(std::move(change));
@@ -207,7 +220,8 @@ void ObservedPath::add_changes(SteadyBranch& found) const {
 }
 
 /// Where the largest multiplier passes the unit circle between a point and the next one.
-StabilityChange ObservedPath::change_after(std::size_t point) const {
+/// @param by_number  located by the number of unstable exponents instead
+StabilityChange ObservedPath::change_after(std::size_t point, bool by_number) const {
   constexpr double of_multipliers = 1e-11;
   // Where another curve crosses, Newton's method along this one has no unique step: as near as it converges.
   constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
@@ -228,7 +242,7 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
   std::optional<BranchPoint> middle;
   for (const double near : accurate)
     if (!middle)
-      middle = by_winding_ ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
+      middle = by_number ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
   if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
     const bool ends_unstable = excess(motions.points()[point + 1]) > excess(motions.points()[point]);
     middle = motions.points()[ends_unstable ? point + 1 : point];

@@ -78,8 +78,14 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   PeriodicStability::Multipliers multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
   result.multipliers = std::move(multipliers.values);
   result.multiplier_uncertainty = multipliers.uncertainty;
+  constexpr double accurate = 1e-5;
+  result.multipliers_hold = multipliers.confirmed && multipliers.uncertainty <= accurate;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));
-  result.stable = result.unstable_multipliers() == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));
+  if (!result.multipliers_hold && has_winding())
+    result.unstable_by_winding = winding_.unstable_exponents(unknowns, omega);
+  const int unstable = result.unstable_by_winding.value_or(result.unstable_multipliers());
+  result.uncertain = !result.multipliers_hold && !result.unstable_by_winding;
+  result.stable = !result.uncertain && unstable == 0 && !(of_amplitude_ && is_behind_fold(balance, unknowns, driving));
   return result;
 }
 

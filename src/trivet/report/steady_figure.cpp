@@ -47,6 +47,13 @@ std::vector<const SteadyPoint*> course_of(const SteadyBranch& branch) {
   return course;
 }
 
+/// What the dashed motions are.
+std::string word_of_others(const SteadyBranch& branch) {
+  const bool any =
+      std::any_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  return any ? "unstable or uncertain" : "unstable";
+}
+
 /// One result over frequency: pieces in which frequency rises or falls, stable ones solid, unstable ones dashed.
 template <typename Value>
 std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownUnits& display, const Value& value,
@@ -54,6 +61,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
   std::vector<PanelCurve> curves;
   const std::vector<const SteadyPoint*> course = course_of(branch);
   bool key_of_stable = true, key_of_unstable = true;
+  const std::string others = word_of_others(branch);
   for (std::size_t i = 0; i + 1 < course.size();) {
     const bool rises = branch.parameter(*course[i + 1]) > branch.parameter(*course[i]);
     // A fold belongs to both sides: the next ordinary point says whether the piece is stable.
@@ -76,7 +84,7 @@ std::vector<PanelCurve> pieces(const SteadyBranch& branch, const project::ShownU
       if (!same_way || course[i + 1]->stable != stable) break;
     }
     bool& key = stable ? key_of_stable : key_of_unstable;
-    if (key) piece.key = {name + (stable ? "" : ", unstable")};
+    if (key) piece.key = {name + (stable ? "" : ", " + others)};
     key = false;
     if (!rises) {
       std::reverse(piece.x.begin(), piece.x.end());
@@ -158,7 +166,7 @@ PanelRow range_row(const SteadyBranch& branch, std::size_t result, const study::
   const std::vector<PanelCurve> motion = pieces(branch, display, value, "#0072B2", "stable");
   double largest = 0;
   for (PanelCurve piece : motion) {
-    if (!piece.key.empty() && piece.key.front() != "stable") piece.key.front() = "unstable";
+    if (!piece.key.empty() && piece.key.front() != "stable") piece.key.front() = word_of_others(branch);
     for (const double y : piece.y) largest = std::max(largest, y);
     row.curves.push_back(std::move(piece));
   }

@@ -31,7 +31,17 @@ std::string place_text(const SteadyBranch& branch, const SteadyPoint& point, con
 
 std::ptrdiff_t unstable_points(const SteadyBranch& curve) {
   return std::count_if(curve.points.begin(), curve.points.end(),
-                       [](const SteadyPoint& point) { return !point.stable; });
+                       [](const SteadyPoint& point) { return !point.stable && !point.uncertain; });
+}
+
+std::string uncertain_words(const SteadyBranch& curve) {
+  const auto count =
+      std::count_if(curve.points.begin(), curve.points.end(), [](const SteadyPoint& point) { return point.uncertain; });
+  return count > 0 ? fmt::format(", {} of uncertain stability", count) : "";
+}
+
+const char* stability_word(const SteadyPoint& point) {
+  return point.uncertain ? "uncertain" : point.stable ? "yes" : "no";
 }
 
 namespace {
@@ -157,11 +167,11 @@ std::string begins_there(const SteadyBranch& branch, const nonlinear::StabilityC
   if (!change.curve) return change.sought ? "none was found" : "not computed";
   const SteadyBranch& curve = branch.further[*change.curve];
   const auto [low, high] = ends_of(curve);
-  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}", *change.curve + 1,
+  return fmt::format("curve {}, {}, {} to {}: {} points, {} of them unstable{}{}", *change.curve + 1,
                      curve.periods == 2 ? "twice the period" : "less symmetric",
                      number_text(shown_varied(branch, low, display), 6),
                      number_text(shown_varied(branch, high, display), 6), curve.points.size(), unstable_points(curve),
-                     curve.ended.empty() ? "" : ", not whole");
+                     uncertain_words(curve), curve.ended.empty() ? "" : ", not whole");
 }
 
 }  // namespace

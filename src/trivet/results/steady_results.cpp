@@ -57,7 +57,7 @@ Json point(const SteadyPoint& p) {
   for (const ObservedMotion& m : p.results) motions.push_back(motion(m));
   return {{"angular_frequency", p.angular_frequency},
           {"load_factor", p.load_factor},
-          {"stable", p.stable},
+          {"stable", p.uncertain ? Json(nullptr) : Json(p.stable)},
           {"largest_multiplier", number(p.largest_multiplier())},
           {"contact", p.contact},
           {"unstable_by_winding", p.unstable_by_winding ? Json(*p.unstable_by_winding) : Json(nullptr)},
@@ -162,7 +162,7 @@ std::string steady_csv(const project::Case&, const study::Answers& answers) {
   for (std::size_t number = 0; number < curves.size(); ++number)
     for (const SteadyPoint& point : curves[number]->points) {
       text += fmt::format("{},{},{},{},{},{}", number, curves[number]->periods, point.angular_frequency,
-                          point.load_factor, point.stable ? "yes" : "no", csv_number(point.largest_multiplier()));
+                          point.load_factor, stability_word(point), csv_number(point.largest_multiplier()));
       for (const double share : point.contact) append_csv_number(text, share);
       for (const ObservedMotion& motion : point.results) {
         const std::complex<double> excited = motion.harmonics(curves[number]->periods - 1);
@@ -218,7 +218,7 @@ std::string phase_text(const SteadyBranch& branch, const project::ShownUnits& di
     const SteadyPoint& point = branch.points[i];
     std::vector<std::string> row = {number_text(point.load_factor, 5),
                                     number_text(shown_varied(over_frequency, point.angular_frequency, display), 6),
-                                    point.stable ? "yes" : "no"};
+                                    stability_word(point)};
     for (std::size_t c = 0; c < branch.results.size(); ++c)
       row.push_back(value_text(std::max(point.results[c].largest, -point.results[c].smallest),
                                display_unit(display, branch.units[c])));
@@ -237,12 +237,14 @@ std::string steady_text(const project::Case& variant, const study::Answers& answ
   const auto [low, high] = std::minmax_element(
       branch.points.begin(), branch.points.end(),
       [&](const SteadyPoint& a, const SteadyPoint& b) { return branch.parameter(a) < branch.parameter(b); });
-  std::string text = excited_at_once(branch.excitations) + orders_text(branch) +
-      fmt::format("Periodic motions from {} to {} {}, connected with {}{}\n"
-                  "  {} points, {} of them unstable; {} harmonics, which leave out at most {:.2g} of the deflections\n",
-                  place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit,
-                  begun_words(branch, display), branch.search ? "" : " (detached ones are not sought)",
-                  branch.points.size(), unstable_points(branch), branch.harmonics, branch.left_out);
+  std::string text =
+      excited_at_once(branch.excitations) + orders_text(branch) +
+      fmt::format(
+          "Periodic motions from {} to {} {}, connected with {}{}\n"
+          "  {} points, {} of them unstable{}; {} harmonics, which leave out at most {:.2g} of the deflections\n",
+          place_text(branch, *low, display, 5), place_text(branch, *high, display, 5), unit,
+          begun_words(branch, display), branch.search ? "" : " (detached ones are not sought)", branch.points.size(),
+          unstable_points(branch), uncertain_words(branch), branch.harmonics, branch.left_out);
   if (!branch.ended.empty()) text += "  " + branch.ended + "\n";
   for (const double corner : branch.corners)
     text += fmt::format("  corner at {} {}: the curve turns at once, and was sought beyond at a fixed {}\n",
@@ -284,6 +286,8 @@ void further_arrays(const SteadyBranch& branch, LabelledArrays& list) {
   list.column("further.load_factor", "1", "further_point", points,
               [](const SteadyPoint& point) { return point.load_factor; });
   list.column("further.stable", "1", "further_point", points, [](const SteadyPoint& point) { return point.stable; });
+  list.column("further.uncertain", "1", "further_point", points,
+              [](const SteadyPoint& point) { return point.uncertain; });
   for (std::size_t c = 0; c < branch.results.size(); ++c)
     list.column("further." + branch.results[c] + " half of range", branch.units[c], "further_point", points,
                 [c](const SteadyPoint& point) { return point.results[c].half_of_range(); });
@@ -298,6 +302,7 @@ void steady_arrays(const project::Case&, const study::Answers& answers, Labelled
   if (over_load) list.column(axis, "1", axis, points, &SteadyPoint::load_factor);
   list.field("angular_frequency", "rad/s", axis, points, &SteadyPoint::angular_frequency);
   list.column("stable", "1", axis, points, &SteadyPoint::stable);
+  list.column("uncertain", "1", axis, points, &SteadyPoint::uncertain);
   list.column("largest_multiplier", "1", axis, points, &SteadyPoint::largest_multiplier);
   for (std::size_t i = 0; i < branch.stops.size(); ++i) {
     std::vector<double> shares;

@@ -64,19 +64,29 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
 
 namespace {
 
+std::string place_words(const nonlinear::SteadyBranch& branch, const nonlinear::SteadyPoint& point) {
+  return branch.over == nonlinear::Parameter::load_factor
+      ? fmt::format("{:.6g} times the load", point.load_factor)
+      : fmt::format("{:.6g} Hz", point.angular_frequency / foundation::two_pi);
+}
+
 /// Multipliers that are not accurate enough, and motions that creep.
 /// @param of  "", or "further curve 2: "
 void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& branch, foundation::Problems& warnings) {
-  constexpr double accurate = 1e-5, slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
-  int left_at_once = 0, uncertain = 0, stable = 0, creep = 0;
+  constexpr double slow = 0.999, real_axis = 1e-9, free = 1 - 1e-7;  // a free body has 1
+  int inaccurate = 0, uncertain = 0, stable = 0, creep = 0;
   double worst = 0, slowest = 0;
+  const nonlinear::SteadyPoint* first = nullptr;
   for (const nonlinear::SteadyPoint& point : branch.points) {
-    if (std::isinf(point.multiplier_uncertainty)) {
-      ++left_at_once;
+    if (point.uncertain) {
+      ++uncertain;
+      if (!first) first = &point;
+    }
+    if (!point.multipliers_hold) {
+      ++inaccurate;
+      worst = std::max(worst, point.multiplier_uncertainty);
       continue;
     }
-    if (point.multiplier_uncertainty > accurate) ++uncertain;
-    worst = std::max(worst, point.multiplier_uncertainty);
     if (!point.stable) continue;
     ++stable;
     double largest = 0;
@@ -88,18 +98,22 @@ void warn_of_multipliers(const std::string& of, const nonlinear::SteadyBranch& b
       slowest = std::max(slowest, largest);
     }
   }
-  if (left_at_once > 0)
-    warnings.warning("analyses.steady",
-                     fmt::format("{}{} of {} motions have no multipliers that can be computed", of, left_at_once,
-                                 branch.points.size()),
-                     "deviations grow beyond the largest number within a period, so these motions count as unstable",
-                     "check the signs of the laws and the stiffness of friction");
+  if (inaccurate > 0)
+    warnings.warning(
+        "analyses.steady",
+        fmt::format("{}the multipliers of {} of {} motions are uncertain", of, inaccurate, branch.points.size()),
+        std::isfinite(worst) && worst > 0
+            ? fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst)
+            : "deviations grow so far within a period, or their product is so far from Liouville's formula, that the "
+              "numbers do not hold",
+        "where the second verdict (the winding number) can be computed, it decides");
   if (uncertain > 0)
     warnings.warning(
         "analyses.steady",
-        fmt::format("{}the multipliers of {} of {} motions are uncertain", of, uncertain, branch.points.size()),
-        fmt::format("the shortest steps still change the transition over a period by up to {:.1g}", worst),
-        "do not trust a stability that is close; compare the second verdict (--deep)");
+        fmt::format("{}the stability of {} of {} motions is uncertain", of, uncertain, branch.points.size()),
+        fmt::format("the first at {}; two verdicts differ, or the only one does not hold", place_words(branch, *first)),
+        "they count neither as stable nor as unstable, and the largest values leave them out; take more "
+        "harmonics, or a lower tolerance");
   if (2 * creep > stable)
     warnings.warning(
         "analyses.steady",
@@ -126,10 +140,7 @@ void warn_of_folds(const std::string& of, const nonlinear::SteadyBranch& branch,
   if (!worst) return;
   warnings.warning("analyses.steady",
                    fmt::format("{}no multiplier is 1 at the fold at {}: the nearest is {:.2g} away", of,
-                               branch.over == nonlinear::Parameter::load_factor
-                                   ? fmt::format("{:.6g} times the load", worst->point.load_factor)
-                                   : fmt::format("{:.6g} Hz", worst->point.angular_frequency / foundation::two_pi),
-                               farthest),
+                               place_words(branch, worst->point), farthest),
                    "a stop is just touched there, or the harmonics are too few for verdicts beside it: stability is "
                    "lost at the fold, and changes near it may be false",
                    "take a lower tolerance, or more harmonics; if the number stays, a stop is touched");
@@ -168,8 +179,9 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
     warnings.warning("analyses.steady",
                      fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
-                     asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
-                                         : "near grazing contact no number of harmonics is enough");
+                     asked.harmonics > 0        ? "take more, or leave their number to the tolerance"
+                         : branch.stops.empty() ? "give their number, above 60: harmonics = 120"
+                                                : "near grazing contact no number of harmonics is enough");
   warn_of_verdicts("", branch, warnings);
   for (std::size_t i = 0; i < branch.further.size(); ++i) {
     const nonlinear::SteadyBranch& curve = branch.further[i];

@@ -119,8 +119,8 @@ void set_contacts(const SteadyBranch& branch, const std::vector<Stop>& stops, st
 }
 
 void set_jumps(const SteadyBranch& branch, RequirementResult& result) {
-  const bool always_stable =
-      std::all_of(branch.points.begin(), branch.points.end(), [](const SteadyPoint& point) { return point.stable; });
+  const bool always_stable = std::all_of(branch.points.begin(), branch.points.end(),
+                                         [](const SteadyPoint& point) { return point.stable || point.uncertain; });
   std::size_t jumps = std::max<std::size_t>(branch.folds.size() + branch.changes.size(), always_stable ? 0 : 1);
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
   for (const SteadyBranch* curve : detached)
@@ -150,6 +150,10 @@ void add_limits(const SteadyBranch& branch, const foundation::Problems& doubts, 
   };
   std::vector<std::string> gaps;  // in what is known
   if (!branch.ended.empty()) gaps.push_back("steady motion: " + branch.ended);
+  if (const auto uncertain = std::count_if(branch.points.begin(), branch.points.end(),
+                                           [](const SteadyPoint& point) { return point.uncertain; });
+      uncertain > 0)
+    gaps.push_back(fmt::format("the stability of {} of {} motions is uncertain", uncertain, branch.points.size()));
   if (const auto without = nonlinear::without_stable_motion(branch); !without.empty())
     gaps.push_back(fmt::format(
         "no periodic motion is known to be stable from {} Hz; what happens there is not computed", in_hertz(without)));
