@@ -225,7 +225,7 @@ StabilityChange ObservedPath::change_after(std::size_t point, bool by_number) co
   constexpr double of_multipliers = 1e-11;
   // Where another curve crosses, Newton's method along this one has no unique step: as near as it converges.
   constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
-  const auto excess = [&](const BranchPoint& there) {
+  const auto beyond_circle = [&](const BranchPoint& there) {
     return observer_.stability()
                .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
                             of_multipliers)
@@ -239,12 +239,18 @@ StabilityChange ObservedPath::change_after(std::size_t point, bool by_number) co
     return unstable && *unstable > 0 ? 1.0 : -1.0;
   };
   const FollowedMotions& motions = path_.motions();
+  // Without damping multipliers stay on the circle until two of them meet, and leave it like a square root: its place
+  // is found from where they are clearly outside, not from round-off.
+  const double here = beyond_circle(motions.points()[point]), next = beyond_circle(motions.points()[point + 1]);
+  constexpr double on_circle = 1e-6, outside = 1e-4;
+  const double level = std::min(here, next) > -on_circle ? std::min(outside, std::max(here, next) / 2) : 0;
+  const auto excess = [&](const BranchPoint& there) { return beyond_circle(there) - level; };
   std::optional<BranchPoint> middle;
   for (const double near : accurate)
     if (!middle)
       middle = by_number ? motions.zero_after(point, by_winding, near) : motions.zero_after(point, excess, near);
   if (!middle) {  // not located: the unstable one of both points is the nearest that shows the kind
-    const bool ends_unstable = excess(motions.points()[point + 1]) > excess(motions.points()[point]);
+    const bool ends_unstable = next > here;
     middle = motions.points()[ends_unstable ? point + 1 : point];
   }
   StabilityChange change{steady(*middle), point};
