@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -60,7 +62,10 @@ void settle_end(const StabilityChange& at, bool is_last, SteadyBranch& curve) {
                near = std::max(farther * beside, least * change);
   Index first = 1;
   while (first + 1 < count && std::abs(curve.parameter(points[place(first)]) - change) <= near) ++first;
-  for (Index i = 0; i < first; ++i) points[place(i)].stable = points[place(first)].stable;
+  for (Index i = 0; i < first; ++i) {
+    points[place(i)].stable = points[place(first)].stable;
+    points[place(i)].uncertain = points[place(first)].uncertain;
+  }
   std::erase_if(curve.changes, [&](const StabilityChange& one) {
     return is_last ? to_index(one.after) >= count - 1 - first : to_index(one.after) < first;
   });
@@ -94,7 +99,8 @@ class Curves {
          const foundation::Progress& progress)
       : machine_(machine), path_(path), options_(options), progress_(progress), observed_(machine, path, options) {}
 
-  [[nodiscard]] SteadyBranch all() {
+  /// @returns nothing if a detached curve leaves out more than that; `enough_harmonics` then has a number to begin with
+  [[nodiscard]] std::optional<SteadyBranch> all(double most_left_out) {
     SteadyBranch found = observed_.branch(progress_);
     const bool doubles = std::any_of(found.changes.begin(), found.changes.end(), [](const StabilityChange& change) {
       return change.kind == StabilityChange::Kind::period_doubling;
@@ -106,14 +112,20 @@ class Curves {
     for (const BranchedPath& one : branched_.paths)
       if (one.periods == 1) of_one_period.push_back(one.path.get());
     if (options_.detached) {
-      const auto new_path = [&] {
+      const auto path_with = [&](Index harmonics) {
         return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
-                                            path_.balance().harmonics());
+                                            harmonics);
       };
+      const auto new_path = [&] { return path_with(path_.balance().harmonics()); };
       detached_ =
           detached_paths(path_, of_one_period, machine_.deflections, to_other_positions_of_rest(machine_.system),
                          resonances(), options_, new_path, progress_);
-      for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
+      for (const auto& one : detached_.paths) {
+        if (one->left_out() > most_left_out)
+          enough_harmonics_ = std::max(enough_harmonics_, harmonics_for(*one, most_left_out, path_with));
+        of_one_period.push_back(one.get());
+      }
+      if (enough_harmonics_ > path_.balance().harmonics()) return std::nullopt;
       found.search = detached_.search;
     }
     for (const auto& one : detached_.paths) {
@@ -131,6 +143,8 @@ class Curves {
     }
     return found;
   }
+
+  [[nodiscard]] Index enough_harmonics() const { return enough_harmonics_; }
 
  private:
   [[nodiscard]] ResonancesAtLoad resonances() const {
@@ -204,6 +218,7 @@ class Curves {
   std::unique_ptr<const ReferenceMachine> twice_;
   BranchedPaths branched_;
   DetachedPaths detached_;
+  Index enough_harmonics_ = 0;
 };
 
 /// Deflections whose smooth loops bear a force at rest, which they lose in motion.
@@ -286,15 +301,23 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
-  for (Index harmonics = is_given ? options.harmonics : fewest;; harmonics = more_harmonics(harmonics)) {
+  for (Index harmonics = is_given ? options.harmonics : fewest;;) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
+    const double most_left_out = is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options);
     SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
-    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options), progress))
+    if (!path.follow(most_left_out, progress)) {
+      harmonics = more_harmonics(harmonics);
       continue;
-    SteadyBranch found = Curves(machine, path, options, progress).all();
-    found.lost_means = lost_means(machine.deflections);
-    if (holds && !found.results.empty()) add_linear(system, options, found);
-    return found;
+    }
+    Curves curves(machine, path, options, progress);
+    std::optional<SteadyBranch> found = curves.all(most_left_out);
+    if (!found) {
+      harmonics = curves.enough_harmonics();
+      continue;
+    }
+    found->lost_means = lost_means(machine.deflections);
+    if (holds && !found->results.empty()) add_linear(system, options, *found);
+    return *std::move(found);
   }
 }
 
