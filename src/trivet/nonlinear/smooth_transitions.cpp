@@ -93,26 +93,21 @@ double PeriodicStability::fastest(const LawsAlong& motion, double from, double t
   return fastest;
 }
 
-/// ∫ of the trace of ẏ = F(t) y by time: of the linear machine, of the laws that depend on rates or act on nodes, and
-/// of memories that fade.
+/// ∫ of the trace of ẋ = F(t) x by time, of laws without memory: of the linear machine, and of those that depend on
+/// rates or act on nodes.
 double PeriodicStability::trace(const LawsAlong& motion, double from, double to) const {
   const double of_machine = F_.trace() * (to - from) / motion.omega;
-  if (!answers_.massless && !motion.is_damped() && motion.carried() == 0) return of_machine;
+  if (!answers_.massless && !motion.is_damped()) return of_machine;
   TangentsAlong tangent;
   const auto of_laws = [&](double phase) {
     set_tangents(motion, phase, tangent);
     const MatrixXd damping = tangent.damping(motion);
-    double sum = 0;
     if (answers_.massless) {
       const MatrixXd stiffness = tangent.stiffness(motion),
                      rates = stiffness * answers_.drifts + damping * answers_.rates;
-      sum = numerics::PivotedLu<double>(answers_.left_side(stiffness, damping, 0)).solve(rates).trace();
-    } else {
-      sum = damping.cwiseProduct(answers_.rates.transpose()).sum();
+      return numerics::PivotedLu<double>(answers_.left_side(stiffness, damping, 0)).solve(rates).trace();
     }
-    for (const BristleLoop::Here& one : tangent.bristles) sum -= one.decay;
-    for (const TangentsAlong::Rubbing& one : tangent.rubbings) sum -= one.moment.fading * motion.omega;
-    return sum;
+    return damping.cwiseProduct(answers_.rates.transpose()).sum();
   };
   if (motion.is_piecewise_linear) return of_machine + of_laws((from + to) / 2) * (to - from) / motion.omega;
   constexpr double longest = two_pi / 4;
