@@ -97,7 +97,7 @@ std::vector<Eigen::MatrixXd> dense_search(const model::System& given, double ome
     }
     const auto motion = branch.start(guess, omega);
     if (!motion) continue;
-    const Eigen::MatrixXd coefficients = motion->unknowns.reshaped(balance.coefficients(), machine.size());
+    const Eigen::MatrixXd coefficients = balance.motion(motion->unknowns);
     if (std::none_of(found.begin(), found.end(), [&](const Eigen::MatrixXd& other) {
           return (other - coefficients).norm() < 1e-4 * coefficients.norm();
         }))

@@ -28,6 +28,7 @@ struct Deflection {
     RubbingAbout law;
   };
   std::optional<Rubbing> rubbing = {};  ///< over this deflection and the next one, or the next two of a ring
+  bool is_followed = false;             ///< without a law, for its phase: always an unknown
 };
 
 /// Stiffness and damping in place of a nonlinear part.

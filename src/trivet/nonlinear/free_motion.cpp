@@ -33,8 +33,8 @@ FreeMotion::FreeMotion(const assembly::Assembled& assembled, const std::vector<D
       harmonics_(harmonics),
       across_(columns(deflections, A_.rows())),
       sizes_(deflections, across_.transpose() * numerics::PivotedLu<double>(K_).solve(across_)),
-      laws_(deflections, harmonics, harmonics),
-      wider_(deflections, 3 * harmonics, harmonics) {}
+      laws_(deflections, sizes_, harmonics, harmonics),
+      wider_(deflections, sizes_, 3 * harmonics, harmonics) {}
 
 Index FreeMotion::place(Index coefficient) const {
   const Index n = coordinates();

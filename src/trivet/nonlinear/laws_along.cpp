@@ -16,8 +16,10 @@ LawsAlong::LawsAlong(const MachineLaws& laws, const VectorXd& deflections, doubl
   const std::vector<LawHarmonics>& single = laws.single();
   const Index C = deflections.size() / to_index(single.size());
   harmonics = (C - 1) / 2;
+  const MatrixXd motion = deflections.reshaped(C, to_index(single.size()));
+  const VectorXd rests_below = laws.round_off(motion);
   for (std::size_t j = 0; j < single.size(); ++j) {
-    courses.push_back(single[j].course(deflections.segment(to_index(j) * C, C), omega));
+    courses.push_back(single[j].course(motion.col(to_index(j)), omega, rests_below(to_index(j))));
     is_piecewise_linear = is_piecewise_linear && single[j].law().is_piecewise_linear();
   }
   for (const MachineLaws::Distance& one : laws.distances()) {

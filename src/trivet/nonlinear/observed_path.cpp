@@ -102,8 +102,8 @@ bool ObservedPath::may_be_unstable_between(const SteadyBranch& found, std::size_
 SteadyPoint ObservedPath::steady(const BranchPoint& point) const {
   SteadyPoint result = observer_.at(path_.balance(), point.unknowns, path_.driving(point.parameter));
   if (by_winding_) {
-    result.unstable_by_winding =
-        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+    result.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
+                                                                        path_.driving(point.parameter).omega);
     if (result.unstable_by_winding) result.stable = *result.unstable_by_winding == 0;
   }
   return result;
@@ -137,8 +137,8 @@ void ObservedPath::judge(const std::vector<std::size_t>& chosen, SteadyBranch& f
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const BranchPoint& point = path_.motions().points()[chosen[i]];
     SteadyPoint& judged = found.points[chosen[i]];
-    judged.unstable_by_winding =
-        observer_.winding().unstable_exponents(point.unknowns, path_.driving(point.parameter).omega);
+    judged.unstable_by_winding = observer_.winding().unstable_exponents(path_.balance().motion(point.unknowns),
+                                                                        path_.driving(point.parameter).omega);
     ++found.winding.points;
     if (!judged.unstable_by_winding) ++found.winding.undecided;
     else if (*judged.unstable_by_winding != judged.unstable_multipliers())
@@ -169,25 +169,24 @@ void ObservedPath::add_landings(const MotionsAt& known, SteadyBranch& branch) co
 }
 
 void ObservedPath::note_sticking(const BranchPoint& point, SteadyBranch& found) const {
-  const Index C = path_.balance().coefficients();
-  for (Index j = 0; j < machine_.condensed.size(); ++j) {
-    const LawHarmonics& law = path_.balance().laws().single()[to_size(j)];
+  const MachineLaws& laws = path_.balance().laws();
+  const Eigen::MatrixXd motion = path_.balance().motion(point.unknowns);
+  for (Index j = 0; j < motion.cols(); ++j) {
+    const LawHarmonics& law = laws.single()[to_size(j)];
     const std::string& name = machine_.deflections[to_size(j)].name;
     if (law.law().hysteretic().empty() ||
         std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end())
       continue;
-    const LawCourse course = law.course(point.unknowns.segment(j * C, C), path_.driving(point.parameter).omega);
+    const LawCourse course = laws.course(j, motion, path_.driving(point.parameter).omega);
     if (std::any_of(course.loops().begin(), course.loops().end(),
                     [](const HystereticLoop& loop) { return loop.sticks() || loop.just_reaches_slip(); }))
       found.sticking.push_back(name);
   }
-  const MachineLaws& laws = path_.balance().laws();
   for (const MachineLaws::Rubbing& one : laws.rubbings()) {
     std::string name = machine_.deflections[to_size(one.on[1])].name;
     if (one.law.is_ring()) name = name.substr(0, name.find('.'));
     if (std::find(found.sticking.begin(), found.sticking.end(), name) != found.sticking.end()) continue;
-    const Eigen::MatrixXd course = point.unknowns.reshaped(C, machine_.condensed.size());
-    if (laws.loop(one, course, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);
+    if (laws.loop(one, motion, path_.driving(point.parameter).omega).always_sticks()) found.sticking.push_back(name);
   }
 }
 
@@ -213,15 +212,15 @@ StabilityChange ObservedPath::change_after(std::size_t point) const {
   constexpr std::array<double, 4> accurate = {1e-10, 1e-8, 1e-6, 1e-4};
   const auto excess = [&](const BranchPoint& there) {
     return observer_.stability()
-               .multipliers(path_.balance().laws(), there.unknowns, path_.driving(there.parameter).omega,
-                            of_multipliers)
+               .multipliers(path_.balance().laws(), path_.balance().motion(there.unknowns).reshaped(),
+                            path_.driving(there.parameter).omega, of_multipliers)
                .values.cwiseAbs()
                .maxCoeff() -
         1;
   };
   const auto by_winding = [&](const BranchPoint& there) {
-    const std::optional<int> unstable =
-        observer_.winding().unstable_exponents(there.unknowns, path_.driving(there.parameter).omega);
+    const std::optional<int> unstable = observer_.winding().unstable_exponents(path_.balance().motion(there.unknowns),
+                                                                               path_.driving(there.parameter).omega);
     return unstable && *unstable > 0 ? 1.0 : -1.0;
   };
   const FollowedMotions& motions = path_.motions();

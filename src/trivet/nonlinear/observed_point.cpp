@@ -26,7 +26,7 @@ PointObserver::PointObserver(const ReferenceMachine& machine, const SteadyOption
     : machine_(machine),
       options_(options),
       observer_(machine.system, machine.assembled, machine.excitation, machine.deflections, options.of,
-                options.quantity),
+                options.quantity, options.quantities),
       stability_(machine.assembled, machine.deflections),
       winding_(machine.condensed, machine.deflections) {
   for (std::size_t j = 0; j < machine.deflections.size(); ++j) {
@@ -67,7 +67,7 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
   const auto [omega, factor] = driving;
   result.angular_frequency = omega / machine_.excitation.first_harmonic;
   result.load_factor = factor;
-  result.deflections = unknowns.reshaped(balance.coefficients(), machine_.condensed.size());
+  result.deflections = balance.motion(unknowns);
   if (!observer_.channels().empty()) {
     const Eigen::MatrixXd forces = balance.forces(unknowns, omega);
     std::optional<ForceRemainder> remainder;
@@ -75,7 +75,8 @@ SteadyPoint PointObserver::at(const HarmonicBalance& balance, const Eigen::Vecto
     result.results = observer_.at(machine_.condensed.coordinates(forces, omega, factor), forces, omega, factor,
                                   remainder ? &*remainder : nullptr);
   }
-  PeriodicStability::Multipliers multipliers = stability_.multipliers(balance.laws(), unknowns, omega);
+  PeriodicStability::Multipliers multipliers =
+      stability_.multipliers(balance.laws(), result.deflections.reshaped(), omega);
   result.multipliers = std::move(multipliers.values);
   result.multiplier_uncertainty = multipliers.uncertainty;
   for (const std::size_t stop : stops_) result.contact.push_back(contact(stop, balance, result));

@@ -10,6 +10,7 @@
 
 #include "trivet/assembly/assembled.h"
 #include "trivet/assembly/loads.h"
+#include "trivet/foundation/grouped_notes.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/nonlinear/deflections.h"
@@ -42,6 +43,10 @@ std::string stops_words(const model::NonlinearPart& part) {
 
 std::vector<std::string> notes_about_rest(const model::System& system) {
   std::vector<std::string> notes;
+  double round_off = 0;
+  for (const model::Element& element : system.elements())
+    for (const model::NonlinearPart& part : element.nonlinear_parts)
+      round_off = std::max(round_off, 1e-12 * std::abs(part.at_rest));
   for (const model::Element& element : system.elements())
     for (const model::NonlinearPart& part : element.nonlinear_parts) {
       if (notes.empty())
@@ -67,7 +72,8 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
       notes.push_back(fmt::format("{}: its laws have {:.4g} {} {} {} at rest, at a deflection of {:.4g} {}{}",
                                   element.name, elements::small_motion(part.laws, part.at_rest).stiffness,
                                   turns ? "N m/rad" : "N/m", turns ? "about" : "along", "xyz"[part.axis % 3],
-                                  part.at_rest, turns ? "rad" : "m", stops_words(part)));
+                                  std::abs(part.at_rest) > round_off ? part.at_rest : 0.0, turns ? "rad" : "m",
+                                  stops_words(part)));
     }
   for (const model::Element& element : system.elements())
     for (const model::RubbingPart& part : element.rubbing_parts) {
@@ -95,7 +101,7 @@ std::vector<std::string> notes_about_rest(const model::System& system) {
                         "its wall",
                         element.name, part.friction->stiffness));
     }
-  return notes;
+  return foundation::grouped(notes);
 }
 
 namespace {

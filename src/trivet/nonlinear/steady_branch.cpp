@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
@@ -30,10 +32,10 @@ void add_linear(const model::System& given, const SteadyOptions& options, Steady
   constexpr int count = 400;
   const ReferenceMachine about_rest(given, tangents_at_rest(given), options.excitations);
   const Observer observer(about_rest.system, about_rest.assembled, about_rest.excitation, about_rest.deflections,
-                          options.of, options.quantity);
+                          options.of, options.quantity, options.quantities);
   const PeriodicExcitation& excitation = about_rest.excitation;
-  const Eigen::MatrixXd none =
-      Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()), about_rest.condensed.size());
+  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(numerics::coefficient_count(excitation.highest()),
+                                                     about_rest.condensed.basis().spread.cols());
   found.linear.resize(count, to_index(found.results.size()));
   for (int i = 0; i < count; ++i) {
     const double parameter = options.from * std::pow(options.to / options.from, i / (count - 1.0));
@@ -73,7 +75,7 @@ bool passes(const SteadyBranch& curve, const SteadyPoint& change, const Harmonic
   const double parameter = curve.parameter(change);
   return std::any_of(curve.points.begin(), curve.points.end(), [&](const SteadyPoint& point) {
     return std::abs(curve.parameter(point) - parameter) < near * parameter &&
-        balance.are_same(point.deflections.reshaped(), change.deflections.reshaped(), same);
+        balance.are_same(balance.unknowns_of(point.deflections), balance.unknowns_of(change.deflections), same);
   });
 }
 
@@ -90,9 +92,15 @@ bool is_stable_at(const SteadyBranch& curve, double parameter) {
 /// The curves beside the connected one, in the order in which they are told.
 class Curves {
  public:
-  Curves(const ReferenceMachine& machine, SteadyPath& path, const SteadyOptions& options,
-         const foundation::Progress& progress)
-      : machine_(machine), path_(path), options_(options), progress_(progress), observed_(machine, path, options) {}
+  /// @param beside  another curve that is known; null: none
+  Curves(const ReferenceMachine& machine, SteadyPath& path, std::unique_ptr<SteadyPath> beside,
+         const SteadyOptions& options, const foundation::Progress& progress)
+      : machine_(machine),
+        path_(path),
+        beside_(std::move(beside)),
+        options_(options),
+        progress_(progress),
+        observed_(machine, path, options) {}
 
   [[nodiscard]] SteadyBranch all() {
     SteadyBranch found = observed_.branch(progress_);
@@ -105,6 +113,7 @@ class Curves {
     std::vector<const SteadyPath*> of_one_period = {&path_};
     for (const BranchedPath& one : branched_.paths)
       if (one.periods == 1) of_one_period.push_back(one.path.get());
+    if (beside_) of_one_period.push_back(beside_.get());
     if (options_.detached) {
       const auto new_path = [&] {
         return std::make_unique<SteadyPath>(machine_.condensed, machine_.deflections, machine_.excitation, options_,
@@ -116,6 +125,7 @@ class Curves {
       for (const auto& one : detached_.paths) of_one_period.push_back(one.get());
       found.search = detached_.search;
     }
+    if (beside_) detached_.paths.insert(detached_.paths.begin(), std::move(beside_));
     for (const auto& one : detached_.paths) {
       ObservedPath observed(machine_, *one, options_);
       found.further.push_back(observed.branch(progress_));
@@ -172,13 +182,12 @@ class Curves {
           change.curve = found.further.size();
       observed.add_landings(of_one_period, curve);
     } else {
-      const Index deflections = machine_.condensed.size();
       observed.add_landings(
           [&](double parameter) {
             std::vector<numerics::BranchPoint> all = one.path->motions().all_at(parameter);
             for (numerics::BranchPoint& point : of_one_period(parameter)) {
-              const Eigen::MatrixXd motion = point.unknowns.reshaped(point.unknowns.size() / deflections, deflections);
-              point.unknowns = over_two_periods(motion).reshaped();
+              point.unknowns =
+                  one.path->balance().unknowns_of(over_two_periods(path_.balance().motion(point.unknowns)));
               all.push_back(std::move(point));
             }
             return all;
@@ -198,6 +207,7 @@ class Curves {
 
   const ReferenceMachine& machine_;
   SteadyPath& path_;
+  std::unique_ptr<SteadyPath> beside_;
   const SteadyOptions& options_;
   const foundation::Progress& progress_;
   ObservedPath observed_;
@@ -286,13 +296,34 @@ SteadyBranch steady_branch(const model::System& system, const SteadyOptions& opt
   check(options, machine);
   const Index fewest = std::max<Index>(5, machine.excitation.highest());
   const bool is_given = options.harmonics > 0;
+  std::optional<SteadyPath::Known> known;
   for (Index harmonics = is_given ? options.harmonics : fewest;; harmonics = more_harmonics(harmonics)) {
     const bool is_last = is_given || harmonics == most_steady_harmonics;
-    SteadyPath path(machine.condensed, machine.deflections, machine.excitation, options, harmonics);
-    if (!path.follow(is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options), progress))
-      continue;
-    SteadyBranch found = Curves(machine, path, options, progress).all();
+    const double most_left_out = is_last ? std::numeric_limits<double>::infinity() : allowed_left_out(system, options);
+    const auto new_path = [&] {
+      return std::make_unique<SteadyPath>(machine.condensed, machine.deflections, machine.excitation, options,
+                                          harmonics);
+    };
+    std::unique_ptr<SteadyPath> path = new_path(), beside;
+    const bool is_enough = path->follow(most_left_out, known ? &*known : nullptr, progress);
+    known = path->known();
+    if (!is_enough) continue;
+    if (path->returned()) {
+      std::unique_ptr<SteadyPath> above = new_path();
+      if (!above->follow_above(*path, most_left_out, progress)) continue;
+      if (!above->motions().points().empty()) {
+        beside = std::move(path);
+        path = std::move(above);
+      }
+    }
+    const bool returned = path->returned();
+    SteadyBranch found = Curves(machine, *path, std::move(beside), options, progress).all();
+    if (returned && found.ended.empty())
+      found.ended =
+          fmt::format("the curve returns to the lower end of the band; at {} places above it no other motion was found",
+                      SteadyPath::places_above);
     found.lost_means = lost_means(machine.deflections);
+    found.asked_at = options.at;
     if (holds && !found.results.empty()) add_linear(system, options, found);
     return found;
   }

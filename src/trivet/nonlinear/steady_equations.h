@@ -46,6 +46,9 @@ class SteadyEquations {
   };
   /// The direction of the unknowns in which the equations change least; empty if they are not finite.
   [[nodiscard]] std::optional<Eigen::VectorXd> weakest_direction(const Place& place) const;
+  /// Is the determinant of the equations negative, which it is beyond a fold: an odd number of real multipliers above
+  /// 1?
+  [[nodiscard]] bool is_beyond_fold(const Place& place) const;
   /// It passes zero where the equations do not change at all in a direction near the given one: two curves cross.
   [[nodiscard]] double change_along(const Place& place, const Eigen::VectorXd& direction) const;
 

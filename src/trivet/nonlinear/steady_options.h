@@ -31,6 +31,7 @@ struct SteadyOptions {
   std::vector<std::string> excitations;  ///< of these; empty: all harmonic ones, or without any, all orders
   std::vector<std::string> of;           ///< results, as channels; empty: none
   assembly::MotionQuantity quantity = assembly::MotionQuantity::displacement;
+  std::vector<assembly::MotionQuantity> quantities = {};  ///< one per result; empty: `quantity` of all
   std::vector<double> at;  ///< also exactly at these parameters, wherever the branch passes them
   bool detached = false;   ///< seek motions that are not connected with the one at the lower end of the band
   bool deep = false;       ///< judge the stability of every point in two ways
