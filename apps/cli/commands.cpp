@@ -97,6 +97,16 @@ project::Analyses analyses_for(const study::AskedQuestion& question, const proje
     steady->deep = true;
     analyses.questions["steady"] = std::move(steady);
   }
+  if (!options.at.empty() && !analyses.response) {
+    auto steady = std::make_shared<project::SteadyQuestion>(*analyses.find<project::SteadyQuestion>("steady"));
+    if (steady->over_load_factor)
+      throw BadArgument("--at " + options.at +
+                        ": the steady motion of the file is over the load factor, at one frequency; remove "
+                        "over = \"load_factor\" from the file");
+    steady->harmonics_at = frequencies("--at", options.at);
+    analyses.questions["steady"] = std::move(steady);
+    return analyses;
+  }
   assert(analyses.response || (options.at.empty() && options.band.empty()));  // options of `response` only
   if (!options.at.empty()) {
     analyses.response->at = frequencies("--at", options.at);

@@ -238,6 +238,11 @@ int run(int argc, char** argv) {
   add_strict(check, options);
   for (const trivet::study::AskedQuestion& question : trivet::study::asked_questions())
     add_strict(add_answer(app, question.name, question.about, options), options);
+  app.get_subcommand("steady")
+      ->add_option(
+          "--at", options.at,
+          "tell the harmonics of all motions found there: \"12 Hz\" or \"750 rpm\", or several: 75,80 in rad/s")
+      ->check(not_empty);
   app.get_subcommand("steady")->add_flag("--deep", options.deep, "judge the stability of every point in two ways");
   add_modes_options(app, options);
   add_response_options(app, options);

@@ -17,6 +17,7 @@
 #include "trivet/report/html_table.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/results/steady_changes_text.h"
+#include "trivet/results/steady_kinds.h"
 #include "trivet/results/text_table.h"
 #include "trivet/results/varied_parameter.h"
 
@@ -305,13 +306,13 @@ std::string steady_tables(const study::Answers& answers) {
     for (const Fold& fold : branch->further[i].folds)
       if (nonlinear::jumps_at(branch->further[i], fold)) add_fold(fold, fmt::format(", curve {}", i + 1));
   const std::string about = hint(fmt::format(
-      "Periodic motions connected with {}; {}. {} harmonics, which leave out at most "
+      "Periodic motions connected with {}; {}. {} {} at most "
       "{:.2g} of the deflections. Motions are deviations from rest.{}{}",
       results::begun_words(*branch, answers.display),
       branch->search ? fmt::format("{} detached curves were found by a search",
                                    branch->further_ones(SteadyBranch::Found::detached).size())
                      : "detached ones are not sought",
-      branch->harmonics, branch->left_out,
+      branch->harmonics, results::harmonics_that_leave_out(branch->harmonics), branch->left_out,
       branch->at_phase ? fmt::format(" At each load the frequency is the one at which {} lags \"{}\" by {:.4g}°.",
                                      branch->at_phase->of, branch->at_phase->behind,
                                      360 / foundation::two_pi * branch->at_phase->lag)

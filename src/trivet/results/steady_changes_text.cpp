@@ -112,18 +112,21 @@ std::string folds_text(const SteadyBranch& branch, const project::ShownUnits& di
 }
 
 std::string detached_text(const SteadyBranch& branch, const project::ShownUnits& display) {
-  if (!branch.search) return "";
   const std::vector<const SteadyBranch*> detached = branch.further_ones(SteadyBranch::Found::detached);
-  std::string text = fmt::format(
-      "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
-      detached.size(), branch.search->starts, branch.search->places,
-      branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
-      branch.search->load_up_to > 0
-          ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)
-          : "",
-      branch.search->resonances > 0 ? fmt::format(", and along {} {} of phase resonance", branch.search->resonances,
-                                                  branch.search->resonances == 1 ? "curve" : "curves")
-                                    : "");
+  if (!branch.search && detached.empty()) return "";
+  std::string text = !branch.search
+      ? "  another curve of motions returns to the lower end of the band\n"
+      : fmt::format(
+            "  detached motions: {} found; a search, not a proof: from {} random starts at {} places{}{}{}\n",
+            detached.size(), branch.search->starts, branch.search->places,
+            branch.search->rests > 0 ? fmt::format(", from {} other positions of rest", branch.search->rests) : "",
+            branch.search->load_up_to > 0
+                ? fmt::format(", there with the load raised to {:g} times", branch.search->load_up_to)
+                : "",
+            branch.search->resonances > 0
+                ? fmt::format(", and along {} {} of phase resonance", branch.search->resonances,
+                              branch.search->resonances == 1 ? "curve" : "curves")
+                : "");
   if (detached.empty()) return text;
   TextTable table({"detached curve", "from [" + varied_unit(branch, display) + "]", "to", "points", "unstable",
                    "largest half of the range"});

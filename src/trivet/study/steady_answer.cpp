@@ -9,6 +9,7 @@
 
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/foundation/plain_text.h"
 #include "trivet/nonlinear/deflections.h"
 #include "trivet/study/question_answer.h"
 
@@ -34,9 +35,24 @@ response::Band usual_band(const CaseContext& c, const std::vector<std::string>& 
   return {0.1 * low / last, 1.5 * high / first};
 }
 
+/// Within the band; on its lower end the curve begins, so a little above it.
+std::vector<double> places_asked_for(const project::SteadyQuestion& asked, const nonlinear::SteadyOptions& options) {
+  constexpr double beside = 1e-12;
+  std::vector<double> places;
+  for (const double place : asked.harmonics_at) {
+    if (!(place >= options.from * (1 - beside) && place <= options.to * (1 + beside)))
+      throw foundation::InvalidInput(fmt::format(
+          "steady: --at {:.6g} Hz is outside the band {:.6g} … {:.6g} Hz; give one inside, or another band in the file",
+          place / foundation::two_pi, options.from / foundation::two_pi, options.to / foundation::two_pi));
+    places.push_back(std::clamp(place, options.from * (1 + beside), options.to));
+  }
+  return places;
+}
+
 }  // namespace
 
-nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked) {
+nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::SteadyQuestion& asked,
+                                       const std::vector<assembly::MotionQuantity>& quantities) {
   if (!nonlinear::is_nonlinear(c.system))
     throw foundation::InvalidInput(
         "steady: the machine is linear; take response, or give an element laws or a stop (docs/nonlinear.md)");
@@ -55,6 +71,8 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
   options.excitations = asked.selection.excitations;
   options.of = asked.selection.of;
   options.quantity = asked.selection.quantity;
+  options.quantities = quantities;
+  options.at = places_asked_for(asked, options);
   options.harmonics = asked.harmonics;
   options.tolerance = asked.tolerance;
   options.detached = asked.all_branches;
@@ -63,6 +81,12 @@ nonlinear::SteadyBranch steady_motions(const CaseContext& c, const project::Stea
 }
 
 namespace {
+
+/// "12 harmonics leave out 0.002"
+std::string left_out_words(const nonlinear::SteadyBranch& branch) {
+  return fmt::format("{} {} out {:.2g}", branch.harmonics,
+                     branch.harmonics == 1 ? "harmonic leaves" : "harmonics leave", branch.left_out);
+}
 
 /// Multipliers that are not accurate enough, and motions that creep.
 /// @param of  "", or "further curve 2: "
@@ -165,8 +189,7 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
                          "harmonic excitations and orders have no common period, and the harmonic ones are taken",
                          "name it in excitations of steady to have the motion under its orders");
   if (branch.left_out > asked.tolerance)
-    warnings.warning("analyses.steady",
-                     fmt::format("{} harmonics leave out {:.2g} of the deflections", branch.harmonics, branch.left_out),
+    warnings.warning("analyses.steady", fmt::format("{} of the deflections", left_out_words(branch)),
                      fmt::format("the tolerance is {:.2g}", asked.tolerance),
                      asked.harmonics > 0 ? "take more, or leave their number to the tolerance"
                                          : "near grazing contact no number of harmonics is enough");
@@ -175,21 +198,23 @@ void warn_of_motions(const CaseContext& c, const project::SteadyQuestion& asked,
     const nonlinear::SteadyBranch& curve = branch.further[i];
     if (curve.left_out > asked.tolerance)
       warnings.warning("analyses.steady",
-                       fmt::format("further curve {}: {} harmonics leave out {:.2g} of the deflections", i + 1,
-                                   curve.harmonics, curve.left_out),
+                       fmt::format("further curve {}: {} of the deflections", i + 1, left_out_words(curve)),
                        fmt::format("the tolerance is {:.2g}", asked.tolerance), "take more harmonics");
     if (!curve.ended.empty())
       warnings.warning("analyses.steady", fmt::format("further curve {} is not whole", i + 1), curve.ended,
                        "what lies beyond is not computed");
     warn_of_verdicts(fmt::format("further curve {}: ", i + 1), curve, warnings);
   }
-  for (const std::string& name : branch.lost_means)
-    warnings.warning("analyses.steady", name + ": smooth friction bears a part of the load at rest, and none in motion",
+  if (!branch.lost_means.empty())
+    warnings.warning("analyses.steady",
+                     foundation::comma_separated(branch.lost_means) +
+                         ": smooth friction bears a part of the load at rest, and none in motion",
                      "the mean of the motion contains this shift, however small the excitation",
                      "compare the half of the range, or leave the load to other elements");
-  for (const std::string& name : branch.sticking)
+  if (!branch.sticking.empty())
     warnings.warning(
-        "analyses.steady", name + ": friction sticks all the time at some frequencies",
+        "analyses.steady",
+        foundation::comma_separated(branch.sticking) + ": friction sticks all the time at some frequencies",
         "the mean of its force then depends on what happened before; here a slider has stuck since rest, and "
         "a stop that rubs where it is farthest from slip",
         "take such means as one of many");
