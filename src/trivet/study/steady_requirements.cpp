@@ -92,7 +92,6 @@ project::SteadyQuestion question_of(const project::Analyses& analyses) {
   if (has_band) asked.band = required.band;
   if (!required.excitations.empty()) asked.selection.excitations = required.excitations;
   asked.selection.of.clear();
-  asked.selection.quantity = assembly::MotionQuantity::displacement;  // that of the limits, whatever the curves show
   return asked;
 }
 
@@ -183,9 +182,13 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   list.add_bounds(context, RequirementKind::steady, required.steady, "steady ");
   list.attempt(first, [&] {
     project::SteadyQuestion asked = question_of(analyses);
-    for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
+    std::vector<assembly::MotionQuantity> quantities;
+    for (const project::AmplitudeLimit& limit : required.steady) {
+      asked.selection.of.push_back(limit.name);
+      quantities.push_back(limit.quantity);
+    }
     asked.all_branches = asked.all_branches || required.no_jump;
-    const SteadyBranch branch = steady_motions(context, asked);
+    const SteadyBranch branch = steady_motions(context, asked, quantities);
     foundation::Problems doubts;
     warn_of_motions(context, asked, branch, doubts);
     if (required.no_jump) set_jumps(branch, list[first]);

@@ -235,10 +235,6 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   found.no_contact = reader.boolean("no_contact").value_or(false);
   found.steady = read_amplitude_limits(reader, "steady", names, assembly::MotionQuantity::displacement);
   found.statics = read_amplitude_limits(reader, "static", names, assembly::MotionQuantity::displacement);
-  for (const AmplitudeLimit& limit : found.steady)
-    if (limit.quantity != assembly::MotionQuantity::displacement)
-      reader.error("steady", foundation::quoted(limit.name) + " as a velocity or an acceleration",
-                   "steady motions are judged by displacements and forces", "give a length, an angle or a force");
   for (const AmplitudeLimit& limit : found.statics)
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
