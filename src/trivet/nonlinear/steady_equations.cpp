@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/numerics/linalg/lane_lu.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
@@ -18,6 +19,20 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Of the same kind: translations or rotations.
+VectorXd carried_with_independent(const DeflectionBasis& basis, const std::vector<Deflection>& deflections) {
+  VectorXd found = VectorXd::Zero(basis.size());
+  for (Index b = 0; b < basis.size(); ++b)
+    for (Index j = 0; j < basis.spread.cols(); ++j)
+      if (deflections[to_size(j)].is_rotation == deflections[to_size(basis.independent[to_size(b)])].is_rotation)
+        found(b) += basis.spread(b, j) * basis.spread(b, j);
+  return found.cwiseSqrt();
+}
+
+}  // namespace
+
 SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vector<Deflection>& deflections,
                                  const PeriodicExcitation& excitation, const SteadyOptions& options, Index harmonics)
     : options_(options),
@@ -25,6 +40,7 @@ SteadyEquations::SteadyEquations(const CondensedMachine& machine, const std::vec
       of_shaft_(excitation.of_shaft),
       balance_(machine, deflections, harmonics) {
   constexpr double share = 1e-3;
+  carried_ = carried_with_independent(machine.basis(), deflections);
   const VectorXd motion = balance_.linear_motion(driving(options_.from));
   smallest_ = share * balance_.largest_harmonics(motion);
   const auto vanish = [](const numerics::Load& load) {
@@ -58,8 +74,8 @@ VectorXd SteadyEquations::scale(const VectorXd& unknowns) const {
   const VectorXd harmonic = balance_.largest_harmonics(unknowns).cwiseMax(smallest_).cwiseMax(of_mean * mean);
   VectorXd result(unknowns.size());
   for (Index j = 0; j < mean.size(); ++j) {
-    result.segment(j * C, C).setConstant(harmonic(j));
-    result(j * C) = std::max(mean(j), harmonic(j));
+    result.segment(j * C, C).setConstant(harmonic(j) / carried_(j));
+    result(j * C) = std::max(mean(j), harmonic(j)) / carried_(j);
   }
   return result;
 }

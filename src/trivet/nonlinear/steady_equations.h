@@ -30,7 +30,7 @@ class SteadyEquations {
 
   /// Harmonics are compared with the largest one of their kind (DeflectionSizes), means with the largest mean too: a
   /// mean that changes little must not hide a resonance. What stays near zero is compared with a thousandth of the
-  /// linear motion.
+  /// linear motion. Lengths on the branch count all deflections, also those that are no unknowns.
   [[nodiscard]] Eigen::VectorXd scale(const Eigen::VectorXd& unknowns) const;
 
   /// Its solutions. The equations must outlive it, and so for the next ones.
@@ -61,6 +61,7 @@ class SteadyEquations {
   bool of_shaft_;
   HarmonicBalance balance_;
   Eigen::VectorXd smallest_;  ///< scales of harmonics, per deflection
+  Eigen::VectorXd carried_;   ///< root of the number of deflections that move with each independent one
 };
 
 }  // namespace trivet::nonlinear
