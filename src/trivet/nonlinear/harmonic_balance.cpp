@@ -116,13 +116,15 @@ void HarmonicBalance::evaluate(const VectorXd& unknowns, const Driving& driving,
     for (Index i = 0; i < m; ++i)
       add(direct, crossed, j * m + i, forces.by_omega.col(j), equations.by_parameter.segment(i * C, C));
   }
-  for (const CoupledForces::Tangent& tangent : forces.tangents)
+  for (const CoupledForces::Tangent& tangent : forces.tangents) {
+    if (tangent.matrix.isZero(0)) continue;  // a stop that the motion does not touch
     for (Index c = 0; c < C; ++c) {
       exchange(tangent.matrix.col(c));
       for (Index i = 0; i < m; ++i)
         add(direct, crossed, tangent.of * m + i, tangent.matrix.col(c),
             equations.by_unknowns.col(tangent.by * C + c).segment(i * C, C));
     }
+  }
   if (parameter == Parameter::load_factor) equations.by_parameter.setZero();
   for (std::size_t e = 0; e < machine_.excited().size(); ++e) {
     const Index k = machine_.excited()[e];
