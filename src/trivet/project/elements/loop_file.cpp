@@ -65,6 +65,7 @@ std::optional<std::vector<LoopFit>> read_loop_file(TableReader& reader) {
     reader.add_of_file("loops", table.error());
     return std::nullopt;
   }
+  reader.add_of_file("loops", table->warnings);
   for (const std::string& name : table->columns)
     if (name != "loop" && name != "displacement" && name != "force" && name != "time" && name != "frequency_hz")
       reader.error("loops", "column " + foundation::quoted(name),

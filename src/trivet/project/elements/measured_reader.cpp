@@ -131,6 +131,7 @@ void read_measured(TableReader& reader, Placement& ends, model::Element& element
     reader.add_of_file("load_cases", table.error());
     return;
   }
+  reader.add_of_file("load_cases", table->warnings);
   const auto cases = load_cases(reader, *table, units);
   if (!cases) return;
   const auto fit = identification::identified_stiffness(*cases, ends.span.arm, options);

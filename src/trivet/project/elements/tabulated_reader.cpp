@@ -44,6 +44,7 @@ void read_tabulated(TableReader& reader, Placement& ends, model::Element& elemen
     reader.add_of_file("file", csv.error());
     return;
   }
+  reader.add_of_file("file", csv->warnings);
   if (is_matrix_table(*csv)) {
     for (const char* key : {"center", "interpolation"})
       if (reader.has(key))

@@ -44,11 +44,9 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
   const auto file = read_file_name(reader, "file");
   const std::string x_name = reader.text(x).value_or(x), y_name = reader.text(y).value_or(y);
   if (!file) return std::nullopt;
-  const auto csv = read_csv_table(*file, most_rows);
-  if (!csv) {
-    reader.add_of_file("file", csv.error());
-    return std::nullopt;
-  }
+  const auto csv = read_csv_table(*file, most_rows, {x_name, y_name});
+  reader.add_of_file("file", csv ? csv->warnings : csv.error());
+  if (!csv) return std::nullopt;
   const auto values = columns(*csv, {x_name, y_name});
   if (!values) {
     reader.add_of_file("file", values.error());
