@@ -289,7 +289,7 @@ class Measurements(unittest.TestCase):
         values = [h * (2j * math.pi * f) ** 2 / scale for f, h in zip(hertz, values)]
         text = measured_function(7, 3, values, 12, (7, 3), (1.0, 0.1), unit=unit)
         if denominator != "NONE":
-            axis = text.splitlines()[10]
+            axis = text.splitlines()[11]
             text = text.replace(axis, axis[:47] + f"{denominator:<20s}", 1)
         (self.folder / "m.uff").write_text(units + file_of_nodes((7, 0.2, 0.1, 0.1)) + text)
 

@@ -65,7 +65,7 @@ std::vector<Statement> statements(const UniversalAxis& axis, const char* name) {
   std::vector<Statement> all;
   const exchange::UniversalUnitStatements& stated = axis.stated;
   if (stated.by_set)
-    all.push_back({*stated.by_set, fmt::format("set 164 ({} has {:.6g} in SI)", name, *stated.by_set)});
+    all.push_back({*stated.by_set, fmt::format("set 164 (the {} has {:.6g} in SI)", name, *stated.by_set)});
   if (stated.by_label) all.push_back({*stated.by_label, label_words(name, stated.label)});
   return all;
 }
@@ -89,9 +89,9 @@ std::vector<Statement> statements(const UniversalFunction& function, bool per_lo
   std::vector<Statement> all;
   if (const auto unit = unit_in_label(function); unit && unit->per_load == per_load)
     all.push_back({unit->factor, label_words("numerator", function.numerator.stated.label)});
-  std::vector<Statement> denominators = statements(function.denominator, "the denominator");
+  std::vector<Statement> denominators = statements(function.denominator, "denominator");
   if (denominators.empty() || !per_load) denominators = {{1, ""}};
-  std::vector<Statement> numerators = statements(function.numerator, "the numerator");
+  std::vector<Statement> numerators = statements(function.numerator, "numerator");
   if (all.empty() && numerators.empty() && per_load && given && given->per_load && !denominators.front().words.empty())
     numerators = {{given->factor * given->load, ""}};
   for (const Statement& numerator : numerators)
