@@ -87,11 +87,12 @@ std::optional<MeasuredUnit> unit_in_label(const UniversalFunction& function) {
 std::vector<Statement> statements(const UniversalFunction& function, bool per_load,
                                   const std::optional<MeasuredUnit>& given) {
   std::vector<Statement> all;
-  if (const auto unit = unit_in_label(function); unit && unit->per_load == per_load)
-    all.push_back({unit->factor, label_words("numerator", function.numerator.stated.label)});
+  std::vector<Statement> numerators = statements(function.numerator, "numerator");
+  if (const auto unit = unit_in_label(function))
+    (unit->per_load ? all : numerators)
+        .push_back({unit->factor, label_words("numerator", function.numerator.stated.label)});
   std::vector<Statement> denominators = statements(function.denominator, "denominator");
   if (denominators.empty() || !per_load) denominators = {{1, ""}};
-  std::vector<Statement> numerators = statements(function.numerator, "numerator");
   if (all.empty() && numerators.empty() && per_load && given && given->per_load && !denominators.front().words.empty())
     numerators = {{given->factor * given->load, ""}};
   for (const Statement& numerator : numerators)
@@ -163,7 +164,10 @@ std::optional<MeasuredUnit> MeasuredAxes::unit_of(const UniversalFunction& funct
       return std::nullopt;
     }
   if (in_label && (!of_axis || *of_axis == in_label->quantity))
-    return MeasuredUnit{in_label->quantity, in_label->factor / applied, in_label->per_load, {}};
+    return MeasuredUnit{.quantity = in_label->quantity,
+                        .factor = stated.front().factor / applied,
+                        .per_load = per_load,
+                        .text = in_label->text};
   if (!of_axis || !(is_load(function.denominator.quantity) || plain)) return std::nullopt;
   if (function.in_file_units) return std::nullopt;
   if (stated.empty() && !function.numerator.stated.label.empty()) {
