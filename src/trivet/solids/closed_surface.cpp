@@ -89,11 +89,12 @@ void report_opposed(const TriangleSurface& surface, std::vector<SurfaceEdge>& op
     std::erase_if(open, belongs);
   }
   if (pairs > 0)
-    problems.error("file",
-                   fmt::format("{} triangles are there twice, facing opposite sides, {} in the file's units", pairs,
-                               place(surface, of_pairs)),
-                   "each triangle of a closed surface is there once and faces outwards",
-                   "remove the one that faces inwards in the program that made it, then export it again");
+    problems.error(
+        "file",
+        fmt::format("{} there twice, facing opposite sides, {} in the file's units",
+                    pairs == 1 ? "one triangle is" : fmt::format("{} triangles are", pairs), place(surface, of_pairs)),
+        "each triangle of a closed surface is there once and faces outwards",
+        "remove the one that faces inwards in the program that made it, then export it again");
 }
 
 void check_edges(const TriangleSurface& surface, Problems& problems) {

@@ -248,7 +248,7 @@ TEST(WeldedSurface, ATriangleThatIsWrittenTwiceCountsOnce) {
   // Facing the other way, it is no repetition.
   box.back() = {box[3][0], box[3][2], box[3][1]};
   const std::string said = messages(stl_solid(box));
-  EXPECT_THAT(said, HasSubstr("1 triangles are there twice, facing opposite sides"));
+  EXPECT_THAT(said, HasSubstr("one triangle is there twice, facing opposite sides"));
   EXPECT_THAT(said, testing::Not(HasSubstr("hole")));
 }
 
