@@ -175,10 +175,10 @@ void convert_mode(UniversalMode& mode, const UniversalUnits& units, const Univer
     problems.error(set.line, "unit", "infinite numbers in SI", "numbers are finite", "check the factors of set 164");
 }
 
-/// What set 2414 contains other than a mode at nodes, with what to export instead; or an empty text.
+/// What set 2414 contains other than a mode at nodes, or an empty text.
 std::string other_than_analysis_mode(int location, const ModeDefinition& definition) {
   if (location != at_nodes)
-    return fmt::format("results {}: modes at nodes are read",
+    return fmt::format("results {}",
                        location == 2 || location == 3 ? "at elements" : fmt::format("at location {}", location));
   const auto quantity = static_cast<UniversalQuantity>(definition.quantity);
   const bool motion = quantity == UniversalQuantity::displacement || quantity == UniversalQuantity::velocity ||
@@ -190,16 +190,15 @@ std::string other_than_analysis_mode(int location, const ModeDefinition& definit
     case second_order_complex_mode:
       break;
     case 1:
-      return fmt::format("{} of a static analysis: export modes, or functions over frequency as set 58", result);
+      return result + " of a static analysis";
     case 4:
-      return fmt::format("{} over time: export functions over frequency as set 58", result);
+      return result + " over time";
     case 5:
-      return fmt::format("{} of a frequency response: export them as functions, set 58", result);
+      return result + " of a frequency response";
     default:
-      return fmt::format("{} of analysis type {}: export modes, or functions over frequency as set 58", result,
-                         definition.analysis);
+      return fmt::format("{} of analysis type {}", result, definition.analysis);
   }
-  return motion ? other_than_mode(definition) : result + " of modes: export their displacements";
+  return motion ? other_than_mode(definition) : result + " of modes";
 }
 
 /// Record 9.

@@ -19,8 +19,7 @@ struct UniversalModeSet {
 [[nodiscard]] UniversalModeSet read_universal_mode(const UniversalSet& set, const UniversalUnits& units,
                                                    SetProblems& problems);
 
-/// The same of set 2414 with results at nodes, as Simcenter, NX and other finite element programs write them. What is
-/// no mode is named with what to export instead.
+/// The same of set 2414 with results at nodes, as Simcenter, NX and other finite element programs write them.
 [[nodiscard]] UniversalModeSet read_universal_analysis_mode(const UniversalSet& set, const UniversalUnits& units,
                                                             SetProblems& problems);
 

@@ -84,7 +84,8 @@ class UniversalReader {
   SetScanner scanner_;
   UniversalFile file_;
   std::vector<UniversalSystem> systems_;
-  std::map<std::string, int> ignored_;  ///< what, how often
+  std::map<std::string, int> ignored_;        ///< what, how often
+  std::map<std::string, int> other_results_;  ///< content of set 2414 that is no mode
   bool at_end_ = false;
 };
 
@@ -105,7 +106,7 @@ void UniversalReader::read_mode(const UniversalSet& set, SetProblems& problems) 
 void UniversalReader::read_analysis_data(const UniversalSet& set, SetProblems& problems) {
   auto read = read_universal_analysis_mode(set, units(), problems);
   if (read.mode) file_.modes.push_back(std::move(*read.mode));
-  if (!read.other_content.empty()) ++ignored_["2414 with " + read.other_content];
+  if (!read.other_content.empty()) ++other_results_[read.other_content];
 }
 
 void UniversalReader::read_units(const UniversalSet& set, SetProblems& problems) {
@@ -178,6 +179,12 @@ void UniversalReader::warn_about_units() {
 }
 
 void UniversalReader::warn_about_ignored_sets() {
+  std::vector<std::string> results;
+  for (const auto& [name, count] : other_results_) results.push_back(fmt::format("{} × {}", count, name));
+  if (!results.empty())
+    problems_.warning(0, "sets 2414", foundation::comma_separated(results),
+                      "displacements, velocities or accelerations of modes at nodes are read",
+                      "the others are ignored; export modes at nodes, or functions over frequency as set 58");
   if (ignored_.empty()) return;
   std::vector<std::string> names;
   for (const auto& [name, count] : ignored_) names.push_back(count == 1 ? name : fmt::format("{} ({}×)", name, count));
