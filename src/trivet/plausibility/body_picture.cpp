@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "trivet/foundation/constants.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/spatial/rigid_motion.h"
 
@@ -66,7 +67,7 @@ Attachment attachment(const model::Element& element, std::size_t index, bool at_
 }
 
 bool is_whole(const model::Body& body) {
-  return body.has_inertia && body.mass.mass > 0 &&
+  return body.has_inertia && body.mass.mass > 0 && !model::is_point_mass(body) &&
       std::all_of(body.free.begin(), body.free.end(), [](bool f) { return f; });
 }
 

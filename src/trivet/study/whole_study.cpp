@@ -10,6 +10,7 @@
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/modal/free_motions.h"
 #include "trivet/model/nodes.h"
+#include "trivet/model/point_mass.h"
 #include "trivet/numerics/linalg/generalized_modes.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/plausibility/suspicion.h"
@@ -130,7 +131,7 @@ std::vector<CheckLine> check_lines(const project::Case& variant) {
     if (body.is_node) continue;
     const std::string subject = "body " + body.name;
     lines.push_back({subject, "mass is positive", fmt::format("{:.6g} kg", body.mass.mass), body.mass.mass > 0});
-    if (!body.has_inertia) continue;
+    if (!body.has_inertia || model::is_point_mass(body)) continue;
     const Eigen::Vector3d j = spatial::principal_inertia(body.mass).moments;
     const Eigen::VectorXd a = numerics::symmetric_eigenvalues(Eigen::MatrixXd(spatial::mass_matrix(body.mass)));
     lines.push_back({subject, "principal central moments are those of a real body",
