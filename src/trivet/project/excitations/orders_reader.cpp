@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -81,6 +82,19 @@ excitation::EngineLayout read_layout(TableReader& engine) {
   return layout;
 }
 
+/// A cylinder reaches at least some ten times the pressure of the atmosphere; less than a fifth of it is a trace in bar
+/// or MPa that is read as Pa.
+void warn_of_small_pressures(TableReader& pressure, const std::vector<double>& trace) {
+  constexpr double smallest = 2e4;
+  const double largest = trace.empty() ? 0 : *std::max_element(trace.begin(), trace.end());
+  if (!(largest > 0 && largest < smallest)) return;
+  foundation::Problems doubts;
+  doubts.warning("file", fmt::format("a largest pressure of {:.4g} Pa", largest),
+                 "a cylinder reaches 10 to 200 bar, 1e6 to 2e7 Pa",
+                 "write unit = \"bar\" if the column is in bar, or the unit in its heading: pressure [bar]");
+  pressure.add(doubts);
+}
+
 /// `gas_torque = [[order, amplitude, phase], …]` per cylinder, or `pressure = {file, …}` with the bore.
 std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const excitation::Engine& data, double highest) {
   if (engine.has("gas_torque")) {
@@ -116,12 +130,15 @@ std::vector<excitation::TorqueHarmonic> read_gas(TableReader& engine, const exci
   const double bore = pressure.required_number("bore", Quantity::length);
   if (pressure.has("bore") && !(bore > 0))
     pressure.error("bore", fmt::format("{:.6g} m", bore), "a bore is > 0", "correct it");
-  const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure");
+  const ColumnQuantity angle(Quantity::angle, std::numbers::pi / 180, "deg"),
+      value = read_bare_unit(pressure, Quantity::pressure);
+  const auto rows = read_pairs_of_file(pressure, "crank_angle_deg", "pressure", angle, value);
   pressure.finish();
   if (!rows || !(bore > 0)) return {};
   excitation::PressureTrace trace;
-  for (const double degrees : rows->col(0)) trace.angles.push_back(degrees * std::numbers::pi / 180);
-  trace.pressures.assign(rows->col(1).begin(), rows->col(1).end());
+  for (const double degrees : rows->col(0)) trace.angles.push_back(degrees * angle.bare);
+  for (const double one : rows->col(1)) trace.pressures.push_back(one * value.bare);
+  warn_of_small_pressures(pressure, trace.pressures);
   const foundation::Problems findings = excitation::check(trace, data.cycle(), "file");
   pressure.add(findings);
   return findings.has_errors() || pressure.errors() > 0 ? std::vector<excitation::TorqueHarmonic>{}

@@ -75,7 +75,9 @@ std::string rule_of_cell(std::string_view cell) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
   if (end == cell.data() + cell.size() && error == std::errc{} && std::isfinite(value))
     if (const auto broken = outside_range(value, Quantity::pure)) return *broken;
-  return "a cell is a finite number with a decimal point, or empty if not measured";
+  const bool number_and_more = error == std::errc{} && end != cell.data() + cell.size() && *end != ',' && *end != '.';
+  return number_and_more ? "a cell is a number alone; its unit is in the heading: NAME [unit]"
+                         : "a cell is a finite number with a decimal point, or empty if not measured";
 }
 
 /// Separator of a header: the first of tab, semicolon, comma in it.
