@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
@@ -16,13 +17,14 @@
 namespace trivet::study {
 namespace {
 
-/// The result that governs: violated ones and ties in their order.
+/// The judged result that governs, by the rule of maps: violated ones before met ones, ties in their order.
 std::optional<std::size_t> least_margin(const std::vector<RequirementResult>& results) {
-  constexpr double tie = 1e-6;  // round-off does not choose
-  std::optional<std::size_t> least;
+  std::vector<std::size_t> judged;
+  std::vector<double> margins;
   for (std::size_t i = 0; i < results.size(); ++i)
-    if (results[i].value && (!least || results[i].margin < results[*least].margin * (1 - tie))) least = i;
-  return least;
+    if (results[i].value) judged.push_back(i), margins.push_back(results[i].margin);
+  if (judged.empty()) return std::nullopt;
+  return judged[design::governing(margins).rule];
 }
 
 /// What causes a governing amplitude or peak, in words; empty if it is no peak.
