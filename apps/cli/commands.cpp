@@ -15,6 +15,7 @@
 #include "trivet/foundation/message_list.h"
 #include "trivet/foundation/temporary_folder.h"
 #include "trivet/project/analyses/steady_question.h"
+#include "trivet/project/suspicions.h"
 #include "trivet/project/text/admissible_range.h"
 #include "trivet/project/text/units.h"
 #include "trivet/results/check_text.h"
@@ -219,7 +220,9 @@ int answer_command(const std::string& which, const Options& options) {
   if (!project) return wrong_input;
   try {
     const project::Case& variant = chosen_case(*project, options.case_name);
-    const study::Answers answers = study::answers(variant, analyses_for(question, variant, options), progress());
+    const project::Analyses asked = analyses_for(question, variant, options);
+    study::Answers answers = study::answers(variant, asked, progress());
+    if (!options.band.empty()) answers.warnings.add(project::doubts_about_band(variant, *asked.response->band));
     const bool only_beside = which == "response" && answers.response;  // then only a limit or a limit line failed
     if (!answers.failures.empty() && !only_beside) throw foundation::NotComputable(answers.failures.front());
     if (options.csv) write_problems(answers.warnings);

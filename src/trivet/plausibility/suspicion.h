@@ -65,6 +65,7 @@ struct Window {
   std::string subject;  ///< "analyses.response.band"
   double from = 0, to = 0;
   bool spectrum = false;
+  bool avoided = false;  ///< no natural frequency shall be in it, and its numbers have no unit
 };
 
 /// A rotor on a body.
@@ -128,6 +129,9 @@ struct Stated {
 /// Notes on bodies so high above their mounts that gravity takes much of the tilting stiffness, or all of it: one
 /// sentence per body.
 [[nodiscard]] std::vector<std::string> overturning_notes(const model::System& system);
+
+/// Suspicions about frequency ranges alone.
+[[nodiscard]] std::vector<Suspicion> suspicions_about(const model::System& system, const std::vector<Window>& windows);
 
 /// All suspicions, one per cause, in the order body, layout, damping, loads, questions.
 [[nodiscard]] std::vector<Suspicion> suspicions(const model::System& system, const Stated& stated);

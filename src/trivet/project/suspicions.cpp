@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "trivet/project/suspicions.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string_view>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "trivet/project/analyses/orders_question.h"
 #include "trivet/project/analyses/question_reader.h"
 #include "trivet/project/analyses/transient_question.h"
+#include "trivet/project/text/acceptances.h"
 #include "trivet/project/text/table_reader.h"
 
 namespace trivet::project {
@@ -78,6 +81,25 @@ void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibili
                                     limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
 }
 
+/// The band of [requirements], if it is not that of the response, and windows to avoid without units.
+void add_windows_of_requirements(const Case& variant, plausibility::Stated& stated) {
+  const Node* table = variant.document.find("requirements");
+  if (!table || !variant.analyses.requirements) return;
+  if (table->find("band") && variant.analyses.requirements->band)
+    stated.windows.push_back(
+        {"requirements.band", variant.analyses.requirements->band->from, variant.analyses.requirements->band->to});
+  const Node* natural = table->find("natural_frequencies");
+  const Node* avoid = natural ? natural->find("avoid") : nullptr;
+  if (!avoid) return;
+  for (const Node& window : avoid->items)
+    if (window.items.size() == 2 && window.items[0].kind != Node::Kind::text &&
+        window.items[1].kind != Node::Kind::text)
+      stated.windows.push_back({.subject = "requirements.natural_frequencies.avoid",
+                                .from = window.items[0].number,
+                                .to = window.items[1].number,
+                                .avoided = true});
+}
+
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
   const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
@@ -99,6 +121,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
       stated.allowed_motions.push_back({request.of.substr(0, request.of.find('.')), "limit_lines." + line.name,
                                         request.of, *std::max_element(line.limit.begin(), line.limit.end()),
                                         line.unit == "m/s", true});
+  add_windows_of_requirements(variant, stated);
   const Node* orders = find(variant.document, "analyses", "orders");
   const Node* speeds = orders ? orders->find("speed") : nullptr;
   const auto* run_up = asked.find<OrdersQuestion>("orders");
@@ -134,6 +157,20 @@ std::vector<plausibility::Suspicion> suspicions(const Case& variant,
   std::vector<plausibility::Suspicion> found = plausibility::suspicions(variant.system, stated);
   for (plausibility::Suspicion& one : found) name_foundation(variant.document, one.subject);
   return found;
+}
+
+foundation::Problems doubts_about_band(const Case& variant, const response::Band& band) {
+  foundation::Problems ignored, doubts;
+  const std::vector<Acceptance> accepted = read_acceptances(variant.document, ignored);
+  const std::string table = "analyses.response";
+  for (const plausibility::Suspicion& one :
+       plausibility::suspicions_about(variant.system, {{table + ".band", band.from, band.to}})) {
+    const bool known = std::any_of(accepted.begin(), accepted.end(),
+                                   [&](const Acceptance& a) { return a.table == table && a.kind == one.kind; });
+    if (!known)
+      doubts.warning("--band", one.finding, fmt::format("suspicion \"{}\": {}", one.kind, one.rule), one.probable);
+  }
+  return doubts;
 }
 
 void name_slips(const std::vector<model::Body>& bodies, const Node& document, foundation::Problems& problems) {

@@ -321,6 +321,18 @@ TEST(Plausibility, DetectsQuestionsThatMissTheMachine) {
       IsEmpty());
 }
 
+/// The lowest natural frequency is 2.5 Hz, and none is below. A window of [2, 3] in rad/s is met by the slip alone.
+TEST(Plausibility, DetectsWindowsAndBandsOfRequirementsInHertzWithoutTheUnit) {
+  const auto of_windows = [](const std::string& windows) {
+    return kinds(Cube{.more = "[requirements]\nnatural_frequencies = {avoid = " + windows + "}\n"}.text());
+  };
+  EXPECT_THAT(of_windows("[[2, 3]]"), ElementsAre("band"));
+  EXPECT_THAT(of_windows("[[\"2 rad/s\", \"3 rad/s\"]]"), IsEmpty());
+  EXPECT_THAT(of_windows("[[\"2 Hz\", \"3 Hz\"]]"), IsEmpty());
+  EXPECT_THAT(of_windows("[[0.1, 0.2]]"), IsEmpty());  // met in hertz too
+  EXPECT_THAT(kinds(Cube{.more = "[requirements]\nband = [1, 2]\ndamping_ratio = 0.01\n"}.text()), ElementsAre("band"));
+}
+
 TEST(Plausibility, DetectsProductsOfInertiaAboutThePoleWithTheOtherSign) {
   // m = 100 kg at (0.2, 0.2, 0), a cube of 0.6 m: Jxy about the pole is m x y = 4 kg m²
   const auto body = [](double xy) {
