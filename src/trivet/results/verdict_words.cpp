@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "trivet/results/shown_numbers.h"
+#include "trivet/results/text_table.h"
 #include "trivet/study/explanation.h"
 
 namespace trivet::results {
@@ -44,7 +45,7 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
       return fmt::format("{:.6g} {}", *r.value * requirement_unit(r, display).factor,
                          requirement_unit(r, display).unit);
     default:
-      return value_text(*r.value, requirement_unit(r, display));
+      return value_text(without_round_off(*r.value, r.allowed), requirement_unit(r, display));
   }
 }
 
@@ -112,9 +113,16 @@ std::vector<RequirementRow> requirement_rows(const CaseVerdict& judged) {
   for (const std::size_t i : order) {
     const RequirementResult& r = judged.results[i];
     rows.push_back({requirement_words(r, judged.display), value_cell(r, judged.display), place_words(r, judged.display),
-                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met()});
+                    r.value ? margin_words(r.margin) : "", verdict_word(r), r.met(), &r});
   }
   return rows;
+}
+
+LargestOfKind largest_of(const study::Envelope& envelope) {
+  LargestOfKind largest;
+  for (const study::EnvelopeRow& row : envelope.rows)
+    for (const double value : {row.least, row.largest}) largest.add(row.unit, value);
+  return largest;
 }
 
 std::string case_of_envelope(const std::string& name) { return name.empty() ? "base model" : name; }
