@@ -126,6 +126,14 @@ TEST_F(UnitsInRows, SpectraAndHistoriesHaveThem) {
   }
 }
 
+TEST_F(UnitsInRows, BracketsWithoutAUnitBelongToTheNameOfAColumn) {
+  write("named.csv", "Zeit (s),acc (filtered)\n0,0\n0.01,2\n0.02,0\n");
+  const std::string parts =
+      "[excitations.push]\ntype = \"time\"\non = \"box\"\nat = [0, 0, 0]\nforce = [0, 0, 1]\n"
+      "history = {file = \"named.csv\", time = \"Zeit (s)\", value = \"acc (filtered)\"}\n";
+  EXPECT_EQ(errors(parts), "");
+}
+
 TEST_F(UnitsInRows, SpectraOfEarthquakesHaveThem) {
   for (const char* given :
        {"rows = [[\"100 ms\", \"0.3 g\"], [\"2 s\", \"0.1 g\"]]", "rows = [[0.1, 0.3], [2, 0.1]], unit = \"g\""}) {

@@ -47,6 +47,7 @@ std::set<std::string> convert_columns(CsvTable& table,
       const std::string name = heading.name + ending;
       const auto column = known(name);
       if (!column) continue;
+      if (column->quantity != Quantity::pure && !unit_ratio(heading.unit, heading.unit)) break;  // "acc (filtered)"
       const bool plain = column->quantity == Quantity::pure && (heading.unit == "-" || heading.unit == "1");
       const auto factor = plain ? tl::expected<double, std::string>(1) : in_column_unit("1 " + heading.unit, *column);
       if (!factor) {

@@ -44,6 +44,7 @@ struct UnitHeading {
 /// Converts the columns whose headings have a unit in brackets to the unit of bare numbers, and removes the brackets.
 /// "frequency [rad/s]" becomes frequency_hz, "crank_angle [rad]" becomes crank_angle_deg.
 /// @param known  what the column of a name measures; none: it is not known and stays as it is
+/// A column whose brackets hold no unit, "acc (filtered)", keeps its name.
 /// @return the names of the columns that had a unit
 std::set<std::string> convert_columns(CsvTable& table,
                                       const std::function<std::optional<ColumnQuantity>(const std::string&)>& known,

@@ -8,6 +8,7 @@
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/text/admissible_range.h"
+#include "trivet/project/text/derived_units.h"
 #include "trivet/project/text/file_name.h"
 #include "trivet/project/text/idle_key.h"
 
@@ -106,7 +107,10 @@ std::optional<Eigen::MatrixXd> read_pairs_of_file(TableReader& reader, const std
     reader.add_of_file("file", csv.error());
     return std::nullopt;
   }
-  for (std::string* name : {&x_name, &y_name}) *name = unit_heading(*name).name;
+  for (std::string* name : {&x_name, &y_name}) {
+    const UnitHeading heading = unit_heading(*name);
+    if (!heading.unit.empty() && unit_ratio(heading.unit, heading.unit)) *name = heading.name;
+  }
   foundation::Problems wrong_units;
   const std::set<std::string> with_units = convert_columns(
       *csv,
