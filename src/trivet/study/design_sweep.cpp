@@ -299,7 +299,12 @@ DesignSweep design_sweep(const project::Case& variant, const SweepRequest& reque
       fitted<design::PlainDesign>(sweep, request, variant.system, design::plain_design);
   const Family<design::DrivenDesign> driven = plain.family
       ? Family<design::DrivenDesign>()
-      : fitted<design::DrivenDesign>(sweep, request, variant.system, design::driven_design);
+      : fitted<design::DrivenDesign>(
+            sweep, request, variant.system,
+            [&](const assembly::Assembled& changed, const std::vector<assembly::Channel>& channels,
+                const assembly::Loading& loading) {
+              return design::driven_design(changed, channels, loading, std::isfinite(request.band.to));
+            });
   const bool in_kernels = plain.family || driven.family;
   if (!in_kernels) found.no_kernels = driven.reason;
   foundation::parallel_for(sweep.count(),
