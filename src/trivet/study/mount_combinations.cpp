@@ -18,6 +18,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/model_number.h"
+#include "trivet/spatial/rigid_motion.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
@@ -75,6 +76,34 @@ void judge_frequencies(const project::Requirements& required, const Eigen::Vecto
       judge(MountTest::natural_frequencies, margin_of_least(required.separation, omega / lower));
     lower = omega;
   }
+}
+
+/// Least share of the kinetic energy in the purest coordinate over the modes of a body, from its stiffness on
+/// coordinates in which its inertia is the unit matrix; squares: its ω². Modes that nearly agree are left out: their
+/// shapes turn among themselves.
+double least_decoupling(const Eigen::MatrixXd& motion, const Eigen::MatrixXd& momentum, const Eigen::VectorXd& squares,
+                        const Eigen::MatrixXd& vectors) {
+  constexpr double apart = 1e-5;  // of the highest ω²: closer ones have shapes without digits
+  const Eigen::MatrixXd shares = (motion * vectors).cwiseProduct(momentum * vectors);
+  const Eigen::Index n = squares.size();
+  const double least_gap = apart * squares(n - 1);
+  double least = foundation::infinity;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const bool alone =
+        (k == 0 || squares(k) - squares(k - 1) > least_gap) && (k + 1 == n || squares(k + 1) - squares(k) > least_gap);
+    if (alone) least = std::min(least, shares.col(k).maxCoeff());
+  }
+  return least;
+}
+
+/// ω², ascending, and modes of a stiffness on coordinates in which the inertia is the unit matrix.
+std::pair<Eigen::VectorXd, Eigen::MatrixXd> modes_of(const Eigen::MatrixXd& stiffness) {
+  if (stiffness.rows() == 6) {  // most machines: without allocation, faster
+    const auto found = numerics::symmetric_eigen(spatial::Matrix6(stiffness));
+    return {found.values, found.vectors};
+  }
+  auto found = numerics::symmetric_eigen(stiffness);
+  return {std::move(found.values), std::move(found.vectors)};
 }
 
 /// Least margin of the loads of one mount in its ranges; 0 if a load without a range makes the design not judged.
@@ -248,6 +277,42 @@ project::Project MountCombinations::project(const project::Project& given, std::
   return result;
 }
 
+void MountCombinations::add_decoupled(const CaseContext& given, Sums& sums) {
+  const assembly::Assembled& assembled = given.assembled;
+  const auto& bodies = given.system.bodies();
+  if (assembled.layout.of_bodies() != assembled.matrices.size()) return;  // coordinates inside elements move along
+  for (const project::Requirements::Decoupling& wanted : sums.required.decoupling) {
+    const auto at =
+        std::find_if(bodies.begin(), bodies.end(), [&](const auto& body) { return body.name == wanted.body; });
+    std::vector<Eigen::Index> rows;
+    std::vector<int> coordinates;
+    for (int j = 0; j < 6; ++j)
+      if (const Eigen::Index row = assembled.layout.row(to_size(at - bodies.begin()), j); row >= 0) {
+        rows.push_back(row);
+        coordinates.push_back(j);
+      }
+    Decoupled& one = sums.decoupled.emplace_back();
+    one.least = wanted.least;
+    one.whole = to_index(rows.size()) == assembled.matrices.size();
+    Eigen::MatrixXd at_pole;  // motions of the body, six coordinates × r
+    at_pole.setZero(6, to_index(rows.size()));
+    if (one.whole) {
+      at_pole(coordinates, Eigen::all) = sums.shapes(rows, Eigen::all);
+    } else {
+      const Eigen::MatrixXd inertia = assembled.matrices.A(rows, rows);
+      const Eigen::MatrixXd own = Eigen::MatrixXd(
+          numerics::symmetric_eigen(Eigen::MatrixXd::Identity(inertia.rows(), inertia.rows()).eval(), inertia).vectors);
+      at_pole(coordinates, Eigen::all) = own;
+      const Eigen::MatrixXd of_body = Eigen::MatrixXd(assembled.matrices.A(Eigen::all, rows)) * own;
+      one.basis = sums.shapes.transpose() * of_body;  // p = Φᵀ A q
+    }
+    const spatial::MassProperties& mass = at->mass;
+    one.motion = spatial::rigid_motion(mass.centre) * at_pole;
+    one.momentum.resize(6, one.motion.cols());
+    one.momentum << mass.mass * one.motion.topRows<3>(), mass.inertia_about_centre * one.motion.bottomRows<3>();
+  }
+}
+
 MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant) const {
   const foundation::Progress silent;
   const CaseContext given(variant.system, silent);
@@ -259,6 +324,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   sums.load = sums.shapes.transpose() * base.load;
   sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
+  add_decoupled(given, sums);
   const auto is_of = [](const project::MountChoice& choice, const std::string& name) {
     return std::find(choice.elements.begin(), choice.elements.end(), name) != choice.elements.end();
   };
@@ -328,9 +394,13 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   if (sums.required.mass > 0) judge(MountTest::mass, margin_of(sums.required.mass, mass));
   const bool wants_loads = sums.required.mount_load && sums.loaded;
   const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
-  if (!wants_loads && !wants_frequencies) return result;
+  if (!wants_loads && !wants_frequencies && sums.decoupled.empty()) return result;
   const auto [stiffness, load] = added(sums, mounts);
-  const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
+  const bool wants_shapes =
+      std::any_of(sums.decoupled.begin(), sums.decoupled.end(), [](const Decoupled& one) { return one.whole; });
+  const auto [squares, vectors] = wants_shapes
+      ? modes_of(stiffness)
+      : std::pair<Eigen::VectorXd, Eigen::MatrixXd>{numerics::symmetric_eigenvalues(stiffness), {}};
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
@@ -355,6 +425,16 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
         judge(MountTest::deflection, margin_of(*limit, one.deflection));
   }
   if (wants_frequencies) judge_frequencies(sums.required, squares, judge);
+  for (const Decoupled& one : sums.decoupled) {
+    double share = 0;
+    if (one.whole) {
+      share = least_decoupling(one.motion, one.momentum, squares, vectors);
+    } else {
+      const auto own = modes_of(one.basis.transpose() * stiffness * one.basis);
+      share = least_decoupling(one.motion, one.momentum, own.first, own.second);
+    }
+    judge(MountTest::decoupling, margin_of_least(one.least, share));
+  }
   return result;
 }
 

@@ -21,7 +21,7 @@ namespace {
 using foundation::infinity;
 
 constexpr std::array<const char*, mount_tests> test_names = {
-    "", "price", "mass", "mount_load", "deflection", "natural_frequencies", "amplitudes_and_peaks"};
+    "", "price", "mass", "mount_load", "deflection", "natural_frequencies", "decoupling", "amplitudes_and_peaks"};
 
 /// Adds what the table shows of a case: loads and deflections of the mounts.
 void add_loads(const CaseContext& context, MountDesign& design) {
