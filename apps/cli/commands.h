@@ -35,7 +35,8 @@ struct Options {
   std::string torque;
   std::string excitations;
   std::string points;
-  std::string write;  ///< project file with the best design
+  std::string write;       ///< project file with the best design
+  std::string time_limit;  ///< of a search: "10 min"
   std::string format, what;
 };
 

@@ -187,6 +187,10 @@ void add_optimize(CLI::App& app, Options& options) {
   CLI::Option* json = optimize->add_flag("--json", options.json, "JSON");
   optimize->add_flag("--csv", options.csv, "CSV: the parameters, or the points of a front")->excludes(json);
   add_write(*optimize, "optimum", options);
+  optimize
+      ->add_option("--time-limit", options.time_limit,
+                   "end the search after this time with the best design so far: \"10 min\", \"2 h\", or seconds")
+      ->check(not_empty);
   add_picture(*optimize, "front", options);
   add_strict(optimize, options);
 }

@@ -108,6 +108,9 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     covered_[r] = covered_[r] || results_[r].kind == RequirementKind::avoided_frequencies ||
         results_[r].kind == RequirementKind::separation;
   std::vector<design::DrivenDesign> designs;
+  has_damping_ratio_ = std::any_of(results_.begin(), results_.end(), [](const RequirementResult& one) {
+    return one.kind == RequirementKind::damping_ratio;
+  });
   reason_ = form(variant.system, assembled, designs);
   if (!reason_.empty()) {
     covered_.assign(covered_.size(), false);
@@ -184,8 +187,9 @@ std::string PackedCase::form(const model::System& system, const assembly::Assemb
     for (std::size_t k = 0; k < search.results.size(); ++k)
       channels.push_back(
           assembly::channels(system, assembled, {results_[search.results[k]].subject}, search.quantities[k]).front());
-    auto found =
-        design::driven_design(assembled, channels, assembly::harmonic_loading(system, assembled, search.excitations));
+    const bool within_band = !search.count_peaks && std::isfinite(search.band.to);
+    auto found = design::driven_design(assembled, channels,
+                                       assembly::harmonic_loading(system, assembled, search.excitations), within_band);
     if (!found.design) return found.reason;
     designs.push_back(std::move(*found.design));
   }
@@ -234,6 +238,10 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
   designs.free.A = entries.leftCols(triangle).array();
   designs.free.K = entries.middleCols(2 * triangle, triangle).array();
   designs.free.load = Eigen::ArrayXXd::Zero(1, n_);
+  if (has_damping_ratio_) {
+    designs.damping = entries.middleCols(triangle, triangle).array();
+    designs.loss = entries.middleCols(3 * triangle, triangle).array();
+  }
   Eigen::Index at = matrices;
   for (const Search& search : searches_) {
     Eigen::MatrixXd own(entries.rows(), matrices + search.size);

@@ -30,6 +30,10 @@ class PackedCase {
   [[nodiscard]] const std::string& reason() const { return reason_; }
   /// True if a requirement is judged by a kernel.
   [[nodiscard]] bool covers(std::size_t result) const { return covered_[result]; }
+  /// True if a requirement has slopes without models: those that are covered, and damping ratios.
+  [[nodiscard]] bool gives_slopes(std::size_t result) const {
+    return covered_[result] || (reason_.empty() && results_[result].kind == RequirementKind::damping_ratio);
+  }
   [[nodiscard]] const std::vector<RequirementResult>& results() const { return results_; }
 
   /// The numbers of a changed model, or why it has another form.
@@ -66,6 +70,7 @@ class PackedCase {
   /// One or more lists as designs, one design per row of `entries`.
   struct Unpacked {
     numerics::Designs free;                         ///< A and K alone
+    Eigen::ArrayXXd damping, loss;                  ///< B and D, designs × n(n+1)/2; empty without damping ratios
     std::vector<numerics::DrivenDesigns> searched;  ///< per search
     Eigen::MatrixXd load;                           ///< designs × n, at rest
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
@@ -83,6 +88,7 @@ class PackedCase {
 
   std::vector<RequirementResult> results_;
   std::vector<bool> covered_;
+  bool has_damping_ratio_ = false;
   std::vector<Search> searches_;
   std::vector<RestValue> at_rest_;
   std::vector<Decoupled> decoupled_;

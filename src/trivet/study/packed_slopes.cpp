@@ -8,7 +8,9 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/modal/null_vectors.h"
 #include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/numerics/linalg/dynamic_matrices.h"
 #include "trivet/numerics/linalg/pivoted_lu.h"
 #include "trivet/numerics/roots/design_modes.h"
 #include "trivet/spatial/rigid_motion.h"
@@ -181,6 +183,27 @@ Eigen::RowVectorXd PackedSlopes::decoupling_slopes(std::size_t result, int mode)
     const spatial::Vector6 d_centre = to_centre * six(own->shapes * weights) + turned * pole;
     const spatial::Vector6 d_moving = momentum(mass, d_centre) + momentum(change, centre);
     slopes(j) = (d_centre(purest) * moving(purest) + centre(purest) * d_moving(purest)) / share;
+  }
+  return slopes;
+}
+
+Eigen::RowVectorXd PackedSlopes::damping_ratio_slopes(Complex root) const {
+  const Complex lambda =
+      root.imag() < 0 ? std::conj(root) : root;  // the same damping ratio; loss factors are for ω > 0
+  const auto matrices = [](const PackedCase::Unpacked& of, Eigen::Index design) {
+    return numerics::DynamicMatrices{numerics::unpacked(of.free.A, design), numerics::unpacked(of.damping, design),
+                                     numerics::unpacked(of.free.K, design), numerics::unpacked(of.loss, design)};
+  };
+  const auto stiffness = [&](const numerics::DynamicMatrices& m) -> Eigen::MatrixXcd {
+    return m.complex_stiffness() + lambda * m.B.cast<Complex>() + lambda * lambda * m.A.cast<Complex>();
+  };
+  const numerics::DynamicMatrices here = matrices(here_, 0);
+  const Eigen::VectorXcd v = modal::null_vectors(stiffness(here), numerics::unit_scale(here), 1).right.col(0);
+  const Complex rate = with(v, (2.0 * lambda * here.A.cast<Complex>() + here.B.cast<Complex>()) * v);
+  Eigen::RowVectorXd slopes(parameters_);
+  for (Eigen::Index j = 0; j < parameters_; ++j) {
+    const Complex change = -with(v, stiffness(matrices(change_, j)) * v) / rate;
+    slopes(j) = change.real() / lambda.real() - (std::conj(lambda) * change).real() / std::norm(lambda);
   }
   return slopes;
 }

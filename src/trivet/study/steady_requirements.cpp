@@ -184,7 +184,7 @@ void add_steady_requirements(const CaseContext& context, const project::Analyses
   list.attempt(first, [&] {
     project::SteadyQuestion asked = question_of(analyses);
     for (const project::AmplitudeLimit& limit : required.steady) asked.selection.of.push_back(limit.name);
-    asked.all_branches = asked.all_branches || required.no_jump;
+    asked.all_branches = asked.all_branches || (required.no_jump && !required.connected_only);
     const SteadyBranch branch = steady_motions(context, asked);
     foundation::Problems doubts;
     warn_of_motions(context, asked, branch, doubts);

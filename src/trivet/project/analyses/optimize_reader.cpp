@@ -172,7 +172,7 @@ void read_optimize(TableReader& root, TableReader& analyses, const ResultNames& 
     read_other_objective(reader, *minimize, names, in_file, request);
   else read_objective(reader, names, in_file, names_of_choices(root), request);
   read_front(reader, names, in_file, request);
-  request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual").value_or(request.starts);
+  request.starts = read_count(reader, "starts", 1, most_starts, "32 is usual");
   request.combinations =
       read_count(reader, "combinations", 1, most_combinations, "1000 is usual").value_or(request.combinations);
   reader.finish();

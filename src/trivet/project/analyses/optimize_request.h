@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace trivet::project {
 /// chosen mounts.
 enum class Minimized { amplitude, rms, at_rest, price };
 
+inline constexpr int usual_starts = 32;
+
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {
   std::vector<std::string> parameters;  ///< names in [parameters], of numbers and choices; empty: all
@@ -24,8 +27,8 @@ struct OptimizeRequest {
   std::vector<double> weights;     ///< of these, for a sum of amplitudes; empty: the largest counts
   std::vector<std::string> front;  ///< two or three results between whose amplitudes the front is searched
   int points = 11;                 ///< of a front of two
-  int starts = 32;
-  int combinations = 1000;  ///< most combinations of mounts whose numbers are optimised
+  std::optional<int> starts;       ///< climbs; none: `usual_starts`, or fewer of designs that take long
+  int combinations = 1000;         ///< most combinations of mounts whose numbers are optimised
 
   /// True if a parameter of this name is varied.
   [[nodiscard]] bool varies(const std::string& parameter) const {

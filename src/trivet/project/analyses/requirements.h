@@ -37,10 +37,13 @@ struct Requirements {
     bool operator==(const Decoupling&) const = default;
   };
   std::vector<Decoupling> decoupling;
-  std::vector<AmplitudeLimit> rms;          ///< under the random excitations
-  std::vector<AmplitudeLimit> largest;      ///< magnitude over the transient
-  std::vector<AmplitudeLimit> statics;      ///< magnitude under gravity and the constant forces
-  bool no_jump = false;                     ///< one stable steady motion at every frequency of the band
+  std::vector<AmplitudeLimit> rms;      ///< under the random excitations
+  std::vector<AmplitudeLimit> largest;  ///< magnitude over the transient
+  std::vector<AmplitudeLimit> statics;  ///< magnitude under gravity and the constant forces
+  bool no_jump = false;                 ///< one stable steady motion at every frequency of the band
+  /// Not of the file: a search first judges steady motions without seeking those that are not connected, which takes
+  /// most of the time of `no_jump` and can only lower its margins.
+  bool connected_only = false;
   bool no_contact = false;                  ///< no steady motion closes a gap
   std::vector<AmplitudeLimit> steady;       ///< magnitude over all stable steady motions
   bool mount_load = false;                  ///< every catalogue mount within its load and deflection
