@@ -19,6 +19,7 @@
 #include "trivet/nonlinear/rest_position.h"
 #include "trivet/project/analyses/drive.h"
 #include "trivet/project/analyses/question_sizes.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/resonant_mode.h"
 #include "trivet/study/case_warnings.h"
 #include "trivet/study/question_answer.h"
@@ -142,9 +143,11 @@ class CaseStudy {
     if (result.response) attempt([&] { result.limits = limits_of(analyses, *result.response); });
     if (analyses.static_of)
       attempt([&] {
-        result.statics = response::static_response(
-            c_.system, c_.assembled,
-            assembly::channels(c_.system, c_.assembled, *analyses.static_of, assembly::MotionQuantity::displacement));
+        const response::AtRest at_rest(c_.system, c_.assembled);
+        result.statics =
+            response::static_response(at_rest.system(), at_rest.assembled(),
+                                      assembly::channels(at_rest.system(), at_rest.assembled(), *analyses.static_of,
+                                                         assembly::MotionQuantity::displacement));
         if (analyses.all_rest_states) result.rest_states = nonlinear::rest_states(c_.system);
       });
     answer_questions(analyses, attempt_question, result);

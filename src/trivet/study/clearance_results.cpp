@@ -14,6 +14,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/invalid_input.h"
 #include "trivet/project/analyses/transient_question.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/margin.h"
@@ -89,7 +90,11 @@ std::vector<Approach> approaches_of(const CaseContext& c, const project::Analyse
   const std::vector<assembly::Channel> channels =
       assembly::channels(c.system, c.assembled, approach_names(c.system), MotionQuantity::displacement);
   std::vector<Approach> approaches;
-  for (const response::StaticValue& rest : response::static_response(c.system, c.assembled, channels).values)
+  const response::AtRest at_rest(c.system, c.assembled);
+  const std::vector<assembly::Channel> channels_at_rest =
+      assembly::channels(at_rest.system(), at_rest.assembled(), approach_names(c.system), MotionQuantity::displacement);
+  for (const response::StaticValue& rest :
+       response::static_response(at_rest.system(), at_rest.assembled(), channels_at_rest).values)
     approaches.push_back({rest.value, std::nullopt, std::nullopt});
   add_harmonic(c, analyses, channels, approaches);
   add_transient(c, analyses, approaches, warnings);

@@ -8,6 +8,7 @@
 #include "trivet/assembly/channels.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/mounts.h"
 
 namespace trivet::study {
@@ -44,7 +45,10 @@ void widen(EnvelopeRow& row, double value, const std::string& in) {
 
 }  // namespace
 
-std::vector<MountAtRest> mounts_at_rest(const model::System& system, const assembly::Assembled& assembled) {
+std::vector<MountAtRest> mounts_at_rest(const model::System& moving, const assembly::Assembled& assembled_moving) {
+  const response::AtRest at_rest(moving, assembled_moving);
+  const model::System& system = at_rest.system();
+  const assembly::Assembled& assembled = at_rest.assembled();
   std::vector<MountAtRest> result;
   std::vector<std::string> words;
   const std::vector<std::size_t> mounts = mounts_and_rated(system);
@@ -73,11 +77,13 @@ LoadCase load_case(const std::string& name, const model::System& system, const a
                    const project::Analyses& analyses) {
   LoadCase result{name, {}, ""};
   try {
-    if (analyses.static_of)
-      result.values = response::static_response(
-                          system, assembled,
-                          assembly::channels(system, assembled, *analyses.static_of, MotionQuantity::displacement))
+    if (analyses.static_of) {
+      const response::AtRest rest(system, assembled);
+      result.values = response::static_response(rest.system(), rest.assembled(),
+                                                assembly::channels(rest.system(), rest.assembled(), *analyses.static_of,
+                                                                   MotionQuantity::displacement))
                           .values;
+    }
     for (const MountAtRest& mount : mounts_at_rest(system, assembled)) {
       result.values.push_back({mount.name + ", compression", "N", mount.compression});
       result.values.push_back({mount.name + ", force across", "N", mount.across});

@@ -12,6 +12,7 @@
 #include "trivet/project/analyses/random_question.h"
 #include "trivet/project/analyses/transient_question.h"
 #include "trivet/response/random/random_response.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/response/steady/static_response.h"
 #include "trivet/study/margin.h"
 #include "trivet/study/question_answer.h"
@@ -98,8 +99,10 @@ class MotionRequirements {
     list_.attempt(first, [&] {
       std::vector<std::string> words;
       for (const project::AmplitudeLimit& limit : limits) words.push_back(limit.name);
+      const response::AtRest at_rest(c_.system, c_.assembled);
       const response::StaticResponse rest = response::static_response(
-          c_.system, c_.assembled, assembly::channels(c_.system, c_.assembled, words, MotionQuantity::displacement));
+          at_rest.system(), at_rest.assembled(),
+          assembly::channels(at_rest.system(), at_rest.assembled(), words, MotionQuantity::displacement));
       for (std::size_t i = 0; i < limits.size(); ++i) {
         const double creep = creep_in(c_.system, limits[i].name);
         RequirementResult& result = list_[first + i];

@@ -18,6 +18,7 @@
 #include "trivet/numerics/linalg/cholesky.h"
 #include "trivet/numerics/linalg/symmetric_eigen.h"
 #include "trivet/project/model_number.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/study/margin.h"
 
 namespace trivet::study {
@@ -38,13 +39,16 @@ struct NoSum {
 /// Inertia, stiffness and static load of one model.
 struct Assembly {
   Eigen::MatrixXd inertia, stiffness;
+  Eigen::MatrixXd rest_stiffness;  ///< of static results
   Eigen::VectorXd load;
 };
 
 Assembly assembly_of(const model::System& system, const assembly::Assembled& assembled) {
   if (assembled.frequency_dependent()) throw NoSum{"elements depend on frequency"};
   if (!assembled.matrices.symmetric) throw NoSum{"the stiffness matrix is not symmetric"};
-  return {assembled.matrices.A, assembled.matrices.K, assembly::static_load(system, assembled)};
+  const response::AtRest rest(system, assembled);
+  return {assembled.matrices.A, assembled.matrices.K, rest.assembled().matrices.K,
+          assembly::static_load(rest.system(), rest.assembled())};
 }
 
 /// Entry by entry over √(M_ii M_jj), but for round-off of the largest entry: soft modes beside stiff ones have few
@@ -93,9 +97,11 @@ double bound_of_loads(const model::Rating& rating, const Eigen::Vector3d& load) 
 template <typename Selected, typename Mount>
 void add_mounts(const CaseContext& context, const Eigen::MatrixXd& shapes, const Selected& selected,
                 std::vector<Mount>& mounts, double& price, double& mass) {
-  for (const model::Element& element : context.system.elements()) {
+  const response::AtRest at_rest(context.system, context.assembled);
+  for (std::size_t e = 0; e < context.system.elements().size(); ++e) {
+    const model::Element& element = context.system.elements()[e];
     if (!element.rating || !selected(element.name)) continue;
-    MountRows rows = mount_rows(context.system, context.assembled, element);
+    MountRows rows = mount_rows(at_rest.system(), at_rest.assembled(), at_rest.system().elements()[e]);
     rows.load = (rows.load * shapes).eval();
     rows.deflection = rows.deflection * shapes;
     mounts.push_back({*element.rating, std::move(rows)});
@@ -256,6 +262,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
   Sums sums;
   sums.shapes = numerics::symmetric_eigen(base.stiffness, base.inertia).vectors;
   sums.stiffness = sums.shapes.transpose() * base.stiffness * sums.shapes;
+  sums.rest_stiffness = sums.shapes.transpose() * base.rest_stiffness * sums.shapes;
   sums.load = sums.shapes.transpose() * base.load;
   sums.loaded = variant.system.description().gravity || !variant.system.description().constant_forces.empty();
   if (variant.analyses.requirements) sums.required = *variant.analyses.requirements;
@@ -277,6 +284,7 @@ MountCombinations::Sums MountCombinations::sums_of(const project::Case& variant)
       if (!equal(assembly.inertia, base.inertia)) throw NoSum{"the mounts change the inertia"};
       Option& option = options.emplace_back();
       option.stiffness = sums.shapes.transpose() * (assembly.stiffness - base.stiffness) * sums.shapes;
+      option.rest_stiffness = sums.shapes.transpose() * (assembly.rest_stiffness - base.rest_stiffness) * sums.shapes;
       option.load = sums.shapes.transpose() * (assembly.load - base.load);
       add_mounts(
           context, sums.shapes, [&](const std::string& name) { return is_of(choices_[c], name); }, option.mounts,
@@ -292,9 +300,10 @@ void MountCombinations::compare_with_assembled() const {
     for (std::size_t v = 0; v < cases_.size(); ++v) {
       const model::System whole = system(*cases_[v], combination);
       const Assembly assembled = assembly_of(whole, assembly::assemble(whole));
-      const auto& [stiffness, load] = added(sums_[v], numbers);
+      const auto& [stiffness, rest_stiffness, load] = added(sums_[v], numbers);
       const Eigen::MatrixXd& shapes = sums_[v].shapes;
       if (!equal(stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.stiffness * shapes)) ||
+          !equal(rest_stiffness, Eigen::MatrixXd(shapes.transpose() * assembled.rest_stiffness * shapes)) ||
           !equal(load, Eigen::VectorXd(shapes.transpose() * assembled.load)) ||
           !equal(Eigen::MatrixXd(shapes.transpose() * assembled.inertia * shapes),
                  Eigen::MatrixXd(Eigen::MatrixXd::Identity(load.size(), load.size()))))
@@ -303,12 +312,13 @@ void MountCombinations::compare_with_assembled() const {
   }
 }
 
-std::pair<Eigen::MatrixXd, Eigen::VectorXd> MountCombinations::added(const Sums& sums,
-                                                                     const std::vector<std::size_t>& mounts) {
-  std::pair<Eigen::MatrixXd, Eigen::VectorXd> result{sums.stiffness, sums.load};
+MountCombinations::Added MountCombinations::added(const Sums& sums, const std::vector<std::size_t>& mounts) {
+  Added result{sums.stiffness, sums.rest_stiffness, sums.load};
   for (std::size_t c = 0; c < mounts.size(); ++c) {
-    result.first += sums.options[c][mounts[c]].stiffness;
-    result.second += sums.options[c][mounts[c]].load;
+    const Option& option = sums.options[c][mounts[c]];
+    result.stiffness += option.stiffness;
+    result.rest_stiffness += option.rest_stiffness;
+    result.load += option.load;
   }
   return result;
 }
@@ -329,12 +339,12 @@ MountCombinations::Bound MountCombinations::bound(const Sums& sums, const std::v
   const bool wants_loads = sums.required.mount_load && sums.loaded;
   const bool wants_frequencies = !sums.required.avoided.empty() || sums.required.separation > 0;
   if (!wants_loads && !wants_frequencies) return result;
-  const auto [stiffness, load] = added(sums, mounts);
+  const auto [stiffness, rest_stiffness, load] = added(sums, mounts);
   const Eigen::VectorXd squares = numerics::symmetric_eigenvalues(stiffness);
   if (wants_loads) {
     if (squares(0) <= at_rest * squares.tail<1>()(0))
       return result;  // no position of rest: the verdict gives the reason
-    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
+    const Eigen::VectorXd rest = numerics::cholesky_solution(rest_stiffness, load);
     std::vector<const Mount*> all;
     const auto add = [&](const std::vector<Mount>& list) {
       for (const Mount& mount : list) all.push_back(&mount);

@@ -78,6 +78,7 @@ class MountCombinations {
   /// One mount of a choice: what it adds to the given design.
   struct Option {
     Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd rest_stiffness;  ///< of static results
     Eigen::VectorXd load;
     std::vector<Mount> mounts;
     double price = 0, mass = 0;
@@ -86,6 +87,7 @@ class MountCombinations {
   struct Sums {
     Eigen::MatrixXd shapes;  ///< Φ: undamped modes of the given design
     Eigen::MatrixXd stiffness;
+    Eigen::MatrixXd rest_stiffness;  ///< of static results
     Eigen::VectorXd load;
     std::vector<Mount> mounts;  ///< at places without a choice
     double price = 0, mass = 0;
@@ -95,9 +97,12 @@ class MountCombinations {
   };
   [[nodiscard]] Sums sums_of(const project::Case& variant) const;
   void compare_with_assembled() const;
-  /// Stiffness and load of a combination.
-  [[nodiscard]] static std::pair<Eigen::MatrixXd, Eigen::VectorXd> added(const Sums& sums,
-                                                                         const std::vector<std::size_t>& mounts);
+  /// Stiffnesses and load of a combination.
+  struct Added {
+    Eigen::MatrixXd stiffness, rest_stiffness;
+    Eigen::VectorXd load;
+  };
+  [[nodiscard]] static Added added(const Sums& sums, const std::vector<std::size_t>& mounts);
   [[nodiscard]] std::vector<project::Node> changes(std::size_t combination) const;
   [[nodiscard]] Bound bound(const Sums& sums, const std::vector<std::size_t>& mounts) const;
 

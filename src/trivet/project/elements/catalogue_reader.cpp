@@ -71,6 +71,7 @@ void read_catalogue_mount(TableReader& reader, Placement& ends, model::Element& 
   element.facts.push_back({"mount", mount->name + (mount->maker.empty() ? "" : ", " + mount->maker)});
   element.rating = mount->rating;
   element.creep = mount->creep;
+  stiffen(mount->stiffening, element);
   add_facts(*mount, element.facts);
   element.facts.push_back({"source", mount->source});
 }
