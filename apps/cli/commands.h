@@ -31,6 +31,7 @@ struct Options {
   std::string output = "trivet-results";
   std::vector<std::string> of;
   int most = 10;
+  std::string by = "margin";
   int lowest = 0;  ///< modes; 0: those of the file, or all
   std::string torque;
   std::string excitations;

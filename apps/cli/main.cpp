@@ -197,6 +197,9 @@ void add_select(CLI::App& app, Options& options) {
   select->add_option("--most", options.most, "number of combinations listed")
       ->capture_default_str()
       ->check(at_least_one);
+  select->add_option("--by", options.by, "margin, or of those that meet every requirement the isolation, price or mass")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"margin", "isolation", "price", "mass"}));
   select->add_flag("--json", options.json, "JSON, SI");
   add_write(*select, "best mounts", options);
   add_strict(select, options);

@@ -78,6 +78,24 @@ void add_limit(const std::string& table, const AmplitudeLimit& limit, plausibili
                                     limit.amplitude, limit.quantity == assembly::MotionQuantity::velocity});
 }
 
+/// Speeds of `isolation` without a unit.
+void add_speeds_of_isolation(const Case& variant, plausibility::Stated& stated) {
+  const Node* isolation = find(variant.document, "requirements", "isolation");
+  if (!isolation) return;
+  const auto add = [&](const Node& speed) {
+    if (speed.kind == Node::Kind::integer || speed.kind == Node::Kind::real)
+      stated.speeds.push_back({"requirements.isolation.at", speed.number});
+  };
+  const auto add_of = [&](const Node& table) {
+    const Node* at = table.kind == Node::Kind::table ? table.find("at") : nullptr;
+    if (!at) return;
+    if (at->kind != Node::Kind::array) return add(*at);
+    for (const Node& item : at->items) add(item);
+  };
+  if (isolation->kind != Node::Kind::array) return add_of(*isolation);
+  for (const Node& table : isolation->items) add_of(table);
+}
+
 void add_questions(const Case& variant, plausibility::Stated& stated) {
   const Analyses& asked = variant.analyses;
   const auto add = [&](const std::string& question, const std::optional<response::Band>& band) {
@@ -104,6 +122,7 @@ void add_questions(const Case& variant, plausibility::Stated& stated) {
   const auto* run_up = asked.find<OrdersQuestion>("orders");
   if (run_up && speeds && speeds->items.size() == 2 && speeds->items[1].kind != Node::Kind::text)
     stated.speeds.push_back({"analyses.orders.speed", run_up->speed.to});
+  add_speeds_of_isolation(variant, stated);
   for (const model::Excitation& excitation : variant.system.description().excitations)
     if (const auto* random = std::get_if<model::Random>(&excitation.course))
       stated.windows.push_back(

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "trivet/response/machinery/transmissibility.h"
 #include "trivet/results/shown_numbers.h"
 #include "trivet/study/explanation.h"
 
@@ -23,6 +24,15 @@ std::string shown_frequency_words(double omega, const project::ShownUnits& displ
 
 std::string margin_words(double margin) { return std::isinf(margin) ? "∞" : fmt::format("{:.4g}", margin); }
 
+/// "60.7 % (T = 0.393, −8.11 dB)", or "amplified: T = 6.41, +16.1 dB".
+std::string isolation_cell(double transmissibility) {
+  constexpr double percent = 100;
+  const std::string ratio =
+      fmt::format("T = {:.4g}, {:+.3g} dB", transmissibility, response::transmissibility_level(transmissibility));
+  if (transmissibility > 1) return "amplified: " + ratio;
+  return fmt::format("{:.4g} % ({})", percent * response::isolation_efficiency(transmissibility), ratio);
+}
+
 std::string value_cell(const RequirementResult& r, const project::ShownUnits& display) {
   if (!r.value) return "";
   if (std::isinf(*r.value)) return "∞";
@@ -32,6 +42,8 @@ std::string value_cell(const RequirementResult& r, const project::ShownUnits& di
     case RequirementKind::decoupling:
     case RequirementKind::no_contact:
       return fmt::format("{:.4g} %", 100 * *r.value);
+    case RequirementKind::isolation:
+      return isolation_cell(*r.value);
     case RequirementKind::no_jump:
       return fmt::format("{:g}", *r.value);
     case RequirementKind::avoided_frequencies:
@@ -71,8 +83,10 @@ DisplayUnit requirement_unit(const RequirementResult& r, const project::ShownUni
 
 std::string requirement_words(const RequirementResult& r, const project::ShownUnits& display) {
   const std::string bound = "≤ " + study::value_words(r.allowed, r.unit);
-  if (!r.words.ends_with(bound)) return r.words;
-  return r.words.substr(0, r.words.size() - bound.size()) + "≤ " + value_text(r.allowed, requirement_unit(r, display));
+  const std::size_t at = r.words.rfind(bound);
+  const std::size_t end = at + bound.size();  // a limit with its own band has this behind its bound
+  if (at == std::string::npos || (end < r.words.size() && r.words[end] != ' ')) return r.words;
+  return r.words.substr(0, at) + "≤ " + value_text(r.allowed, requirement_unit(r, display)) + r.words.substr(end);
 }
 
 std::string verdict_summary(const CaseVerdict& judged) {

@@ -29,6 +29,7 @@ std::size_t places_of(RequirementKind kind) {
     case RequirementKind::amplitude:
     case RequirementKind::no_peak:
     case RequirementKind::limit_line:
+    case RequirementKind::isolation:
     case RequirementKind::mount_dynamic_deflection:
     case RequirementKind::avoided_frequencies:
     case RequirementKind::separation:

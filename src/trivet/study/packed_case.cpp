@@ -9,9 +9,12 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/model/static_stiffness.h"
 #include "trivet/numerics/linalg/cholesky.h"
+#include "trivet/response/steady/at_rest.h"
 #include "trivet/study/motion_requirements.h"
 #include "trivet/study/mount_loads.h"
+#include "trivet/study/requirement_curve.h"
 
 namespace trivet::study {
 namespace {
@@ -45,6 +48,21 @@ Eigen::VectorXd scale_of(const spatial::MassProperties& mass) {
   scale << mass.mass, Eigen::Vector3d::Constant(root.maxCoeff() / std::sqrt(mass.mass)), root.cwiseAbs2(),
       root(0) * root(1), root(0) * root(2), root(1) * root(2);
   return scale;
+}
+
+/// Entries of the lower triangle, row by row, as numerics::Designs has them.
+Eigen::VectorXd lower_triangle(const Eigen::MatrixXd& matrix) {
+  Eigen::VectorXd entries(matrix.rows() * (matrix.rows() + 1) / 2);
+  Eigen::Index at = 0;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+    for (Eigen::Index j = 0; j <= i; ++j) entries(at++) = matrix(i, j);
+  return entries;
+}
+
+/// √(K_ii K_jj) of the same entries.
+Eigen::VectorXd triangle_scale(const Eigen::MatrixXd& matrix) {
+  const Eigen::VectorXd root = matrix.diagonal().cwiseAbs().cwiseSqrt();
+  return lower_triangle(root * root.transpose());
 }
 
 Eigen::Index matrix_entries(Eigen::Index n) { return 4 * (n * (n + 1) / 2); }
@@ -100,6 +118,7 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
     : results_(results), covered_(results.size(), false) {
   const assembly::Assembled assembled = assembly::assemble(variant.system);
   n_ = assembled.matrices.size();
+  has_static_stiffness_ = model::has_static_stiffness(variant.system);
   plan_searches(asked);
   plan_rest(variant.system);
   plan_decoupling(variant.system, assembled);
@@ -123,25 +142,20 @@ PackedCase::PackedCase(const project::Case& variant, const project::Analyses& as
 }
 
 void PackedCase::plan_searches(const project::Analyses& asked) {
-  const response::Band all{0, foundation::infinity};
   const project::Requirements required = asked.requirements.value_or(project::Requirements());
   for (std::size_t r = 0; r < results_.size(); ++r) {
     const RequirementResult& result = results_[r];
     const bool peaks = result.kind == RequirementKind::no_peak;
-    if (result.kind != RequirementKind::amplitude && !peaks) continue;
+    if (result.kind != RequirementKind::amplitude && result.kind != RequirementKind::isolation && !peaks) continue;
     Search search;
     search.count_peaks = peaks;
-    search.band = peaks ? all : required.band.value_or(all);
-    if (r < asked.limits.size()) search.band = asked.response ? asked.response->band.value_or(all) : all;
+    search.band = result.band;
     if (peaks) search.min_prominence = required.min_prominence;
-    search.excitations = result.excitations;
     const auto same = std::find_if(searches_.begin(), searches_.end(), [&](const Search& other) {
-      return other.count_peaks == search.count_peaks && other.excitations == search.excitations &&
-          other.band.from == search.band.from && other.band.to == search.band.to;
+      return other.count_peaks == search.count_peaks && have_same_drive(results_[other.results.front()], result);
     });
     Search& chosen = same != searches_.end() ? *same : searches_.emplace_back(search);
     chosen.results.push_back(r);
-    chosen.quantities.push_back(result.quantity);
     covered_[r] = true;
   }
 }
@@ -180,12 +194,13 @@ std::string PackedCase::form(const model::System& system, const assembly::Assemb
                              std::vector<design::DrivenDesign>& designs) const {
   if (!numerics::is_positive_definite(assembled.matrices.K)) return "rigid-body modes or unstable motions";
   for (const Search& search : searches_) {
+    std::vector<RequirementCurve> curves;
     std::vector<assembly::Channel> channels;
-    for (std::size_t k = 0; k < search.results.size(); ++k)
-      channels.push_back(
-          assembly::channels(system, assembled, {results_[search.results[k]].subject}, search.quantities[k]).front());
-    auto found =
-        design::driven_design(assembled, channels, assembly::harmonic_loading(system, assembled, search.excitations));
+    for (const std::size_t result : search.results) {
+      curves.push_back(requirement_curve(system, assembled, results_[result]));
+      channels.push_back(curves.back().channel);
+    }
+    auto found = design::driven_design(assembled, channels, curves.front().loading);
     if (!found.design) return found.reason;
     designs.push_back(std::move(*found.design));
   }
@@ -210,12 +225,17 @@ design::PackedOrReason PackedCase::pack(const model::System& system) const {
   for (std::size_t s = 0; s < searches_.size(); ++s)
     list.add(packed(designs[s]).tail(searches_[s].size), scales(designs[s]).tail(searches_[s].size));
   if (!at_rest_.empty()) {
+    if (!has_static_stiffness_ && model::has_static_stiffness(system))
+      return {{}, "some designs have a static stiffness of their own"};
+    const response::AtRest at_rest(system, assembled);
+    const Eigen::MatrixXd& stiffness = at_rest.assembled().matrices.K;
     const Eigen::VectorXd root_of_mass = assembled.matrices.A.diagonal().cwiseAbs().cwiseSqrt();
-    const Eigen::VectorXd load = assembly::static_load(system, assembled);
+    const Eigen::VectorXd load = assembly::static_load(at_rest.system(), at_rest.assembled());
     list.add(load, scale_of(load, root_of_mass));
-    const Eigen::VectorXd rest = numerics::cholesky_solution(assembled.matrices.K, load);
+    if (has_static_stiffness_) list.add(lower_triangle(stiffness), triangle_scale(stiffness));
+    const Eigen::VectorXd rest = numerics::cholesky_solution(stiffness, load);
     for (const RestValue& value : at_rest_) {
-      const auto row = rest_row(system, assembled, results_[value.result]);
+      const auto row = rest_row(at_rest.system(), at_rest.assembled(), results_[value.result]);
       list.add(row.first, scale_of(row.first, root_of_mass));
       const double size = row.first.cwiseAbs().dot(rest.cwiseAbs()) + std::abs(row.second);
       list.add(Eigen::VectorXd::Constant(1, row.second), Eigen::VectorXd::Constant(1, size));
@@ -246,6 +266,8 @@ PackedCase::Unpacked PackedCase::unpacked(const Eigen::MatrixXd& entries) const 
     return entries.middleCols(at - columns, columns);
   };
   if (!at_rest_.empty()) designs.load = next(n_);
+  if (!at_rest_.empty() && has_static_stiffness_) designs.rest_stiffness = next(triangle).array();
+  else designs.rest_stiffness = designs.free.K;
   for (std::size_t i = 0; i < at_rest_.size(); ++i) designs.rows.push_back(next(n_ + 1));
   for (std::size_t i = 0; i < decoupled_.size(); ++i) designs.bodies.push_back(next(mass_entries));
   return designs;

@@ -17,9 +17,9 @@ namespace trivet::study {
 /// the loss of K, loads and rows of results, the static load and what is computed from it, mass properties of bodies.
 /// A family of designs interpolates these lists.
 ///
-/// Requirements with kernels: amplitudes and peaks of constant symmetric matrices of at most twelve coordinates,
-/// avoided natural frequencies and their separation, decoupling, values at rest, loads and deflections of mounts. The
-/// others, and all of them if the case has no such form, are judged one design at a time.
+/// Requirements with kernels: amplitudes, peaks and transmissibilities of constant symmetric matrices of at most twelve
+/// coordinates, avoided natural frequencies and their separation, decoupling, values at rest, loads and deflections of
+/// mounts. The others, and all of them if the case has no such form, are judged one design at a time.
 class PackedCase {
  public:
   /// @param asked  requirements of the case  @param results  what they are and how they are judged as given
@@ -37,12 +37,10 @@ class PackedCase {
 
   /// Results that are searched together.
   struct Search {
-    response::Band band;
+    response::Band band;  ///< from = to: one frequency
     bool count_peaks = false;
     double min_prominence = 1e-6;
-    std::vector<std::string> excitations;
     std::vector<std::size_t> results;
-    std::vector<assembly::MotionQuantity> quantities;
     design::DrivenDesign first;  ///< of the given model
     Eigen::Index at = 0;         ///< where its loads and rows begin in a list
     Eigen::Index size = 0;
@@ -68,6 +66,7 @@ class PackedCase {
     numerics::Designs free;                         ///< A and K alone
     std::vector<numerics::DrivenDesigns> searched;  ///< per search
     Eigen::MatrixXd load;                           ///< designs × n, at rest
+    Eigen::ArrayXXd rest_stiffness;                 ///< K of static results, packed as in `free`
     std::vector<Eigen::MatrixXd> rows;              ///< per value at rest: designs × (n + 1), with its constant
     std::vector<Eigen::MatrixXd> bodies;            ///< per decoupled body: designs × 10, see mass_numbers
   };
@@ -88,6 +87,7 @@ class PackedCase {
   std::vector<Decoupled> decoupled_;
   std::vector<response::Band> avoided_;
   std::string reason_;
+  bool has_static_stiffness_ = false;  ///< K of static results is another one than that of vibration
   Eigen::Index n_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/invalid_input.h"
+#include "trivet/study/amplification.h"
 #include "trivet/study/explanation.h"
 #include "trivet/study/requirement_values.h"
 
@@ -64,6 +65,7 @@ CaseVerdict case_verdict(const project::Case& variant, const std::vector<std::st
   result.warnings = variant.warnings;
   result.warnings.add(context.modes.warnings);
   result.results = requirement_values(context, variant.analyses, result.warnings);
+  result.warnings.add(amplification_warnings(context, variant.analyses));
   result.load_case = load_case(variant.name, context.system, context.assembled, variant.analyses);
   for (const RequirementResult& one : result.results)
     if (one.kind == RequirementKind::clearance && one.value && std::isfinite(*one.value))
@@ -82,6 +84,7 @@ const char* name(RequirementKind kind) {
                                        "separation",
                                        "damping_ratio",
                                        "decoupling",
+                                       "isolation",
                                        "rms",
                                        "largest",
                                        "no_jump",

@@ -13,8 +13,10 @@ namespace trivet::project {
 void read_limit_lines(TableReader& root, const ResultNames& names, Analyses& result) {
   const Node* table = root.table("limit_lines");
   if (!table) return;
-  if (!result.response)
-    root.error("limit_lines", "no response to compare with", "limit lines apply to the band of analyses.response",
+  const Node* requirements = root.has("requirements") ? root.node("requirements") : nullptr;
+  if (!result.response && !(requirements && requirements->find("limit_lines") && requirements->find("band")))
+    root.error("limit_lines", "no response to compare with",
+               "limit lines apply to the band of analyses.response, or to that of the requirements that name them",
                "add response = {…} to [analyses]");
   TableReader all(*table, "limit_lines", root.problems());
   for (const std::string& name : table->keys) {

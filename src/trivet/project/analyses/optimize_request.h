@@ -11,8 +11,8 @@ namespace trivet::project {
 
 /// What of the results of `minimize` is made small: the largest amplitude over the band, the root mean square under the
 /// random excitations, or the magnitude under gravity and constant forces. Or, instead of results, the price of the
-/// chosen mounts.
-enum class Minimized { amplitude, rms, at_rest, price };
+/// chosen mounts, or the largest transmissibility of the required isolations as a share of the allowed one.
+enum class Minimized { amplitude, rms, at_rest, price, isolation };
 
 /// The search for the best design: [analyses.optimize].
 struct OptimizeRequest {

@@ -11,6 +11,7 @@
 #include "trivet/foundation/plain_text.h"
 #include "trivet/project/analyses/amplitude_limits.h"
 #include "trivet/project/analyses/harmonics_reader.h"
+#include "trivet/project/analyses/isolation_reader.h"
 #include "trivet/project/text/price.h"
 
 namespace trivet::project {
@@ -34,7 +35,7 @@ void refuse_doubled(TableReader& root, TableReader& reader, const Analyses& anal
   const Node* here = reader.node("limits");
   for (const AmplitudeLimit& limit : found.limits) {
     const Node* other = of_file ? of_file->find(limit.name) : nullptr;
-    if (!other || limit.quantity != usual) continue;
+    if (!other || limit.quantity != usual || !limit.has_common_scope()) continue;
     reader
         .error(
             "limits",
@@ -219,7 +220,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   const bool loaded = root.has("gravity") || !in_file.constant_excitations.empty();
   for (const char* key : {"static", "mount_load"})
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
-  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity);
+  found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &in_file);
   refuse_doubled(root, reader, result, found);
   found.no_peak = read_no_peak(reader, names, found.quantity);
   read_peak_shares(reader, found.min_prominence, found.peak_tolerance);
@@ -243,6 +244,7 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
     if (limit.quantity != assembly::MotionQuantity::displacement)
       reader.error("static", foundation::quoted(limit.name) + " as a velocity or an acceleration",
                    "at rest a point has a displacement only", "give a length or an angle");
+  found.isolation = read_isolation(reader, in_file);
   found.mount_load = reader.choice("mount_load", {"catalogue"}).has_value();
   found.price = read_price(reader);
   if (const auto mass = reader.number("mass", Quantity::mass)) {
@@ -280,6 +282,7 @@ void check_stops(const Requirements& required, const model::System& system, foun
 void check_requirements(const model::System& system, const Analyses& asked, foundation::Problems& problems) {
   if (!asked.requirements) return;
   const Requirements& required = *asked.requirements;
+  check_isolation(required.isolation, system, problems);
   if (required.is_about_steady_motion()) check_stops(required, system, problems);
   if (required.is_about_steady_motion())
     require_nonlinear("requirements", "remove no_jump, no_contact and steady, or give an element laws or a stop",

@@ -86,8 +86,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   else if (type == "orders") in_file.order_excitations.push_back(name);
   else in_file.harmonic_excitations.push_back(name);  // an unreadable type too: selecting it is not a second problem
   if (type == "unbalance") in_file.order_excitations.push_back(name);
-  const auto add = [&](const std::optional<model::Action>& action, model::Course course) {
-    if (action) description.excitations.push_back({name, *action, std::move(course)});
+  const auto add = [&](const std::optional<model::Action>& action, model::Course course, double service_speed = 0) {
+    if (action) description.excitations.push_back({name, *action, std::move(course), service_speed});
   };
   if (!type) {  // the valid keys depend on the type
     static_cast<void>(read_place(reader, description, in_file));
@@ -100,8 +100,8 @@ void read_excitation(const Node& node, const std::string& name, model::Descripti
   if (type == "unbalance") {
     auto action = read_place(reader, description, in_file);
     model::Action numbers = action.value_or(model::Action{});
-    read_unbalance(reader, numbers);
-    if (action) add(numbers, model::Harmonic{2});
+    const double service_speed = read_unbalance(reader, numbers);
+    if (action) add(numbers, model::Harmonic{2}, service_speed);
   }
   if (type == "orders") {
     const auto action = read_place(reader, description, in_file);

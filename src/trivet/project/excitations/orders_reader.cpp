@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -233,12 +234,12 @@ std::optional<model::Orders> read_orders(TableReader& reader) {
   return reader.errors() > before ? std::nullopt : std::optional(orders);
 }
 
-void read_unbalance(TableReader& reader, model::Action& action) {
+double read_unbalance(TableReader& reader, model::Action& action) {
   const auto axis = reader.direction("axis");
   if (!reader.has("axis")) reader.missing("axis", "give the axis of the rotor: axis = \"x\"");
   const bool backward = reader.choice("direction", {"forward", "backward"}) == "backward";
   const double phase = reader.number("phase", Quantity::angle).value_or(0);
-  double mass_eccentricity = 0;
+  double mass_eccentricity = 0, service_speed = 0;
   const bool part_of_grade = reader.has("rotor_mass") || reader.has("service_speed");
   if (reader.has("grade") || (part_of_grade && !reader.has("mass_eccentricity"))) {
     const std::size_t before = reader.errors();
@@ -250,6 +251,7 @@ void read_unbalance(TableReader& reader, model::Action& action) {
       if (reader.errors() == before && reader.has(key) && !(value > 0))
         reader.error(key, fmt::format("{:.6g}", value), "it must be > 0", "give a positive number");
     if (grade > 0 && mass > 0 && speed > 0) mass_eccentricity = excitation::permissible_unbalance(grade, mass, speed);
+    service_speed = std::max(speed, 0.0);
   } else {
     const bool called_unbalance = !reader.has("mass_eccentricity") && reader.has("unbalance");
     if (called_unbalance) {
@@ -263,15 +265,21 @@ void read_unbalance(TableReader& reader, model::Action& action) {
     if (mass_eccentricity < 0)
       reader.error("mass_eccentricity", fmt::format("{:.6g} kg m", mass_eccentricity), "it is ≥ 0",
                    "shift the phase by half a turn instead");
+    if (const auto speed = reader.number("service_speed", Quantity::angular_frequency)) {
+      if (!(*speed > 0))
+        reader.error("service_speed", fmt::format("{:.6g} rad/s", *speed), "it must be > 0", "give a positive number");
+      service_speed = std::max(*speed, 0.0);
+    }
   }
   static_cast<void>(reader.node("mass_eccentricity"));
-  if (!axis) return;
+  if (!axis) return 0;
   // Forward: from e1 to e2, counter-clockwise seen against the axis; Re((e1 − i e2) e^{iωt}) = e1 cos ωt + e2 sin ωt.
   const Eigen::Matrix3d axes = spatial::axes_along(*axis);
   const std::complex<double> turn = mass_eccentricity * std::exp(std::complex<double>(0, phase));
   action.amplitude.head<3>() = turn *
       (axes.col(0).cast<std::complex<double>>() +
        std::complex<double>(0, backward ? 1 : -1) * axes.col(1).cast<std::complex<double>>());
+  return service_speed;
 }
 
 }  // namespace trivet::project
