@@ -41,9 +41,7 @@ def rpm(speed):
 
 class Isolation(InTemporaryFolder):
     def rows(self, text, requirements):
-        found = answer(
-            "verdict", self.file(text + "[requirements]\n" + requirements + "\n")
-        )
+        found = answer("verdict", self.file(text + "[requirements]\n" + requirements + "\n"))
         return found["cases"][0]["requirements"], found["cases"][0]["warnings"]
 
     def test_transmissibility_at_speeds_over_a_band_and_of_a_moving_ground(self):
@@ -57,9 +55,7 @@ class Isolation(InTemporaryFolder):
         )
         self.assertEqual([row["kind"] for row in rows], 4 * ["isolation"])
         ratio = C / (2 * math.sqrt(K * M))  # the highest |T|, Den Hartog
-        peak = NATURAL * math.sqrt(
-            (math.sqrt(1 + 8 * ratio**2) - 1) / (4 * ratio**2)
-        )
+        peak = NATURAL * math.sqrt((math.sqrt(1 + 8 * ratio**2) - 1) / (4 * ratio**2))
         expected = [
             (0.2, transmitted(rpm(1480)), rpm(1480)),
             (0.2, transmitted(60 * math.pi), 60 * math.pi),
@@ -70,31 +66,22 @@ class Isolation(InTemporaryFolder):
             self.assertAlmostEqual(row["allowed"], allowed, DIGITS)
             self.assertAlmostEqual(row["value"] / value, 1, DIGITS)
             self.assertAlmostEqual(row["margin"] * value / allowed, 1, DIGITS)
-            self.assertAlmostEqual(
-                row["angular_frequency"] / at, 1, 7
-            )  # the place of a flat maximum has fewer digits
+            self.assertAlmostEqual(row["angular_frequency"] / at, 1, 7)  # the place of a flat maximum has fewer digits
             self.assertEqual(row["met"], value <= allowed)
         self.assertEqual(warnings, [])
         text = trivet(
             "verdict",
-            self.file(
-                OSCILLATOR
-                + '[requirements]\nisolation = {at = "10 Hz", least = "80 %"}\n'
-            ),
+            self.file(OSCILLATOR + '[requirements]\nisolation = {at = "10 Hz", least = "80 %"}\n'),
         ).stdout
         self.assertIn(f"amplified: T = {transmitted(20 * math.pi):.4g}", text)
 
     def test_an_unbalance_is_isolated_along_both_axes_of_its_circle(self):
-        stiff = OSCILLATOR.replace('free = ["z"]', 'free = ["y", "z"]').replace(
-            "[1, 1,", "[1, 1e5,"
-        )
+        stiff = OSCILLATOR.replace('free = ["z"]', 'free = ["y", "z"]').replace("[1, 1,", "[1, 1e5,")
         stiff = stiff.replace("[1e-3, 1e-3,", "[1e-3, 300,").replace(
             'type = "harmonic"',
             'type = "unbalance"\naxis = "x"\nservice_speed = "1480 rpm"\nmass_eccentricity = 0.01',
         )
-        rows, _ = self.rows(
-            stiff.replace("force = [0, 0, 30]\n", ""), 'isolation = {least = "60 %"}'
-        )
+        rows, _ = self.rows(stiff.replace("force = [0, 0, 30]\n", ""), 'isolation = {least = "60 %"}')
         w = rpm(1480)  # the default: the service speed
         for row, (k, c) in zip(rows, ((1e5, 300), (K, C)), strict=True):
             self.assertAlmostEqual(row["value"] / transmitted(w, M, k, c), 1, DIGITS)
@@ -102,10 +89,7 @@ class Isolation(InTemporaryFolder):
         self.assertIn("along z", rows[1]["requirement"])
 
     def test_a_limit_has_its_own_band_and_excitations(self):
-        two = (
-            OSCILLATOR
-            + '[excitations.g]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 7]\n'
-        )
+        two = OSCILLATOR + '[excitations.g]\ntype = "harmonic"\non = "m"\nat = [0, 0, 0]\nforce = [0, 0, 7]\n'
         rows, _ = self.rows(
             two,
             """band = ["2 Hz", "4 Hz"]
@@ -124,10 +108,7 @@ excitations = ["g"]
             self.assertAlmostEqual(row["value"] / value, 1, DIGITS)
 
     def test_amplification_where_a_machine_runs_is_a_warning(self):
-        amplified = (
-            OSCILLATOR
-            + '[analyses.transmissibility]\nforce = "f"\nband = ["12 Hz", "13 Hz"]\n'
-        )
+        amplified = OSCILLATOR + '[analyses.transmissibility]\nforce = "f"\nband = ["12 Hz", "13 Hz"]\n'
         limit = 'limits = {"m.z" = "9 mm"}'
         _, warnings = self.rows(amplified, limit)
         self.assertEqual(len([w for w in warnings if "is amplified" in w]), 1)
@@ -141,9 +122,7 @@ excitations = ["g"]
         for band in ('["1 Hz", "13 Hz"]', '["20 Hz", "25 Hz"]'):
             _, quiet = self.rows(amplified.replace('["12 Hz", "13 Hz"]', band), limit)
             self.assertFalse([w for w in quiet if "is amplified" in w])
-        table = trivet(
-            "transmissibility", self.file(amplified)
-        ).stdout  # over the band, not over all frequencies
+        table = trivet("transmissibility", self.file(amplified)).stdout  # over the band, not over all frequencies
         self.assertIn("highest |T| in the band", table)
         above = answer(
             "transmissibility",
@@ -175,17 +154,39 @@ starts = 2
         found = answer("optimize", self.file(text))
         self.assertTrue(found["feasible"])
         self.assertAlmostEqual(found["parameters"][0]["optimum"] / softest, 1, 6)
-        self.assertAlmostEqual(
-            found["after"] / (transmitted(rpm(1480), k=softest) / 0.5), 1, 6
-        )
+        self.assertAlmostEqual(found["after"] / (transmitted(rpm(1480), k=softest) / 0.5), 1, 6)
         # The largest least margin balances both: (1 − 50 %) / T = 2 mm / sag.
-        balanced = answer(
-            "optimize", self.file(text.replace('minimize = "isolation"\n', ""))
-        )
+        balanced = answer("optimize", self.file(text.replace('minimize = "isolation"\n', "")))
         k = balanced["parameters"][0]["optimum"]
-        self.assertAlmostEqual(
-            0.5 / transmitted(rpm(1480), k=k) / (2e-3 * k / (M * 9.80665)), 1, 6
+        self.assertAlmostEqual(0.5 / transmitted(rpm(1480), k=k) / (2e-3 * k / (M * 9.80665)), 1, 6)
+
+    def test_a_map_judges_isolation_and_limits_with_their_own_band(self):
+        text = (
+            OSCILLATOR
+            + """[parameters.stiffness]
+path = "elements.s.translation.z"
+from = 5e4
+to = 5e5
+[parameters.damper]
+path = "elements.s.damping.translation.z"
+from = 50
+to = 2000
+[requirements]
+isolation = {at = "1480 rpm", least = "80 %"}
+limits = {"m.z" = {limit = "0.04 mm", band = ["30 Hz", "40 Hz"]}}
+[analyses.map]
+x = {parameter = "stiffness", points = 4}
+y = {parameter = "damper", points = 3}
+"""
         )
+        found = answer("map", self.file(text))
+        self.assertEqual(sorted(rule["kind"] for rule in found["rules"]), ["amplitude", "isolation"])
+        w = 60 * math.pi  # all natural frequencies are below 30 Hz
+        places = [(k, c) for c in (50, 1025, 2000) for k in (5e4, 2e5, 3.5e5, 5e5)]
+        for (k, c), stored in zip(places, found["grid"]["margin"], strict=True):
+            amplitude = 30 / abs(complex(k - M * w * w, c * w))
+            margin = min(0.2 / transmitted(rpm(1480), M, k, c), 0.04e-3 / amplitude)
+            self.assertAlmostEqual(stored / margin, 1, 6)  # a map stores margins in single precision
 
 
 # Vertical and pitching motion on one mount in front and one behind.
@@ -248,15 +249,11 @@ class RankedMounts(InTemporaryFolder):
         self.file(CATALOGUE, "maker.toml")
 
     def test_a_load_range_alone_chooses_the_stiffest_mounts_with_a_warning(self):
-        operation = (
-            '[analyses.transmissibility]\nforce = "run"\nband = ["12 Hz", "13 Hz"]\n'
-        )
+        operation = '[analyses.transmissibility]\nforce = "run"\nband = ["12 Hz", "13 Hz"]\n'
         found = answer("select", self.file(MACHINE + operation))
         self.assertGreater(found["best"][0]["transmissibility"], 1)
         self.assertTrue(any("is amplified" in w for w in found["warnings"]))
-        self.assertIn(
-            "AMPLIFIES", trivet("select", self.file(MACHINE + operation)).stdout
-        )
+        self.assertIn("AMPLIFIES", trivet("select", self.file(MACHINE + operation)).stdout)
         with_isolation = answer("select", self.file(MACHINE + ISOLATION + operation))
         self.assertFalse(any("is amplified" in w for w in with_isolation["warnings"]))
 
@@ -281,9 +278,7 @@ class RankedMounts(InTemporaryFolder):
             "isolation": lambda pair: judged[pair][1],
         }
         for by, key in keys.items():
-            expected = sorted(
-                holding, key=lambda pair: (round(key(pair), 8), -judged[pair][0])
-            )
+            expected = sorted(holding, key=lambda pair: (round(key(pair), 8), -judged[pair][0]))
             found = answer("select", project, "--by", by, "--most", "16")
             self.assertEqual(found["by"], by)
             self.assertEqual(
@@ -292,9 +287,7 @@ class RankedMounts(InTemporaryFolder):
             )
             first = answer("select", project, "--by", by, "--most", "1")
             self.assertEqual(first["best"][0]["mounts"], found["best"][0]["mounts"])
-        self.assertIn(
-            "Cheapest combination", trivet("select", project, "--by", "price").stdout
-        )
+        self.assertIn("Cheapest combination", trivet("select", project, "--by", "price").stdout)
 
     def test_orders_need_what_they_rank_by(self):
         for text, by, words in (
