@@ -107,6 +107,29 @@ excitations = ["g"]
         for row, value in zip(rows, expected, strict=True):
             self.assertAlmostEqual(row["value"] / value, 1, DIGITS)
 
+    def test_a_limit_over_speeds_is_one_for_each_order(self):
+        crank = """[excitations.crank]
+type = "orders"
+on = "m"
+at = [0, 0, 0]
+table = [{order = 2, force_per_speed2 = [0, 0, 0.02]}, {order = 0.5, force = [0, 0, 40]}]
+"""
+        base = OSCILLATOR.split("[excitations")[0] + crank
+        rows, _ = self.rows(base, 'limits = {"m.z" = {limit = "9 mm/s", speed = ["300 rpm", "600 rpm"]}}')
+        ratio = C / (2 * math.sqrt(K * M))
+
+        def velocity(force, w):
+            return force * w / abs(complex(K - M * w * w, C * w))
+
+        slow = velocity(40, 0.5 * rpm(600))  # far below the resonance, at the highest speed
+        fast = max(  # order 2: 20 Hz is above the resonance, whose peak in m e ω² · ω is that of a cubic
+            velocity(0.02 * (w / 2) ** 2, w) for w in (NATURAL * (0.95 + 1e-5 * i) for i in range(15000))
+        )
+        self.assertLess(ratio, 0.2)
+        for row, expected, digits in zip(rows, (slow, fast), (DIGITS, 7), strict=True):
+            self.assertAlmostEqual(row["value"] / expected, 1, digits)
+        self.assertIn("in order 2 of 300 … 600 rpm", rows[1]["requirement"])
+
     def test_amplification_where_a_machine_runs_is_a_warning(self):
         amplified = OSCILLATOR + '[analyses.transmissibility]\nforce = "f"\nband = ["12 Hz", "13 Hz"]\n'
         limit = 'limits = {"m.z" = "9 mm"}'

@@ -78,7 +78,8 @@ class UsedExcitationCollector {
   void add_requirements(const Requirements& required) {
     bool common = !required.no_peak.empty();
     for (const AmplitudeLimit& limit : required.limits) {
-      if (limit.excitations) add_excitations(*limit.excitations, harmonic);
+      if (limit.speed) add_excitations(limit.excitations.value_or(std::vector<std::string>()), by_orders);
+      else if (limit.excitations) add_excitations(*limit.excitations, harmonic);
       else common = true;
     }
     if (common) add_excitations(required.excitations, harmonic);

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "trivet/design/design_rules.h"
 #include "trivet/foundation/constants.h"
 #include "trivet/foundation/index.h"
 #include "trivet/foundation/plain_text.h"
+#include "trivet/response/machinery/order_loading.h"
 #include "trivet/study/nearest_to_line.h"
 #include "trivet/study/requirement_curve.h"
 
@@ -37,12 +39,35 @@ class CurveRequirements {
 
   void add_amplitudes(const std::vector<project::AmplitudeLimit>& limits, const response::Band& band,
                       const std::vector<std::string>& excitations) {
-    if (limits.empty()) return;
+    for (const project::AmplitudeLimit& limit : limits)
+      if (limit.speed) add_under_orders(limit);
+    std::vector<project::AmplitudeLimit> harmonic;
+    std::copy_if(limits.begin(), limits.end(), std::back_inserter(harmonic),
+                 [](const project::AmplitudeLimit& limit) { return !limit.speed; });
+    if (harmonic.empty()) return;
     const std::size_t first = list_.size();
-    list_.add_bounds(c_, RequirementKind::amplitude, limits, "");
-    for (std::size_t i = 0; i < limits.size(); ++i)
-      if (!limits[i].has_common_scope()) list_[first + i].words += scope_words(limits[i]);
-    set_amplitudes(first, limits, band, excitations);
+    list_.add_bounds(c_, RequirementKind::amplitude, harmonic, "");
+    for (std::size_t i = 0; i < harmonic.size(); ++i)
+      if (!harmonic[i].has_common_scope()) list_[first + i].words += scope_words(harmonic[i]);
+    set_amplitudes(first, harmonic, band, excitations);
+  }
+
+  /// One requirement for each order of the shaft.
+  void add_under_orders(const project::AmplitudeLimit& limit) {
+    const std::vector<std::string> excitations = limit.excitations.value_or(std::vector<std::string>());
+    for (const response::OrderLoading& one : response::order_loadings(c_.system, c_.assembled, excitations)) {
+      if (one.loading.vanishes()) continue;
+      const std::size_t place = list_.size();
+      list_.add_bounds(c_, RequirementKind::amplitude, {limit}, "");
+      RequirementResult& result = list_[place];
+      constexpr double rpm = foundation::rpm_per_rad_s;
+      result.words += fmt::format(" in order {:.6g} of {:.5g} … {:.5g} rpm", one.order, limit.speed->from * rpm,
+                                  limit.speed->to * rpm);
+      result.order = one.order;
+      result.band = {one.order * limit.speed->from, one.order * limit.speed->to};
+      result.excitations = excitations;
+      list_.attempt({place}, [&] { set_amplitudes_together({place}, {limit}); });
+    }
   }
 
   /// Those with the same drive and band together.
@@ -142,8 +167,7 @@ class CurveRequirements {
   /// @param places  of results with the same drive
   void set_rule_values(const std::vector<std::size_t>& places, const design::RuleSet& set,
                        const std::vector<assembly::Channel>& channels, const std::vector<MotionQuantity>& quantities) {
-    const assembly::Loading loading =
-        assembly::harmonic_loading(c_.system, c_.assembled, list_[places.front()].excitations);
+    const assembly::Loading loading = requirement_curve(c_.system, c_.assembled, list_[places.front()]).loading;
     if (loading.vanishes()) throw without_excitation("response, peaks");
     const response::Peaks found = peaks_of(channels, loading, set.band, set.min_prominence);
     const design::RuleValues values = design::rule_values(c_.assembled, channels, loading, found, set);

@@ -40,7 +40,7 @@ void MinimizedResults::add_to(project::Analyses& analyses) {
     for (const project::Limit& limit : analyses.limits)
       if (amplitudes && limit.name == name && same_quantity) allowed = limit.amplitude;
     if (allowed > 0 && !are_of_front()) ++limited;
-    list.push_back({name, quantity_, allowed > 0 && !are_of_front() ? allowed : 1, {}, {}});
+    list.push_back({name, quantity_, allowed > 0 && !are_of_front() ? allowed : 1, {}, {}, {}});
   }
 }
 

@@ -3,10 +3,16 @@
 
 #include <utility>
 
+#include "trivet/response/machinery/order_loading.h"
+
 namespace trivet::study {
 
 RequirementCurve requirement_curve(const model::System& system, const assembly::Assembled& assembled,
                                    const RequirementResult& result) {
+  if (result.order > 0)
+    for (const response::OrderLoading& one : response::order_loadings(system, assembled, result.excitations))
+      if (one.order == result.order)
+        return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(), one.loading};
   if (!result.transmitted)
     return {assembly::channels(system, assembled, {result.subject}, result.quantity).front(),
             assembly::harmonic_loading(system, assembled, result.excitations)};
@@ -20,7 +26,7 @@ RequirementCurve requirement_curve(const model::System& system, const assembly::
 }
 
 bool have_same_drive(const RequirementResult& a, const RequirementResult& b) {
-  if (a.band != b.band || a.transmitted.has_value() != b.transmitted.has_value()) return false;
+  if (a.band != b.band || a.order != b.order || a.transmitted.has_value() != b.transmitted.has_value()) return false;
   if (!a.transmitted) return a.excitations == b.excitations;
   return a.transmitted->force == b.transmitted->force && a.transmitted->base == b.transmitted->base;
 }

@@ -31,7 +31,7 @@ std::string cause_of(const project::Case& variant, const RequirementResult& resu
   const bool clearance = result.kind == RequirementKind::clearance,
              explained =
                  clearance || result.kind == RequirementKind::amplitude || result.kind == RequirementKind::no_peak;
-  if (!explained || !result.angular_frequency) return "";
+  if (!explained || !result.angular_frequency || result.order > 0) return "";
   constexpr double same = 1e-6;
   constexpr int all = 1000;
   try {

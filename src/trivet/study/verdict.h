@@ -72,6 +72,7 @@ struct RequirementResult {
     std::size_t direction = 0;  ///< of a rotating force: along which axis of its ellipse
     bool operator==(const Transmitted&) const = default;
   };
+  double order = 0;                        ///< of a shaft, which drives the curve; 0: harmonic excitations do
   std::optional<Transmitted> transmitted;  ///< none: the curve is that of `subject` under `excitations`
 
   [[nodiscard]] bool met() const { return value && margin >= 1; }

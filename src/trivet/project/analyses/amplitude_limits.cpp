@@ -24,7 +24,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
       const auto si = to_si(value.text, *names.component(name, quantity));
       if (!si) continue;
       if (!(*si > 0)) reader.error(key, value_text(value), "a limit is > 0", "change it");
-      limits.push_back({name, quantity, *si, {}, {}});
+      limits.push_back({name, quantity, *si, {}, {}, {}});
       return;
     }
   if (value.kind == Node::Kind::text && written_number(value)) {
@@ -41,7 +41,7 @@ void read_limit(TableReader& reader, const std::string& key, const Node& value, 
   if (amplitude && !(*amplitude > 0))
     reader.error(key, fmt::format("{:.6g} {}", *amplitude, si_unit(*names.component(name, usual))), "a limit is > 0",
                  "change it");
-  if (amplitude) limits.push_back({name, usual, *amplitude, {}, {}});
+  if (amplitude) limits.push_back({name, usual, *amplitude, {}, {}, {}});
 }
 
 /// {limit = "4.5 mm/s", band = ["20 Hz", "26 Hz"], excitations = ["run"]}: a limit in a band, and under excitations, of
@@ -55,11 +55,22 @@ void read_scoped_limit(TableReader& reader, const std::string& name, const Node&
   else inside.missing("limit", "give the largest amplitude: {limit = \"4.5 mm/s\", band = [\"20 Hz\", \"26 Hz\"]}");
   const auto band = read_band(inside, "band");
   std::optional<std::vector<std::string>> excitations;
-  if (inside.has("excitations")) excitations = read_selected_harmonic(inside, in_file);
+  const auto speed = read_band(inside, "speed");
+  if (band && inside.has("speed"))
+    inside.error("speed", "band and speed",
+                 "a limit is that of harmonic excitations in a band, or of orders over speeds",
+                 "keep one; a list of limits has both");
+  if (inside.has("speed") && in_file.order_excitations.empty())
+    inside.error("speed", "no orders in the model", "this limit judges the motion under each order of a shaft",
+                 "add [excitations.NAME] with type = \"orders\" or \"unbalance\", or give a band");
+  if (inside.has("excitations"))
+    excitations = inside.has("speed") ? read_selected(inside, in_file.order_excitations, "orders")
+                                      : read_selected_harmonic(inside, in_file);
   inside.finish();
   for (std::size_t i = before; i < limits.size(); ++i) {
     limits[i].band = band;
     limits[i].excitations = excitations;
+    limits[i].speed = speed;
   }
 }
 
@@ -69,7 +80,8 @@ void check_limits_differ(TableReader& reader, const std::string& name, const Nod
   for (std::size_t i = 0; i < limits.size(); ++i)
     for (std::size_t j = i + 1; j < limits.size(); ++j)
       if (limits[i].name == name && limits[j].name == name && limits[i].quantity == limits[j].quantity &&
-          limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations)
+          limits[i].band == limits[j].band && limits[i].excitations == limits[j].excitations &&
+          limits[i].speed == limits[j].speed)
         return static_cast<void>(reader.error(name, fmt::format("{} limits", list.items.size()),
                                               "the larger of two limits of one quantity has no effect",
                                               "keep the smaller"));

@@ -18,9 +18,10 @@ struct AmplitudeLimit {
   double amplitude = 0;
   std::optional<response::Band> band;                   ///< of its own, if it has one
   std::optional<std::vector<std::string>> excitations;  ///< of its own, if it has them
+  std::optional<response::Band> speed;                  ///< of a shaft, whose orders then drive it one by one
 
   /// True if it is judged in the band and under the excitations of all limits.
-  [[nodiscard]] bool has_common_scope() const { return !band && !excitations; }
+  [[nodiscard]] bool has_common_scope() const { return !band && !excitations && !speed; }
   bool operator==(const AmplitudeLimit&) const = default;
 };
 

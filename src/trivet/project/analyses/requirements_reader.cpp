@@ -207,7 +207,6 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   if (reader.has("excitations")) found.excitations = read_selected_harmonic(reader, in_file);
   if (const auto quantity = read_quantity(reader)) found.quantity = *quantity;
   const bool harmonic = !in_file.harmonic_excitations.empty();
-  need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   need(reader, "no_peak", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   for (const char* key : {"no_jump", "no_contact", "steady"})
     need(reader, key, harmonic || !in_file.order_excitations.empty(), "harmonic or order excitation",
@@ -221,6 +220,9 @@ void read_requirements(TableReader& root, const ResultNames& names, const NamesI
   for (const char* key : {"static", "mount_load"})
     need(reader, key, loaded, "gravity and no constant force", "gravity = [0, 0, -9.80665]");
   found.limits = read_amplitude_limits(reader, "limits", names, found.quantity, &in_file);
+  const auto by_orders = [](const AmplitudeLimit& limit) { return limit.speed.has_value(); };
+  if (found.limits.empty() || !std::all_of(found.limits.begin(), found.limits.end(), by_orders))
+    need(reader, "limits", harmonic, "harmonic excitation", "[excitations.NAME] with type = \"harmonic\"");
   refuse_doubled(root, reader, result, found);
   found.no_peak = read_no_peak(reader, names, found.quantity);
   read_peak_shares(reader, found.min_prominence, found.peak_tolerance);
