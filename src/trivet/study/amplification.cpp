@@ -111,7 +111,7 @@ std::optional<double> operating_transmissibility(const CaseContext& c, const pro
 
 foundation::Problems amplification_warnings(const CaseContext& c, const project::Analyses& analyses) {
   foundation::Problems warnings;
-  if (speaks_of_the_ground(analyses)) return warnings;
+  if (speaks_of_the_ground(analyses) || is_too_large_for_roots(c.assembled)) return warnings;
   std::vector<Operation> all = judged_operations(c, analyses);
   std::stable_sort(all.begin(), all.end(),
                    [](const Operation& a, const Operation& b) { return *a.asked.value > *b.asked.value; });
